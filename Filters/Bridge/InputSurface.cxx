@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputSurface.h"
+
+#include "PolyDataTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace geodesic::bridge
+{
+namespace
+{
+
+/** Tells inputs apart: modification times are never used twice, so a reused address does not
+ * matter. */
+using Identity =
+  std::tuple<void*, vtkMTimeType, void*, vtkMTimeType, void*, vtkMTimeType, CoincidentPoints>;
+
+Identity identityOf(vtkPolyData* input, CoincidentPoints coincident)
+{
+  vtkPoints* points = input->GetPoints();
+  vtkCellArray* polygons = input->GetPolys();
+  vtkCellArray* strips = input->GetStrips();
+  return { points, points ? points->GetMTime() : 0, polygons, polygons->GetMTime(), strips,
+    strips->GetMTime(), coincident };
+}
+
+struct Known
+{
+  Identity identity;
+  std::weak_ptr<const InputSurface> surface;
+};
+
+std::shared_ptr<const TriangleMesh> meshOf(vtkPolyData* input, CoincidentPoints coincident)
+{
+  const std::vector<Vector3> points = pointsOf(input);
+  const std::vector<Triangle> triangles = trianglesOf(input, points);
+  auto mesh = std::make_shared<const TriangleMesh>(points, triangles, coincident);
+  if (mesh->numberOfTriangles() == 0)
+  {
+    throw std::invalid_argument("The input has no surface: " + std::to_string(points.size()) +
+      " points, and no triangle, polygon or strip with an area among its " +
+      std::to_string(input->GetNumberOfCells()) +
+      " cells. Give a surface, for example by "
+      "Extract Surface.");
+  }
+  return mesh;
+}
+
+}
+
+std::shared_ptr<const InputSurface> InputSurface::of(
+  vtkPolyData* input, CoincidentPoints coincident)
+{
+  static std::mutex mutex;
+  static std::vector<Known> known;
+  const Identity identity = identityOf(input, coincident);
+  const std::lock_guard lock(mutex);
+  std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
+  for (const Known& k : known)
+  {
+    const auto surface = k.surface.lock();
+    if (k.identity == identity && surface)
+    {
+      return surface;
+    }
+  }
+  auto surface = std::make_shared<const InputSurface>(input, coincident);
+  known.push_back({ identity, surface });
+  return surface;
+}
+
+InputSurface::InputSurface(vtkPolyData* input, CoincidentPoints coincident)
+  : Mesh(meshOf(input, coincident))
+{
+}
+
+const ClosestPointTree& InputSurface::closestPoints() const
+{
+  std::call_once(this->ClosestPointsBuilt,
+    [this] { this->ClosestPoints = std::make_unique<ClosestPointTree>(this->Mesh); });
+  return *this->ClosestPoints;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_InputSurface_h
+#define geodesic_bridge_InputSurface_h
+
+#include "ClosestPointTree.h"
+#include "TriangleMesh.h"
+
+#include <memory>
+#include <mutex>
+
+class vtkPolyData;
+
+namespace geodesic::bridge
+{
+
+/**
+ * What is built once for an input's points and cells and shared by every run of every filter on it:
+ * the mesh, and on first use the structure that finds closest points.
+ */
+class InputSurface
+{
+public:
+  /**
+   * The surface of a polydata, built now unless some filter still holds it. It is known by the
+   * objects that hold points and cells and by their modification times, so new arrays on the same
+   * surface, or a shallow copy of it, find it again.
+   * @throws std::invalid_argument where there is no triangle, polygon or strip, and see
+   * TriangleMesh
+   */
+  static std::shared_ptr<const InputSurface> of(vtkPolyData* input, CoincidentPoints coincident);
+
+  InputSurface(vtkPolyData* input, CoincidentPoints coincident);
+
+  const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
+  const ClosestPointTree& closestPoints() const;
+
+private:
+  std::shared_ptr<const TriangleMesh> Mesh;
+  mutable std::once_flag ClosestPointsBuilt;
+  mutable std::unique_ptr<ClosestPointTree> ClosestPoints;
+};
+
+}
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef geodesic_BucketQueue_h
+#define geodesic_BucketQueue_h
+
+#include "Index.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * A queue that hands out items roughly by increasing key: in order of buckets of equal width,
+ * within a bucket in the order they came. Enough for a label correcting march, whose result does
+ * not depend on the order, at constant time an item. R. Dial, Algorithm 360, CACM 12 (1969).
+ */
+class BucketQueue
+{
+public:
+  /** @param width of a bucket; @param span the most that a pushed key exceeds the last popped one.
+   */
+  void start(double width, double span)
+  {
+    constexpr double mostBuckets = 1 << 16;
+    const double wanted = std::min(span / width + 2.0, mostBuckets);
+    const std::size_t buckets = std::bit_ceil(static_cast<std::size_t>(wanted));
+    for (std::vector<Index>& bucket : this->Buckets)
+    {
+      bucket.clear();
+    }
+    if (this->Buckets.size() < buckets)
+    {
+      this->Buckets.resize(buckets);
+    }
+    this->PerWidth = 1.0 / width;
+    this->Current = 0;
+    this->Next = 0;
+    this->Count = 0;
+  }
+
+  bool isEmpty() const { return this->Count == 0; }
+
+  /** A key beyond the last bucket, or before the current one, joins the nearest there is. */
+  void push(Index item, double key)
+  {
+    const double number = key * this->PerWidth;
+    const std::uint64_t last = this->Current + this->Buckets.size() - 1;
+    const std::uint64_t bucket = number < static_cast<double>(last)
+      ? std::max(static_cast<std::uint64_t>(number), this->Current)
+      : last;
+    this->bucket(bucket).push_back(item);
+    ++this->Count;
+  }
+
+  /** @pre not empty */
+  Index pop()
+  {
+    while (this->Next == this->bucket(this->Current).size())
+    {
+      this->bucket(this->Current).clear();
+      this->Next = 0;
+      ++this->Current;
+    }
+    --this->Count;
+    return this->bucket(this->Current)[this->Next++];
+  }
+
+private:
+  std::vector<Index>& bucket(std::uint64_t number)
+  {
+    return this->Buckets[number & (this->Buckets.size() - 1)];
+  }
+
+  std::vector<std::vector<Index>> Buckets;
+  double PerWidth = 1.0;
+  std::uint64_t Current = 0;
+  std::size_t Next = 0;
+  std::size_t Count = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+#ifndef geodesic_ClosestPointTree_h
+#define geodesic_ClosestPointTree_h
+
+#include "SurfacePoint.h"
+#include "Vector3.h"
+
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+class TriangleMesh;
+
+/**
+ * Finds the point of a surface that is nearest to a point in space, on faces, not only at vertices.
+ *
+ * The triangles of a TriangleMesh already follow a space filling curve, so consecutive ones lie
+ * together: a hierarchy of boxes over runs of them needs no sorting, no child pointers and about
+ * 8 bytes a triangle.
+ */
+class ClosestPointTree
+{
+public:
+  /** @param mesh is shared. Time and memory O(number of triangles). */
+  explicit ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh);
+
+  struct Result
+  {
+    /** Snapped to edges and vertices (see snapped). */
+    SurfacePoint point;
+    Vector3 position;
+    /** From the query point, in the mesh's length unit. */
+    double distance = 0.0;
+  };
+
+  /**
+   * @param query a finite point
+   * @throws std::invalid_argument where the surface has no triangle, or the square of the distance
+   *         overflows
+   * Time O(log n) for points near the surface.
+   */
+  Result closestPoint(const Vector3& query) const;
+
+private:
+  struct Box
+  {
+    float low[3];
+    float high[3];
+  };
+
+  Box boxOfTriangles(Index first, Index last) const;
+  double squaredDistance(const Box& box, const Vector3& query) const;
+
+  std::shared_ptr<const TriangleMesh> Mesh;
+  /** Boxes are stored relative to this point, so that floats resolve a surface far from 0. */
+  Vector3 Origin;
+  /** Levels[0] bounds runs of triangles; each further level bounds runs of the one below. */
+  std::vector<std::vector<Box>> Levels;
+};
+
+}
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef geodesic_DijkstraSolver_h
+#define geodesic_DijkstraSolver_h
+
+#include "DistanceSolver.h"
+
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * Shortest distance along the edges of the mesh, an upper bound of the geodesic distance that does
+ * not become exact under refinement. A seed inside a face or on an edge reaches that face's corners
+ * in a straight line. E. W. Dijkstra, A note on two problems in connexion with graphs, Numer. Math.
+ * 1 (1959).
+ *
+ * Time O(n log n), memory 16 bytes for each vertex of the front.
+ */
+class DijkstraSolver : public DistanceSolver
+{
+public:
+  explicit DijkstraSolver(std::shared_ptr<const TriangleMesh> mesh);
+
+protected:
+  bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
+
+private:
+  struct Trial
+  {
+    double distance;
+    Index vertex;
+    Index seed;
+  };
+
+  std::vector<Trial> Heap;
+};
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+#ifndef geodesic_DistanceSolver_h
+#define geodesic_DistanceSolver_h
+
+#include "DistanceField.h"
+#include "SeedCorners.h"
+#include "SolveOptions.h"
+
+#include <memory>
+#include <span>
+
+namespace geodesic
+{
+
+class StopLimit;
+class TriangleMesh;
+
+/**
+ * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a
+ * second run on it allocates nothing and touches only what its front reaches.
+ */
+class DistanceSolver
+{
+public:
+  virtual ~DistanceSolver() = default;
+  DistanceSolver(const DistanceSolver&) = delete;
+  DistanceSolver& operator=(const DistanceSolver&) = delete;
+
+  const TriangleMesh& mesh() const { return *this->Mesh; }
+
+  /**
+   * @param seeds   at least one
+   * @param options see there; what its spans refer to must live as long as the call
+   * @return the field, which the next call overwrites. A target that can't be reached, or a
+   * cancelled run, is no error: see DistanceField::stopReason.
+   * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
+   * of the mesh or that is excluded, an option that does not fit the mesh
+   */
+  const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {});
+
+protected:
+  explicit DistanceSolver(std::shared_ptr<const TriangleMesh> mesh);
+
+  /** What a run is asked for, checked. */
+  struct Request
+  {
+    std::span<const Seed> seeds;
+    std::span<const SeedCorner> corners;
+    const SolveOptions& options;
+  };
+
+  /**
+   * Lowers the field until it is final up to the limit.
+   * @return false when cancelled
+   */
+  virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;
+
+private:
+  std::shared_ptr<const TriangleMesh> Mesh;
+  DistanceField Field;
+};
+
+}
+
+#endif

@@ -1,0 +1,92 @@
+#ifndef geodesic_EikonalUpdate_h
+#define geodesic_EikonalUpdate_h
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace geodesic
+{
+
+/**
+ * One triangle laid flat: the edge from corner a to corner b of length c along the x axis, the
+ * third corner v, to be updated, at (x, h).
+ */
+struct FlatTriangle
+{
+  /** Length of the edge. */
+  double c;
+  /** Foot of v on the edge's line, from a. */
+  double x;
+  /** Height of v over the edge, at least 0. */
+  double h;
+  /** Length from a to v. */
+  double av;
+  /** Length from b to v. */
+  double bv;
+};
+
+/**
+ * A lower bound of every update of v over the edge: the distance on the edge is 1-Lipschitz, so
+ * nowhere on it less than (a + b - c) / 2. Cheap, and most updates of a march end here.
+ */
+inline double updateLowerBound(const FlatTriangle& t, double a, double b)
+{
+  const double low = std::min(a, b);
+  const double high = std::min(std::max(a, b), low + t.c);
+  return 0.5 * (low + high - t.c) + t.h;
+}
+
+/**
+ * Distance at v from distances @p a and @p b at the ends of the opposite edge: the minimum over the
+ * points p of the edge of phi(p) + |p v|, where phi is the distance from the flat point source that
+ * the two values define. A value of +infinity means that an end is not reached.
+ *
+ * The update is nondecreasing in a and in b, also where its clamps act, so that the field does not
+ * depend on the order of a march; it is scale free from 1e-75 to 1e75 and right for triangles of
+ * zero area. Where the values define no flat source (|b - a| >= c) the front comes along an edge.
+ * Flat virtual sources: S. Novotni, R. Klein, Computing geodesic distances on triangular meshes,
+ * WSCG (2002); the reduction to a minimum over the edge makes it monotone.
+ */
+inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
+{
+  double x = t.x;
+  double av = t.av;
+  double bv = t.bv;
+  if (a > b)
+  {
+    std::swap(a, b);
+    std::swap(av, bv);
+    x = t.c - x;
+  }
+  const double u = b - a;
+  if (!(u < t.c))
+  {
+    return std::min(a + av, b + bv);
+  }
+  const double alongEdge = std::min(a + av, b + bv);
+  // The source is at (sourceX, -sourceY).
+  const double sourceX = 0.5 * (t.c - u * (a + b) / t.c);
+  const double s = a + b - t.c;
+  const double square = (a + b + t.c) * s * (t.c + u) * (t.c - u);
+  if (s <= 0.0)
+  {
+    // The two discs overlap: the source lies on the edge, somewhere within them.
+    const double halfWidth = std::sqrt(std::max(0.0, -square)) / (2.0 * t.c);
+    const double p = std::clamp(std::clamp(x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
+    return std::min(alongEdge, std::sqrt((x - p) * (x - p) + t.h * t.h));
+  }
+  const double sourceY = std::sqrt(square) / (2.0 * t.c);
+  const double rise = sourceY + t.h;
+  const double run = x - sourceX;
+  const double crossing = sourceX * rise + run * sourceY;
+  if (crossing <= 0.0 || crossing >= t.c * rise)
+  {
+    return alongEdge;
+  }
+  return std::min(alongEdge, std::sqrt(run * run + rise * rise));
+}
+
+}
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef geodesic_Index_h
+#define geodesic_Index_h
+
+#include <array>
+#include <cstdint>
+
+namespace geodesic
+{
+
+/** Numbers points, vertices, triangles and seeds inside Core. */
+using Index = std::uint32_t;
+
+/** No such point, vertex, triangle or seed. */
+inline constexpr Index NoIndex = 0xffffffffu;
+
+/** Three corners, as point ids of the input or as vertices of a TriangleMesh. */
+using Triangle = std::array<Index, 3>;
+
+}
+
+#endif

@@ -1,0 +1,107 @@
+#ifndef geodesic_LabelSets_h
+#define geodesic_LabelSets_h
+
+#include "Index.h"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * The values that vertices keep for several seeds, one a seed and vertex, as far as they are within
+ * a margin of the vertex's best. Mixing values of different seeds in an update would be wrong on
+ * both sides of the border between them, and a switch by the nearest seed would depend on the
+ * order.
+ *
+ * Margin: where a seed wins at a point of an edge, its value at the ends of the edge exceeds the
+ * best one there by at most twice the edge's length. Twice that again leaves room for the error
+ * of the update itself, so the margin is MarginInEdges times the longest edge round the vertex.
+ */
+class LabelSets
+{
+public:
+  static constexpr double MarginInEdges = 4.0;
+
+  /** One value of one vertex, without the value of the seed itself. */
+  struct Entry
+  {
+    double value;
+    Index vertex;
+    Index label;
+    /** Next entry of the same vertex. */
+    Index next;
+    bool isQueued;
+    bool isPinned;
+  };
+
+  /** To be called before each use. Memory 4 bytes a vertex. */
+  void start(Index numberOfVertices) { this->Heads.resize(numberOfVertices, NoIndex); }
+
+  /** Forgets everything; @p vertices are all those that have entries. */
+  void clear(std::span<const Index> vertices)
+  {
+    for (Index vertex : vertices)
+    {
+      this->Heads[vertex] = NoIndex;
+    }
+    this->Entries.clear();
+  }
+
+  Entry& operator[](Index entry) { return this->Entries[entry]; }
+
+  /** The entry of a vertex for a label, NoIndex where there is none. */
+  Index find(Index vertex, Index label) const
+  {
+    Index entry = this->Heads[vertex];
+    while (entry != NoIndex && this->Entries[entry].label != label)
+    {
+      entry = this->Entries[entry].next;
+    }
+    return entry;
+  }
+
+  /** +infinity where the vertex has no value for the label. */
+  double value(Index vertex, Index label) const
+  {
+    const Index entry = this->find(vertex, label);
+    return entry == NoIndex ? std::numeric_limits<double>::infinity() : this->Entries[entry].value;
+  }
+
+  /** Adds an entry without a value to a vertex that has none for the label. */
+  Index add(Index vertex, Index label)
+  {
+    const Index entry = static_cast<Index>(this->Entries.size());
+    constexpr double none = std::numeric_limits<double>::infinity();
+    this->Entries.push_back({ none, vertex, label, this->Heads[vertex], false, false });
+    this->Heads[vertex] = entry;
+    return entry;
+  }
+
+  /** The smallest label among those whose value equals the vertex's best one, rounding aside. */
+  template <class OffsetOf>
+  Index nearest(Index vertex, double best, OffsetOf&& offsetOf) const
+  {
+    constexpr double rounding = 1.0 + 1e-10;
+    Index label = NoIndex;
+    for (Index e = this->Heads[vertex]; e != NoIndex; e = this->Entries[e].next)
+    {
+      const Entry& entry = this->Entries[e];
+      if (entry.label < label && entry.value + offsetOf(entry.label) <= best * rounding)
+      {
+        label = entry.label;
+      }
+    }
+    return label;
+  }
+
+private:
+  std::vector<Index> Heads;
+  std::vector<Entry> Entries;
+};
+
+}
+
+#endif

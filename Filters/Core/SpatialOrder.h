@@ -1,0 +1,29 @@
+#ifndef geodesic_SpatialOrder_h
+#define geodesic_SpatialOrder_h
+
+#include "Index.h"
+#include "Vector3.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * Orders points along a Morton (Z) curve through their bounding cube, so that neighbours on the
+ * surface are neighbours in memory.
+ * @param points  coordinates; those taken part must be finite
+ * @param used    one flag a point: 0 leaves the point out
+ * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
+ *         increasing id; otherwise the order depends on coordinates alone, not on ids.
+ * Time O(n), memory 16 bytes a point while it runs.
+ * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
+ */
+std::vector<Index> spatialOrder(
+  std::span<const Vector3> points, std::span<const std::uint8_t> used);
+
+}
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef geodesic_TriangleMesh_h
+#define geodesic_TriangleMesh_h
+
+#include "Index.h"
+#include "SurfacePoint.h"
+#include "Vector3.h"
+#include "VertexRings.h"
+
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/** Whether points of equal coordinates are one vertex of the mesh. */
+enum class CoincidentPoints
+{
+  Separate,
+  Merge
+};
+
+/**
+ * An immutable triangle mesh, built once for an input and shared by every solver and tracer on it.
+ *
+ * Its *vertices* are the input's *points* that at least one triangle uses, renumbered along a space
+ * filling curve (see spatialOrder); with CoincidentPoints::Merge, points of equal coordinates are
+ * one vertex. Triangles follow the order of their lowest vertex. Any surface is allowed:
+ * boundaries, several parts, mixed orientation, edges with more than two triangles, triangles of
+ * zero area. A triangle that repeats a corner has no area and no interior and is left out.
+ *
+ * Holds about 90 bytes a vertex. Lengths are computed from the coordinates where they are used:
+ * on current machines that is cheaper than reading them from memory.
+ */
+class TriangleMesh
+{
+public:
+  /**
+   * @param points     coordinates, in any length unit
+   * @param triangles  point ids
+   * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
+   *         coordinates are not finite
+   * @throws std::length_error for more than 2^31 - 1 vertices or 700 million triangles
+   * Time O(n).
+   */
+  TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+    CoincidentPoints coincident = CoincidentPoints::Separate);
+
+  Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
+  Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
+  Index numberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
+
+  /** The vertex that stands for an input point, NoIndex where no triangle uses the point. */
+  Index vertexOfPoint(Index point) const { return this->VertexOfPoint[point]; }
+  /** The input point (the lowest of the merged ones) that a vertex stands for. */
+  Index pointOfVertex(Index vertex) const { return this->PointOfVertex[vertex]; }
+
+  const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
+  std::span<const Vector3> positions() const { return this->Positions; }
+  const Triangle& triangle(Index triangle) const { return this->Triangles[triangle]; }
+  std::span<const Triangle> triangles() const { return this->Triangles; }
+  /** The triangles round a vertex. */
+  std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
+
+  /** The vertex as a point of the surface. Time O(log n). */
+  SurfacePoint pointAtVertex(Index vertex) const;
+  /** Where a point of the surface is in space. */
+  Vector3 positionOf(const SurfacePoint& point) const;
+
+  /** Mean length over all sides of all triangles; 0 without triangles. */
+  double meanEdgeLength() const { return this->MeanEdgeLength; }
+  /** Length of the longest side of any triangle. */
+  double longestEdgeLength() const { return this->LongestEdgeLength; }
+  /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
+  double longestEdgeAround(Index vertex) const { return this->LongestEdgeAround[vertex]; }
+
+private:
+  void numberVertices(std::span<const Vector3> points, std::span<const Triangle> triangles,
+    CoincidentPoints coincident);
+  void orderTriangles(std::span<const Triangle> triangles);
+  /** Points that only triangles without an area use are not on the surface. */
+  void forgetBareVertices();
+  void measureEdges();
+
+  std::vector<Vector3> Positions;
+  std::vector<Triangle> Triangles;
+  VertexRings Rings;
+  std::vector<Index> VertexOfPoint;
+  std::vector<Index> PointOfVertex;
+  std::vector<float> LongestEdgeAround;
+  double MeanEdgeLength = 0.0;
+  double LongestEdgeLength = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef geodesic_VertexRings_h
+#define geodesic_VertexRings_h
+
+#include "Index.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * One neighbour in the ring of a vertex. Where opensTriangle() holds, the vertex, this neighbour
+ * and the next entry's neighbour are the corners of a triangle.
+ */
+class RingEntry
+{
+public:
+  constexpr RingEntry() = default;
+  constexpr RingEntry(Index neighbour, bool opensTriangle)
+    : Bits(neighbour | (opensTriangle ? TriangleBit : 0u))
+  {
+  }
+  constexpr Index neighbour() const { return this->Bits & ~TriangleBit; }
+  constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
+
+  /** Largest number of vertices that the entry can tell apart. */
+  static constexpr Index MaximumVertices = 0x7fffffffu;
+
+private:
+  static constexpr Index TriangleBit = 0x80000000u;
+  Index Bits = 0;
+};
+
+/**
+ * The triangles round every vertex, as fans of neighbours. A fan of k triangles has k + 1 entries;
+ * one that closes round the vertex ends with its first neighbour again. A boundary or manifold
+ * vertex has one fan; an edge with more than two triangles, or sheets that meet in a vertex, only
+ * mean more fans. The orientation of the triangles plays no part.
+ */
+class VertexRings
+{
+public:
+  VertexRings() = default;
+  /** @param triangles corners below @p numberOfVertices, three different ones each. Time O(n). */
+  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles);
+
+  std::span<const RingEntry> operator[](Index vertex) const
+  {
+    return { this->Entries.data() + this->Starts[vertex],
+      this->Entries.data() + this->Starts[vertex + 1] };
+  }
+
+private:
+  std::vector<std::uint32_t> Starts;
+  std::vector<RingEntry> Entries;
+};
+
+}
+
+#endif

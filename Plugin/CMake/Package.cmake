@@ -1,0 +1,14 @@
+# What find_package(SurfaceGeodesics) reads.
+
+include(CMakePackageConfigHelpers)
+
+configure_file(Plugin/CMake/SurfaceGeodesicsConfig.cmake.in
+  "${module_cmake_directory}/SurfaceGeodesicsConfig.cmake" @ONLY)
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfig.cmake"
+    "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfigVersion.cmake"
+  DESTINATION "${module_cmake_directory}")

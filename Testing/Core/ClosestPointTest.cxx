@@ -1,0 +1,83 @@
+// The closest point against a search through all triangles by CGAL.
+
+#include "ClosestPointTree.h"
+#include "ExactDistances.h"
+#include "Solving.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+void checkAgainstAllTriangles(const Surface& surface, const Vector3& shift)
+{
+  Surface moved = surface;
+  for (Vector3& p : moved.points)
+  {
+    p = p + shift;
+  }
+  const auto mesh = meshOf(moved);
+  const ClosestPointTree tree(mesh);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    const Vector3 query = shift + Vector3{ x, y, uniform(random) };
+    double expected = std::numeric_limits<double>::infinity();
+    for (const Triangle& t : moved.triangles)
+    {
+      expected = std::min(expected,
+        distanceToTriangle(moved.points[t[0]], moved.points[t[1]], moved.points[t[2]], query));
+    }
+    const auto found = tree.closestPoint(query);
+    EXPECT_NEAR(found.distance, expected, 1e-9);
+    EXPECT_NEAR(norm(found.position - query), found.distance, 1e-12);
+  }
+}
+
+}
+
+TEST(ClosestPoint, AgreesWithASearchThroughAllTriangles)
+{
+  checkAgainstAllTriangles(icosphere(2), {});
+  checkAgainstAllTriangles(planeGrid(30, 3, 1.0, 1.0), {});
+}
+
+TEST(ClosestPoint, WorksFarFromTheOrigin)
+{
+  checkAgainstAllTriangles(icosphere(2), { 1e6, -2e6, 3e6 });
+}
+
+TEST(ClosestPoint, APointOfTheMeshIsFoundExactly)
+{
+  const auto mesh = meshOf(icosphere(4));
+  const ClosestPointTree tree(mesh);
+  for (Index v = 0; v < mesh->numberOfVertices(); v += 7)
+  {
+    const auto found = tree.closestPoint(mesh->position(v));
+    EXPECT_EQ(found.position, mesh->position(v));
+    EXPECT_EQ(std::count(found.point.weights.begin(), found.point.weights.end(), 0.0), 2);
+  }
+}
+
+TEST(ClosestPoint, TrianglesWithoutAreaAreSegments)
+{
+  const Surface needle{ { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } } };
+  const auto found = ClosestPointTree(meshOf(needle)).closestPoint({ 1.3, 2.0, 0.0 });
+  EXPECT_NEAR(found.distance, 2.0, 1e-12);
+}
+
+TEST(ClosestPoint, APointTooFarToMeasureIsAnError)
+{
+  const ClosestPointTree tree(meshOf(icosphere(0)));
+  EXPECT_THROW(tree.closestPoint({ 1e200, 0.0, 0.0 }), std::invalid_argument);
+}

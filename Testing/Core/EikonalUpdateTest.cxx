@@ -1,0 +1,100 @@
+// The update of one triangle: right where a source exists, monotone everywhere.
+
+#include "EikonalUpdate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace geodesic;
+
+namespace
+{
+
+FlatTriangle triangle(double c, double x, double h)
+{
+  return { c, x, h, std::hypot(x, h), std::hypot(x - c, h) };
+}
+
+/** Random triangles, needles and obtuse ones among them. */
+FlatTriangle randomTriangle(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double height = std::pow(10.0, -8.0 * uniform(random));
+  return triangle(1.0, 3.0 * uniform(random) - 1.0, height);
+}
+
+}
+
+// The source lies at (x, -y) below the edge; where the straight line to v crosses the edge it is
+// the truth.
+TEST(EikonalUpdate, IsExactForAPointSource)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int checked = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const FlatTriangle t = triangle(1.0, 2.0 * uniform(random) - 0.5, 0.05 + uniform(random));
+    const double x = 4.0 * uniform(random) - 2.0;
+    const double y = 0.01 + 3.0 * uniform(random);
+    const double crossing = x + (t.x - x) * y / (y + t.h);
+    if (crossing > 0.0 && crossing < 1.0)
+    {
+      const double value = pointSourceUpdate(t, std::hypot(x, y), std::hypot(x - 1.0, y));
+      EXPECT_NEAR(value, std::hypot(x - t.x, y + t.h), 1e-11);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
+
+TEST(EikonalUpdate, IsMonotoneInBothValues)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 200000; ++i)
+  {
+    const FlatTriangle t = randomTriangle(random);
+    const double a = 3.0 * uniform(random);
+    const double b = 3.0 * uniform(random);
+    const double step = std::pow(10.0, -6.0 * uniform(random));
+    const double value = pointSourceUpdate(t, a, b);
+    EXPECT_LE(value, pointSourceUpdate(t, a + step, b) + 1e-12);
+    EXPECT_LE(value, pointSourceUpdate(t, a, b + step) + 1e-12);
+  }
+}
+
+TEST(EikonalUpdate, IsNotBelowItsBound)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 200000; ++i)
+  {
+    const FlatTriangle t = randomTriangle(random);
+    const double a = 3.0 * uniform(random);
+    const double b = 3.0 * uniform(random);
+    EXPECT_GE(pointSourceUpdate(t, a, b), updateLowerBound(t, a, b) - 1e-12);
+  }
+}
+
+TEST(EikonalUpdate, OneReachedEndIsAWayAlongTheSide)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const FlatTriangle t = triangle(1.0, 0.3, 0.8);
+  EXPECT_DOUBLE_EQ(pointSourceUpdate(t, 0.5, infinity), 0.5 + t.av);
+  EXPECT_DOUBLE_EQ(pointSourceUpdate(t, infinity, 0.5), 0.5 + t.bv);
+}
+
+TEST(EikonalUpdate, IsScaleFree)
+{
+  const FlatTriangle t = triangle(1.0, 0.3, 0.8);
+  const double value = pointSourceUpdate(t, 0.9, 1.2);
+  for (double scale : { 1e-30, 1e-6, 1e6, 1e30 })
+  {
+    const FlatTriangle scaled = triangle(scale, 0.3 * scale, 0.8 * scale);
+    EXPECT_NEAR(pointSourceUpdate(scaled, 0.9 * scale, 1.2 * scale) / scale, value, 1e-12);
+  }
+}

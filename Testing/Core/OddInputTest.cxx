@@ -1,0 +1,153 @@
+// Input that no mesh generator should make and every archive contains.
+
+#include "FastMarchingSolver.h"
+#include "Solving.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+const Surface plane = planeGrid(30, 30, 1.0, 1.0);
+
+/** The field on a surface whose first points are those of the plane is the straight line there. */
+void expectStraightLines(const Surface& surface)
+{
+  const auto mesh = meshOf(surface);
+  const auto d = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 480) });
+  for (Index i = 0; i < plane.points.size(); ++i)
+  {
+    ASSERT_NEAR(d[i], norm(plane.points[i] - plane.points[480]), 1e-9);
+  }
+}
+
+std::string messageOf(const Surface& surface)
+{
+  try
+  {
+    meshOf(surface);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+}
+
+TEST(OddInput, ATriangleWithARepeatedPointIsLeftOut)
+{
+  Surface surface = plane;
+  surface.points.push_back({ 5.0, 5.0, 0.0 });
+  surface.triangles.insert(
+    surface.triangles.end(), { { 0, 0, 1 }, { 40, 41, 40 }, { 961, 961, 961 }, { 0, 961, 961 } });
+  expectStraightLines(surface);
+  EXPECT_EQ(meshOf(surface)->vertexOfPoint(961), NoIndex);
+}
+
+TEST(OddInput, ATriangleOfZeroAreaCarriesTheFrontAlongItsSides)
+{
+  Surface surface = plane;
+  surface.triangles.insert(surface.triangles.end(), { { 0, 1, 2 }, { 3, 5, 4 } });
+  surface.points.insert(surface.points.end(), { { 2.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 } });
+  surface.triangles.push_back({ 30, 961, 962 });
+  expectStraightLines(surface);
+  const auto mesh = meshOf(surface);
+  const auto d = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 0) });
+  EXPECT_NEAR(d[961], 2.0, 1e-9);
+  EXPECT_NEAR(d[962], 3.0, 1e-9);
+}
+
+TEST(OddInput, DuplicatedTrianglesChangeNothing)
+{
+  Surface surface = plane;
+  surface.triangles.insert(surface.triangles.end(), plane.triangles.begin(), plane.triangles.end());
+  expectStraightLines(surface);
+}
+
+TEST(OddInput, AnEdgeWithManyTrianglesLeadsOntoEverySheet)
+{
+  // Four half planes round the y axis: every point is as far from (0, 0.5) as on one plane.
+  Surface sheets = planeGrid(10, 10, 1.0, 1.0);
+  for (const Vector3& direction : { Vector3{ -1, 0, 0 }, Vector3{ 0, 0, 1 }, Vector3{ 0, 0, -1 } })
+  {
+    Surface sheet = planeGrid(10, 10, 1.0, 1.0);
+    for (Vector3& p : sheet.points)
+    {
+      p = Vector3{ 0.0, p.y, 0.0 } + p.x * direction;
+    }
+    sheets = joined(sheets, sheet);
+  }
+  const auto mesh = meshOf(sheets, CoincidentPoints::Merge);
+  const Seed seed = seedNear(mesh, { 0.35, 0.45, 0.0 });
+  const auto d = distances<FastMarchingSolver>(mesh, { seed });
+  for (Index i = 121; i < sheets.points.size(); ++i)
+  {
+    const Vector3& p = sheets.points[i];
+    const double beyond = std::hypot(p.x, p.z);
+    EXPECT_NEAR(d[i], std::hypot(0.35 + beyond, p.y - 0.45), 1e-9);
+  }
+}
+
+TEST(OddInput, SheetsThatMeetInAVertexAreConnectedThere)
+{
+  Surface other = planeGrid(5, 5, -1.0, -1.0);
+  const Surface both = joined(plane, other);
+  const auto mesh = meshOf(both, CoincidentPoints::Merge);
+  const auto d = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 960) });
+  // Behind the vertex the front starts anew, which the update resolves to first order only.
+  for (Index i = 961; i < both.points.size(); ++i)
+  {
+    const double truth = std::sqrt(2.0) + norm(both.points[i]);
+    EXPECT_GE(d[i], truth - 1e-9);
+    EXPECT_LE(d[i], 1.02 * truth);
+  }
+}
+
+TEST(OddInput, NoTrianglesMakeAnEmptyMesh)
+{
+  EXPECT_EQ(meshOf({})->numberOfVertices(), 0u);
+  EXPECT_EQ(meshOf({ { { 0, 0, 0 } }, {} })->numberOfVertices(), 0u);
+}
+
+TEST(OddInput, APointThatIsNotFiniteIsNamed)
+{
+  Surface surface = plane;
+  surface.points[17].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(messageOf(surface).find("Point 17"), std::string::npos);
+  surface.points[17].y = std::numeric_limits<double>::infinity();
+  EXPECT_NE(messageOf(surface).find("Point 17"), std::string::npos);
+}
+
+TEST(OddInput, APointThatIsNotFiniteAndNotUsedDoesNoHarm)
+{
+  Surface surface = plane;
+  surface.points.push_back({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
+  expectStraightLines(surface);
+}
+
+TEST(OddInput, ATriangleOfMissingPointsIsNamed)
+{
+  Surface surface = plane;
+  surface.triangles.push_back({ 0, 1, 9999 });
+  EXPECT_NE(messageOf(surface).find("9999"), std::string::npos);
+}
+
+// A cone whose apex has 20,000 triangles: quadratic time would take minutes.
+TEST(OddInput, AVertexMayHaveThousandsOfTriangles)
+{
+  const Surface surface = cone(20000, 1, 1.0, 2.0);
+  const auto mesh = meshOf(surface);
+  const auto d = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 0) });
+  for (Index i = 1; i < surface.points.size(); ++i)
+  {
+    ASSERT_NEAR(d[i], 2.0, 1e-9);
+  }
+}

@@ -1,0 +1,113 @@
+// Several seeds: the minimum of their fields, without mixing them.
+
+#include "DijkstraSolver.h"
+#include "ExactDistances.h"
+#include "FastMarchingSolver.h"
+#include "Solving.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+struct Nearest
+{
+  double distance;
+  Index seed;
+};
+
+Nearest nearestOf(const std::vector<Vector3>& sources, const Vector3& p)
+{
+  Nearest nearest{ norm(sources[0] - p), 0 };
+  for (Index s = 1; s < sources.size(); ++s)
+  {
+    if (norm(sources[s] - p) < nearest.distance)
+    {
+      nearest = { norm(sources[s] - p), s };
+    }
+  }
+  return nearest;
+}
+
+/** Seeds anywhere on a random plane: the truth is the distance to the nearest in a straight line.
+ */
+void checkRandomSeeds(Index numberOfSeeds, const Surface& plane)
+{
+  const auto mesh = meshOf(plane);
+  std::mt19937 random(numberOfSeeds);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Seed> seeds;
+  std::vector<Vector3> sources;
+  for (Index s = 0; s < numberOfSeeds; ++s)
+  {
+    const double x = uniform(random);
+    seeds.push_back(seedNear(mesh, { x, uniform(random), 0.0 }));
+    sources.push_back(mesh->positionOf(seeds.back().point));
+  }
+  FastMarchingSolver solver(mesh);
+  const DistanceField& field = solver.solve(seeds);
+  for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+  {
+    const Nearest truth = nearestOf(sources, mesh->position(v));
+    ASSERT_NEAR(field.distance(v), truth.distance, 1e-9);
+    const double toFound = norm(sources[field.nearestSeed(v)] - mesh->position(v));
+    ASSERT_NEAR(toFound, truth.distance, 1e-9);
+  }
+}
+
+}
+
+TEST(SeveralSeeds, TwoAreTheMinimumOfBoth)
+{
+  checkRandomSeeds(2, delaunayPlane(5000, 1));
+}
+
+TEST(SeveralSeeds, ManyAreTheMinimumOfAll)
+{
+  checkRandomSeeds(300, delaunayPlane(5000, 2));
+}
+
+// Edge lengths over three orders of magnitude: the margin of what a vertex keeps is local.
+TEST(SeveralSeeds, MixedEdgeLengthsAreNoLessExact)
+{
+  checkRandomSeeds(20, delaunayPlane(3000, 3, 3.0));
+}
+
+TEST(SeveralSeeds, TiesGoToTheSmallerNumber)
+{
+  const Surface plane = planeGrid(10, 10, 1.0, 1.0);
+  const auto mesh = meshOf(plane);
+  const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 0), seedAt(*mesh, 0) };
+  FastMarchingSolver march(mesh);
+  DijkstraSolver edges(mesh);
+  for (DistanceSolver* solver : std::initializer_list<DistanceSolver*>{ &march, &edges })
+  {
+    const DistanceField& field = solver->solve(seeds);
+    EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(5)), 0u);
+    EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(2)), 1u);
+    EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(8)), 0u);
+  }
+}
+
+TEST(SeveralSeeds, AValueIsAHeadStartOfTheOthers)
+{
+  const Surface plane = delaunayPlane(3000, 4);
+  const auto mesh = meshOf(plane);
+  Seed late = seedNear(mesh, { 0.3, 0.5, 0.0 });
+  late.value = 0.25;
+  const Seed early = seedNear(mesh, { 0.7, 0.5, 0.0 });
+  const auto alone = distances<FastMarchingSolver>(mesh, { late });
+  const auto both = distances<FastMarchingSolver>(mesh, { late, early });
+  for (Index i = 0; i < plane.points.size(); ++i)
+  {
+    const double fromLate = 0.25 + norm(plane.points[i] - mesh->positionOf(late.point));
+    const double fromEarly = norm(plane.points[i] - mesh->positionOf(early.point));
+    EXPECT_NEAR(alone[i], fromLate, 1e-9);
+    EXPECT_NEAR(both[i], std::min(fromLate, fromEarly), 1e-9);
+  }
+}

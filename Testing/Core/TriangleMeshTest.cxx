@@ -1,0 +1,136 @@
+// What the mesh keeps of its input.
+
+#include "Solving.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+std::multiset<Triangle> asSet(const std::vector<Triangle>& triangles)
+{
+  std::multiset<Triangle> set;
+  for (Triangle t : triangles)
+  {
+    std::sort(t.begin(), t.end());
+    set.insert(t);
+  }
+  return set;
+}
+
+/** The triangles that the rings hold, each found once from each of its corners. */
+std::vector<Triangle> trianglesOfRings(const TriangleMesh& mesh)
+{
+  std::vector<Triangle> found;
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    const auto ring = mesh.ring(v);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (ring[i].opensTriangle())
+      {
+        found.push_back({ mesh.pointOfVertex(v), mesh.pointOfVertex(ring[i].neighbour()),
+          mesh.pointOfVertex(ring[i + 1].neighbour()) });
+      }
+    }
+  }
+  return found;
+}
+
+void expectRingsHold(const Surface& surface)
+{
+  const auto mesh = meshOf(surface);
+  std::vector<Triangle> thrice;
+  for (int i = 0; i < 3; ++i)
+  {
+    thrice.insert(thrice.end(), surface.triangles.begin(), surface.triangles.end());
+  }
+  EXPECT_EQ(asSet(trianglesOfRings(*mesh)), asSet(thrice));
+}
+
+}
+
+TEST(TriangleMesh, RingsHoldEveryTriangle)
+{
+  expectRingsHold(planeGrid(5, 7, 1.0, 1.0));
+  expectRingsHold(icosphere(2));
+  expectRingsHold(cone(200, 3, 1.0, 2.0));
+}
+
+TEST(TriangleMesh, RingsHoldTrianglesOfAnyOrientationAndMultiplicity)
+{
+  // Five sheets on one edge, one of them twice, another reversed.
+  expectRingsHold(
+    { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+      { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 0, 4 }, { 0, 1, 5 }, { 0, 1, 2 }, { 2, 1, 0 } } });
+}
+
+TEST(TriangleMesh, AManifoldVertexHasOneFan)
+{
+  const auto mesh = meshOf(icosphere(2));
+  for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+  {
+    const auto ring = mesh->ring(v);
+    EXPECT_EQ(ring.front().neighbour(), ring.back().neighbour());
+    EXPECT_EQ(
+      std::count_if(ring.begin(), ring.end(), [](RingEntry e) { return e.opensTriangle(); }),
+      static_cast<long>(ring.size()) - 1);
+  }
+}
+
+TEST(TriangleMesh, PointsOutsideOfTrianglesAreNoVertices)
+{
+  Surface surface = planeGrid(2, 2, 1.0, 1.0);
+  surface.points.insert(surface.points.begin(), { { 9.0, 9.0, 9.0 } });
+  for (Triangle& t : surface.triangles)
+  {
+    t = { t[0] + 1, t[1] + 1, t[2] + 1 };
+  }
+  const auto mesh = meshOf(surface);
+  EXPECT_EQ(mesh->numberOfPoints(), 10u);
+  EXPECT_EQ(mesh->numberOfVertices(), 9u);
+  EXPECT_EQ(mesh->vertexOfPoint(0), NoIndex);
+}
+
+TEST(TriangleMesh, CoincidentPointsMergeOnRequest)
+{
+  const Surface twice = joined(planeGrid(3, 3, 1.0, 1.0), planeGrid(3, 3, -1.0, 1.0));
+  EXPECT_EQ(meshOf(twice, CoincidentPoints::Separate)->numberOfVertices(), 32u);
+  const auto merged = meshOf(twice, CoincidentPoints::Merge);
+  EXPECT_EQ(merged->numberOfVertices(), 28u);
+  EXPECT_EQ(merged->vertexOfPoint(0), merged->vertexOfPoint(16));
+  EXPECT_EQ(merged->pointOfVertex(merged->vertexOfPoint(16)), 0u);
+}
+
+// Far from the origin the leading bits of the curve are all alike: equal points must still meet.
+TEST(TriangleMesh, CoincidentPointsMergeBesideAnOutlier)
+{
+  Surface surface = joined(planeGrid(40, 40, 1.0, 1.0), planeGrid(40, 40, -1.0, 1.0));
+  surface.points.push_back({ 1e9, 0.0, 0.0 });
+  surface.triangles.push_back({ 0, 1, static_cast<Index>(surface.points.size() - 1) });
+  const auto merged = meshOf(surface, CoincidentPoints::Merge);
+  EXPECT_EQ(merged->numberOfVertices(), 2u * 41u * 41u - 41u + 1u);
+}
+
+TEST(TriangleMesh, PointAtVertexIsThere)
+{
+  const auto mesh = meshOf(icosphere(3));
+  for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+  {
+    EXPECT_EQ(mesh->positionOf(mesh->pointAtVertex(v)), mesh->position(v));
+  }
+}
+
+TEST(TriangleMesh, EdgeLengthsAreMeasured)
+{
+  const auto mesh = meshOf({ { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } });
+  EXPECT_DOUBLE_EQ(mesh->meanEdgeLength(), 4.0);
+  EXPECT_DOUBLE_EQ(mesh->longestEdgeLength(), 5.0);
+  EXPECT_GE(mesh->longestEdgeAround(mesh->vertexOfPoint(0)), 5.0);
+}

@@ -1,0 +1,7 @@
+# Installs the build of BUILD_DIRECTORY to FIRST_PREFIX and moves that to PREFIX.
+file(REMOVE_RECURSE "${FIRST_PREFIX}" "${PREFIX}")
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIRECTORY}" --prefix "${FIRST_PREFIX}"
+    --config "${CONFIGURATION}"
+  COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME "${FIRST_PREFIX}" "${PREFIX}")

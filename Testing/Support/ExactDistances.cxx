@@ -1,0 +1,97 @@
+#include "ExactDistances.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace geodesic::testing
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
+}
+
+std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
+{
+  Mesh mesh;
+  for (const Vector3& p : surface.points)
+  {
+    mesh.add_vertex({ p.x, p.y, p.z });
+  }
+  for (const Triangle& t : surface.triangles)
+  {
+    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]),
+          Mesh::Vertex_index(t[2])) == Mesh::null_face())
+    {
+      throw std::runtime_error("the exact oracle needs a manifold surface");
+    }
+  }
+  ShortestPath paths(mesh);
+  for (Index source : sources)
+  {
+    paths.add_source_point(Mesh::Vertex_index(source));
+  }
+  std::vector<double> distances;
+  for (Mesh::Vertex_index v : mesh.vertices())
+  {
+    distances.push_back(
+      mesh.is_isolated(v) ? -1.0 : paths.shortest_distance_to_source_points(v).first);
+  }
+  return distances;
+}
+
+double distanceToTriangle(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& query)
+{
+  const Kernel::Triangle_3 triangle({ a.x, a.y, a.z }, { b.x, b.y, b.z }, { c.x, c.y, c.z });
+  return std::sqrt(CGAL::squared_distance(Kernel::Point_3(query.x, query.y, query.z), triangle));
+}
+
+Surface delaunayPlane(Index points, unsigned seed, double grading)
+{
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Triangulation =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
+  Surface surface;
+  const Index side = static_cast<Index>(std::sqrt(static_cast<double>(points)));
+  for (Index i = 0; i < side; ++i)
+  {
+    const double s = static_cast<double>(i) / side;
+    surface.points.insert(
+      surface.points.end(), { { s, 0, 0 }, { 1, s, 0 }, { 1 - s, 1, 0 }, { 0, 1 - s, 0 } });
+  }
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  while (surface.points.size() < points)
+  {
+    const double x = uniform(random);
+    surface.points.push_back({ x, uniform(random), 0.0 });
+  }
+  for (Vector3& p : surface.points)
+  {
+    p.x = std::pow(p.x, grading);
+  }
+  std::vector<std::pair<Kernel::Point_2, Index>> numbered;
+  for (Index i = 0; i < surface.points.size(); ++i)
+  {
+    numbered.emplace_back(Kernel::Point_2(surface.points[i].x, surface.points[i].y), i);
+  }
+  const Triangulation triangulation(numbered.begin(), numbered.end());
+  for (auto face : triangulation.finite_face_handles())
+  {
+    surface.triangles.push_back(
+      { face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info() });
+  }
+  return surface;
+}
+
+}

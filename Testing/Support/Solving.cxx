@@ -1,0 +1,44 @@
+#include "Solving.h"
+
+#include "ClosestPointTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic::testing
+{
+
+std::shared_ptr<const TriangleMesh> meshOf(const Surface& surface, CoincidentPoints coincident)
+{
+  return std::make_shared<const TriangleMesh>(surface.points, surface.triangles, coincident);
+}
+
+Seed seedAt(const TriangleMesh& mesh, Index point)
+{
+  return { mesh.pointAtVertex(mesh.vertexOfPoint(point)) };
+}
+
+Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
+{
+  return { ClosestPointTree(mesh).closestPoint(position).point };
+}
+
+Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth)
+{
+  Error error;
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    if (truth[i] > 0.0)
+    {
+      const double e = std::abs(distances[i] - truth[i]) / truth[i];
+      error.mean += e;
+      error.largest = std::max(error.largest, e);
+      ++counted;
+    }
+  }
+  error.mean /= static_cast<double>(counted);
+  return error;
+}
+
+}

@@ -1,0 +1,51 @@
+#ifndef geodesic_testing_Solving_h
+#define geodesic_testing_Solving_h
+
+#include "DistanceField.h"
+#include "SolveOptions.h"
+#include "Surfaces.h"
+#include "TriangleMesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace geodesic::testing
+{
+
+std::shared_ptr<const TriangleMesh> meshOf(
+  const Surface& surface, CoincidentPoints coincident = CoincidentPoints::Separate);
+
+/** A seed at a point of the input. */
+Seed seedAt(const TriangleMesh& mesh, Index point);
+/** A seed at the point of the mesh that is nearest to a position. */
+Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position);
+
+/** Distances at the points of the input by a solver of this kind; +infinity where unreached. */
+template <class Solver>
+std::vector<double> distances(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options = {})
+{
+  Solver solver(mesh);
+  const DistanceField& field = solver.solve(seeds, options);
+  std::vector<double> result;
+  for (Index i = 0; i < mesh->numberOfPoints(); ++i)
+  {
+    const Index vertex = mesh->vertexOfPoint(i);
+    result.push_back(vertex == NoIndex ? DistanceField::Unreached : field.distance(vertex));
+  }
+  return result;
+}
+
+/** Relative error against the truth: mean over all points, and largest. */
+struct Error
+{
+  double mean = 0.0;
+  double largest = 0.0;
+};
+
+/** Points whose true distance is 0 don't count. */
+Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth);
+
+}
+
+#endif

@@ -1,0 +1,249 @@
+#include "Surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace geodesic::testing
+{
+namespace
+{
+
+/** Adds the two triangles of the cell a b c d, given round its border. */
+void addCell(Surface& surface, Index a, Index b, Index c, Index d)
+{
+  surface.triangles.push_back({ a, b, c });
+  surface.triangles.push_back({ a, c, d });
+}
+
+/** Cells between rings of points; the last point of a ring is followed by its first. */
+void addRingCells(Surface& surface, Index first, Index around, Index rings)
+{
+  for (Index ring = 0; ring + 1 < rings; ++ring)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      const Index low = first + ring * around;
+      const Index next = (i + 1) % around;
+      addCell(surface, low + i, low + next, low + around + next, low + around + i);
+    }
+  }
+}
+
+}
+
+Surface planeGrid(Index columns, Index rows, double width, double height)
+{
+  Surface surface;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    for (Index i = 0; i <= columns; ++i)
+    {
+      surface.points.push_back({ width * i / columns, height * j / rows, 0.0 });
+    }
+  }
+  for (Index j = 0; j < rows; ++j)
+  {
+    for (Index i = 0; i < columns; ++i)
+    {
+      const Index low = j * (columns + 1) + i;
+      addCell(surface, low, low + 1, low + columns + 2, low + columns + 1);
+    }
+  }
+  return surface;
+}
+
+Surface jitteredGrid(
+  Index columns, Index rows, double width, double height, double fraction, unsigned seed)
+{
+  Surface surface = planeGrid(columns, rows, width, height);
+  const double amount = fraction * std::min(width / columns, height / rows);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> move(-amount, amount);
+  for (Index j = 1; j < rows; ++j)
+  {
+    for (Index i = 1; i < columns; ++i)
+    {
+      Vector3& point = surface.points[j * (columns + 1) + i];
+      point.x += move(random);
+      point.y += move(random);
+    }
+  }
+  return surface;
+}
+
+Surface icosphere(int levels)
+{
+  const double golden = std::numbers::phi;
+  const Vector3 corners[12] = { { -1, golden, 0 }, { 1, golden, 0 }, { -1, -golden, 0 },
+    { 1, -golden, 0 }, { 0, -1, golden }, { 0, 1, golden }, { 0, -1, -golden }, { 0, 1, -golden },
+    { golden, 0, -1 }, { golden, 0, 1 }, { -golden, 0, -1 }, { -golden, 0, 1 } };
+  const Triangle faces[20] = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },
+    { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
+    { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
+    { 9, 8, 1 } };
+
+  Surface surface;
+  for (const Vector3& corner : corners)
+  {
+    surface.points.push_back((1.0 / norm(corner)) * corner);
+  }
+  surface.triangles.assign(std::begin(faces), std::end(faces));
+  for (int level = 0; level < levels; ++level)
+  {
+    std::unordered_map<std::uint64_t, Index> middles;
+    const auto middle = [&](Index a, Index b)
+    {
+      const std::uint64_t edge = std::uint64_t{ std::min(a, b) } << 32 | std::max(a, b);
+      const auto [place, isNew] = middles.emplace(edge, static_cast<Index>(surface.points.size()));
+      if (isNew)
+      {
+        const Vector3 sum = surface.points[a] + surface.points[b];
+        surface.points.push_back((1.0 / norm(sum)) * sum);
+      }
+      return place->second;
+    };
+    std::vector<Triangle> finer;
+    finer.reserve(4 * surface.triangles.size());
+    for (const auto& [a, b, c] : surface.triangles)
+    {
+      const Index ab = middle(a, b);
+      const Index bc = middle(b, c);
+      const Index ca = middle(c, a);
+      finer.insert(finer.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
+    }
+    surface.triangles = std::move(finer);
+  }
+  return surface;
+}
+
+Surface torus(Index around, Index across, double majorRadius, double minorRadius)
+{
+  Surface surface;
+  const double step = 2.0 * std::numbers::pi;
+  for (Index j = 0; j < across; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      const double u = step * i / around;
+      const double v = step * j / across;
+      const double r = majorRadius + minorRadius * std::cos(v);
+      surface.points.push_back({ r * std::cos(u), r * std::sin(u), minorRadius * std::sin(v) });
+    }
+  }
+  addRingCells(surface, 0, around, across);
+  for (Index i = 0; i < around; ++i)
+  {
+    const Index last = (across - 1) * around;
+    const Index next = (i + 1) % around;
+    addCell(surface, last + i, last + next, next, i);
+  }
+  return surface;
+}
+
+Surface cylinder(Index around, Index along, double radius, double height)
+{
+  Surface surface;
+  for (Index j = 0; j <= along; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      const double angle = 2.0 * std::numbers::pi * i / around;
+      surface.points.push_back(
+        { radius * std::cos(angle), radius * std::sin(angle), height * j / along });
+    }
+  }
+  addRingCells(surface, 0, around, along + 1);
+  return surface;
+}
+
+Surface cone(Index around, Index along, double radius, double slope)
+{
+  Surface surface;
+  surface.points.push_back({ 0.0, 0.0, 0.0 });
+  const double height = std::sqrt(slope * slope - radius * radius);
+  for (Index j = 1; j <= along; ++j)
+  {
+    const double part = static_cast<double>(j) / along;
+    for (Index i = 0; i < around; ++i)
+    {
+      const double angle = 2.0 * std::numbers::pi * i / around;
+      surface.points.push_back(
+        { part * radius * std::cos(angle), part * radius * std::sin(angle), -part * height });
+    }
+  }
+  for (Index i = 0; i < around; ++i)
+  {
+    surface.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % around });
+  }
+  addRingCells(surface, 1, around, along);
+  return surface;
+}
+
+Surface joined(const Surface& a, const Surface& b)
+{
+  Surface both = a;
+  const Index shift = static_cast<Index>(a.points.size());
+  both.points.insert(both.points.end(), b.points.begin(), b.points.end());
+  for (const Triangle& t : b.triangles)
+  {
+    both.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
+  }
+  return both;
+}
+
+Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId)
+{
+  std::mt19937 random(seed);
+  newId.resize(surface.points.size());
+  std::iota(newId.begin(), newId.end(), 0u);
+  std::shuffle(newId.begin(), newId.end(), random);
+  Surface result;
+  result.points.resize(surface.points.size());
+  for (std::size_t i = 0; i < newId.size(); ++i)
+  {
+    result.points[newId[i]] = surface.points[i];
+  }
+  for (const Triangle& t : surface.triangles)
+  {
+    Triangle renamed{ newId[t[0]], newId[t[1]], newId[t[2]] };
+    std::rotate(renamed.begin(), renamed.begin() + random() % 3, renamed.end());
+    result.triangles.push_back(renamed);
+  }
+  std::shuffle(result.triangles.begin(), result.triangles.end(), random);
+  return result;
+}
+
+Surface readOff(const std::string& file)
+{
+  std::ifstream in(file);
+  std::string magic;
+  std::size_t points = 0;
+  std::size_t faces = 0;
+  std::size_t edges = 0;
+  in >> magic >> points >> faces >> edges;
+  Surface surface;
+  surface.points.resize(in ? points : 0);
+  surface.triangles.resize(in ? faces : 0);
+  for (Vector3& p : surface.points)
+  {
+    in >> p.x >> p.y >> p.z;
+  }
+  for (Triangle& t : surface.triangles)
+  {
+    int corners = 0;
+    in >> corners >> t[0] >> t[1] >> t[2];
+  }
+  if (!in || magic != "OFF")
+  {
+    throw std::runtime_error(file + " is no OFF file of triangles");
+  }
+  return surface;
+}
+
+}

@@ -1,0 +1,44 @@
+#ifndef geodesic_testing_Surfaces_h
+#define geodesic_testing_Surfaces_h
+
+#include "Index.h"
+#include "Vector3.h"
+
+#include <string>
+#include <vector>
+
+namespace geodesic::testing
+{
+
+/** Points and triangles, as an input would give them. */
+struct Surface
+{
+  std::vector<Vector3> points;
+  std::vector<Triangle> triangles;
+};
+
+/** The rectangle [0, width] x [0, height] as columns x rows cells, each cut by a diagonal. */
+Surface planeGrid(Index columns, Index rows, double width, double height);
+/** The same with every inner point moved at random by up to @p fraction of the cell's short side.
+ */
+Surface jitteredGrid(
+  Index columns, Index rows, double width, double height, double fraction, unsigned seed);
+/** Unit sphere: an icosahedron whose triangles are cut in four @p levels times; 10 4^levels + 2
+ * points. */
+Surface icosphere(int levels);
+/** Torus of the given radii round the z axis. */
+Surface torus(Index around, Index across, double majorRadius, double minorRadius);
+/** Open cylinder round the z axis without a double seam; its cells touch the true surface. */
+Surface cylinder(Index around, Index along, double radius, double height);
+/** Open cone with its apex (point 0) at the origin; @p slope is the side's length. */
+Surface cone(Index around, Index along, double radius, double slope);
+/** Several surfaces as one, not connected. */
+Surface joined(const Surface& a, const Surface& b);
+/** The same surface with points and triangles in random order; newId[i] is point i's new id. */
+Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId);
+/** The surface of an OFF file of triangles; throws std::runtime_error. */
+Surface readOff(const std::string& file);
+
+}
+
+#endif
