@@ -9,9 +9,10 @@
  * - their symbols: GEODESICS_ABI_BEGIN and GEODESICS_ABI_END put a class, and each forward
  *   declaration of it, into an inline namespace;
  * - their VTK name: vtkGeodesicsTypeMacro stands for vtkTypeMacro and puts the namespace into
- *   GetClassName(), so that SafeDownCast tells the two apart;
- * - their Python registration, which goes by that VTK name. By the plain one Python would take
- *   objects of that plugin for ours, and ours for its.
+ *   GetClassName(). IsA() knows the plain name as well, SafeDownCast asks for the full one;
+ * - their Python registration, which goes by GetClassName(), as Python's choice of a type for an object
+ *   does. By the plain name Python would take objects of that plugin for ours, and crash on their
+ *   layout, or ours for its.
  * The names that C++ and Python code writes stay the plain ones.
  */
 #ifndef vtkGeodesicsABI_h
@@ -31,11 +32,35 @@
 #define GEODESICS_ABI_BEGIN inline namespace geodesics_abi {
 #define GEODESICS_ABI_END }
 #define vtkGeodesicsTypeMacro(thisClass, superclass)                                               \
-  vtkAbstractTypeMacroWithNewInstanceType(                                                         \
-    thisClass, superclass, thisClass, "geodesics_abi::" #thisClass)                                \
-                                                                                                   \
 protected:                                                                                         \
+  const char* GetClassNameInternal() const override { return "geodesics_abi::" #thisClass; }       \
   vtkObjectBase* NewInstanceInternal() const override { return thisClass::New(); }                 \
+                                                                                                   \
+public:                                                                                            \
+  typedef superclass Superclass;                                                                   \
+  static vtkTypeBool IsTypeOf(const char* type)                                                    \
+  {                                                                                                \
+    return !strcmp(#thisClass, type) || !strcmp("geodesics_abi::" #thisClass, type) ||             \
+      superclass::IsTypeOf(type);                                                                  \
+  }                                                                                                \
+  vtkTypeBool IsA(const char* type) override { return thisClass::IsTypeOf(type); }                 \
+  static thisClass* SafeDownCast(vtkObjectBase* o)                                                 \
+  {                                                                                                \
+    return o && o->IsA("geodesics_abi::" #thisClass) ? static_cast<thisClass*>(o) : nullptr;       \
+  }                                                                                                \
+  VTK_NEWINSTANCE thisClass* NewInstance() const                                                   \
+  {                                                                                                \
+    return thisClass::SafeDownCast(this->NewInstanceInternal());                                   \
+  }                                                                                                \
+  static vtkIdType GetNumberOfGenerationsFromBaseType(const char* type)                            \
+  {                                                                                                \
+    const bool isThis = !strcmp(#thisClass, type) || !strcmp("geodesics_abi::" #thisClass, type);  \
+    return isThis ? 0 : 1 + superclass::GetNumberOfGenerationsFromBaseType(type);                  \
+  }                                                                                                \
+  vtkIdType GetNumberOfGenerationsFromBase(const char* type) override                              \
+  {                                                                                                \
+    return thisClass::GetNumberOfGenerationsFromBaseType(type);                                    \
+  }                                                                                                \
                                                                                                    \
 public:
 // clang-format on

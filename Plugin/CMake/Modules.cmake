@@ -14,7 +14,6 @@ vtk_module_scan(
     SurfaceGeodesics::FiltersGeodesics
     SurfaceGeodesics::FiltersSurface
   PROVIDES_MODULES modules
-  REQUIRES_MODULES required_modules
   HIDE_MODULES_FROM_CACHE ON)
 
 vtk_module_build(
@@ -23,7 +22,6 @@ vtk_module_build(
   INSTALL_EXPORT SurfaceGeodesics
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/surfacegeodesics"
   CMAKE_DESTINATION "${module_cmake_directory}"
-  HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/vtk/hierarchy/SurfaceGeodesics"
   ENABLE_WRAPPING ON)
 
 vtk_module_wrap_python(

@@ -23,14 +23,16 @@ require_header(ft2build.h libfreetype-dev freetype2)
 
 set(paraview_components RemotingCore RemotingServerManager RemotingViews RemotingApplication
   VTKExtensionsFiltersGeneral)
+
 if (SURFACEGEODESICS_USE_QT)
   require_qt(Widgets qtbase5-dev)
   require_qt(Help qttools5-dev)
   require_qt(Svg libqt5svg5-dev)
   require_qt(OpenGL libqt5opengl5-dev)
-  require_program(xmlpatterns qtxmlpatterns5-dev-tools /usr/lib/qt5/bin)
+  # For the plugin's documentation. The one in /usr/bin is qtchooser's and there with or without the tool.
+  require_program(xmlpatterns qtxmlpatterns5-dev-tools /usr/lib/qt5/bin NO_DEFAULT_PATH)
   list(APPEND paraview_components pqCore pqComponents pqApplicationComponents)
 endif ()
 
 find_package(ParaView 5.11 QUIET COMPONENTS ${paraview_components})
-stop_unless("${ParaView_FOUND}" "ParaView 5.11 with ${paraview_components}" paraview-dev)
+stop_unless("${ParaView_FOUND}" "ParaView 5.11" paraview-dev)

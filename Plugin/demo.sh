@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Builds the plugin and runs Plugin/Examples/BunnyDistance.py with it, from a bare Debian 12.
+# usage: bash Plugin/demo.sh      (as root, or with sudo where packages are missing)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source Plugin/packages.sh
+install_missing "${build_packages[@]}"
+
+SECONDS=0
+cmake --preset release
+cmake --build --preset release
+build_seconds=$SECONDS
+
+display=()
+if [[ -z ${DISPLAY:-} ]]; then
+  display=(xvfb-run -a)
+fi
+plugins="$PWD/build/release/lib/paraview-5.11/plugins"
+mkdir -p build/demo
+echo
+echo "Build: $build_seconds s"
+"${display[@]}" pvpython Plugin/Examples/BunnyDistance.py \
+  "$plugins/SurfaceGeodesics/SurfaceGeodesics.so" Testing/Data/Bunny.vtp build/demo
+
+cat <<END
+
+To look at the result in ParaView:
+  paraview $PWD/build/demo/BunnyDistance.vtp
+To work with the filter (Filters > Surface Geodesics > Geodesic Distance):
+  PV_PLUGIN_CONFIG_FILE=$plugins/surfacegeodesics.plugins.xml \\
+    paraview $PWD/Testing/Data/Bunny.vtp
+END

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSurfaceGeodesicDistance: positions, coincident points, methods, marks of what is not reached.
+
+#include "Inputs.h"
+
+#include "vtkCellArray.h"
+#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceGeodesicDistance.h"
+
+#include <gtest/gtest.h>
+
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** A surface whose triangles share no points, as an STL file gives it. */
+vtkSmartPointer<vtkPolyData> soupOf(vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> faces;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> corners;
+    surface->GetCellPoints(cell, corners);
+    faces->InsertNextCell(static_cast<int>(corners->GetNumberOfIds()));
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      faces->InsertCellPoint(points->InsertNextPoint(surface->GetPoint(corners->GetId(i))));
+    }
+  }
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  soup->SetPoints(points);
+  soup->SetPolys(faces);
+  return soup;
+}
+
+class SurfaceFilter : public ::testing::Test
+{
+protected:
+  vtkDataArray* run(vtkPolyData* input)
+  {
+    this->Filter->SetInputDataObject(input);
+    EXPECT_EQ(errorsOf(this->Filter.Get()), "");
+    auto* output = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0));
+    return output->GetPointData()->GetArray("GeodesicDistance");
+  }
+
+  vtkNew<vtkSurfaceGeodesicDistance> Filter;
+};
+
+}
+
+TEST_F(SurfaceFilter, PositionsAreProjectedOntoFaces)
+{
+  const auto surface = square(5);
+  this->Filter->AddSeedPosition(2.3, 1.6, 7.0);
+  vtkDataArray* d = this->run(surface);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    EXPECT_NEAR(d->GetComponent(i, 0), std::hypot(p[0] - 2.3, p[1] - 1.6), 1e-9);
+  }
+}
+
+TEST_F(SurfaceFilter, ItsArrayAlwaysBecomesTheScalars)
+{
+  const auto surface = square(5);
+  const auto other = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VTK_FLOAT));
+  other->SetName("other");
+  other->SetNumberOfTuples(surface->GetNumberOfPoints());
+  surface->GetPointData()->SetScalars(other);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->run(surface);
+  auto* output = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0));
+  EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
+}
+
+TEST_F(SurfaceFilter, ASoupOfTrianglesIsTheSurface)
+{
+  const auto surface = square(7);
+  const auto soup = soupOf(surface);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  vtkDataArray* d = this->run(soup);
+  ASSERT_EQ(d->GetNumberOfTuples(), soup->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < soup->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    soup->GetPoint(i, p);
+    EXPECT_NEAR(d->GetComponent(i, 0), std::hypot(p[0], p[1]), 1e-9);
+  }
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), soup->GetNumberOfPoints());
+}
+
+TEST_F(SurfaceFilter, WithoutMergingASlitStaysASlit)
+{
+  const auto soup = soupOf(square(7));
+  this->Filter->AddSeedPosition(0.2, 0.1, 0.0);
+  this->Filter->MergeCoincidentPointsOff();
+  this->run(soup);
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 3);
+}
+
+// The article's class never merges: its points are what their ids say.
+TEST_F(SurfaceFilter, TheArticleClassNeverMerges)
+{
+  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  filter->SetInputData(soupOf(square(7)));
+  filter->SetSeeds(idList({ 0 }));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfVisitedPoints(), 3);
+}
+
+TEST_F(SurfaceFilter, UnreachedPointsAreNaNOrAValue)
+{
+  const auto surface = square(3);
+  const vtkIdType bare = surface->GetPoints()->InsertNextPoint(9.0, 9.0, 0.0);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  EXPECT_TRUE(std::isnan(this->run(surface)->GetComponent(bare, 0)));
+  EXPECT_NEAR(this->run(surface)->GetFiniteRange()[1], 3.0 * std::sqrt(2.0), 1e-9);
+  this->Filter->SetUnreachedAs(vtkSurfaceGeodesicDistance::UNREACHED_AS_VALUE);
+  EXPECT_EQ(this->run(surface)->GetComponent(bare, 0), -1.0);
+  this->Filter->SetUnreachedValue(99.0);
+  EXPECT_EQ(this->run(surface)->GetComponent(bare, 0), 99.0);
+}
+
+TEST_F(SurfaceFilter, MaximumDistanceIsSharpAndCanBeZero)
+{
+  const auto surface = square(9);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->UseMaximumDistanceOn();
+  this->Filter->SetMaximumDistance(2.0);
+  this->run(surface);
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 6);
+  EXPECT_NEAR(this->Filter->GetMaximumDistanceReached(), 2.0, 1e-9);
+  this->Filter->SetMaximumDistance(0.0);
+  this->run(surface);
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 1);
+}
+
+TEST_F(SurfaceFilter, DijkstraFollowsEdges)
+{
+  const auto surface = square(6);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::DIJKSTRA);
+  vtkDataArray* d = this->run(surface);
+  EXPECT_NEAR(d->GetComponent(48, 0), 6.0 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(d->GetComponent(2 * 7 + 1, 0), 1.0 + std::sqrt(2.0), 1e-12);
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::FAST_MARCHING);
+  EXPECT_NEAR(this->run(surface)->GetComponent(2 * 7 + 1, 0), std::sqrt(5.0), 1e-12);
+}
+
+TEST_F(SurfaceFilter, AnEmptyNameMakesNoArray)
+{
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->SetDistanceArrayName("");
+  EXPECT_EQ(this->run(square(3)), nullptr);
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 16);
+}
+
+TEST_F(SurfaceFilter, TheSphereIsRight)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->SetThetaResolution(128);
+  sphere->SetPhiResolution(128);
+  sphere->Update();
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.5);
+  vtkDataArray* d = this->run(sphere->GetOutput());
+  for (vtkIdType i = 0; i < d->GetNumberOfTuples(); ++i)
+  {
+    double p[3];
+    sphere->GetOutput()->GetPoint(i, p);
+    EXPECT_NEAR(d->GetComponent(i, 0), 0.5 * std::atan2(std::hypot(p[0], p[1]), p[2]), 0.01);
+  }
+}

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Checks the sources, builds everything and runs the tests, from a bare Debian 12.
+# usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
+# Labels: core vtk pvpython gui install. Without any, all tests are run.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source Plugin/packages.sh
+
+build=build/dev
+all_labels=(core vtk pvpython gui install)
+labels=("${@:-${all_labels[@]}}")
+
+fail()
+{
+  printf '%s\n' "Testing/run.sh: $1" "${@:2}" >&2
+  exit 1
+}
+
+check_format()
+{
+  local file unformatted=()
+  while read -r file; do
+    clang-format-14 --dry-run --Werror "$file" 2>/dev/null || unformatted+=("$file")
+  done < <(find . -path ./build -prune -o -name '*.h' -print -o -name '*.cxx' -print)
+  ((${#unformatted[@]} == 0)) || fail "Not formatted, mend with clang-format-14 -i:" "${unformatted[@]}"
+}
+
+check_core_with_clang_tidy()
+{
+  printf '%s\n' Filters/Core/*.cxx |
+    xargs -P "$(nproc)" -n 1 clang-tidy-14 -p "$build" --quiet --warnings-as-errors='*' 2>&1 |
+    sed '/ warnings\? generated\.$/d' ||
+    fail "clang-tidy has complaints, see above"
+}
+
+check_labels()
+{
+  local label
+  for label in "${labels[@]}"; do
+    ctest --test-dir "$build" -N -L "^$label$" | grep -q '^Total Tests: [1-9]' ||
+      fail "No test has the label $label"
+  done
+}
+
+install_missing "${build_packages[@]}" "${test_packages[@]}"
+check_format
+cmake --preset dev -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+cmake --build --preset dev
+check_core_with_clang_tidy
+check_labels
+if (($#)); then
+  ctest --test-dir "$build" --output-on-failure -L "^($(IFS='|'; echo "${labels[*]}"))$"
+else
+  ctest --test-dir "$build" --output-on-failure
+fi
