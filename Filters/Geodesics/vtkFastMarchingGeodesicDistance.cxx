@@ -73,14 +73,10 @@ const char* vtkFastMarchingGeodesicDistance::GetNearestSeedArrayName()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkFastMarchingGeodesicDistance::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkObject* option : { static_cast<vtkObject*>(this->DestinationVertexStopCriterion),
-         static_cast<vtkObject*>(this->ExclusionPointIds),
-         static_cast<vtkObject*>(this->PropagationWeights) })
-  {
-    time = option ? std::max(time, option->GetMTime()) : time;
-  }
-  return time;
+  return std::max({ this->Superclass::GetMTime(),
+    this->DestinationsWatch.TimeOf(this->DestinationVertexStopCriterion),
+    this->ExclusionWatch.TimeOf(this->ExclusionPointIds),
+    this->PropagationWeights ? this->PropagationWeights->GetMTime() : 0 });
 }
 
 //------------------------------------------------------------------------------

@@ -148,6 +148,8 @@ protected:
   vtkSmartPointer<vtkIdList> DestinationVertexStopCriterion;
   int DestinationStopMode = ANY_DESTINATION;
   vtkSmartPointer<vtkIdList> ExclusionPointIds;
+  vtkIdListWatch DestinationsWatch;
+  vtkIdListWatch ExclusionWatch;
   vtkSmartPointer<vtkDataArray> PropagationWeights;
   vtkIdType IterationEventResolution = 100;
   std::string NearestSeedArrayName;

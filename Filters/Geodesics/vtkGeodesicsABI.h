@@ -10,10 +10,9 @@
  *   declaration of it, into an inline namespace;
  * - their VTK name: vtkGeodesicsTypeMacro stands for vtkTypeMacro and puts the namespace into
  *   GetClassName(). IsA() knows the plain name as well, SafeDownCast asks for the full one;
- * - their Python registration, which goes by GetClassName(), as Python's choice of a type for an object
- *   does. By the plain name Python would take objects of that plugin for ours, and crash on their
- *   layout, or ours for its.
- * The names that C++ and Python code writes stay the plain ones.
+ * - their Python registration, which goes by GetClassName(), as Python's choice of a type for an
+ * object does. By the plain name Python would take objects of that plugin for ours, and crash on
+ * their layout, or ours for its. The names that C++ and Python code writes stay the plain ones.
  */
 #ifndef vtkGeodesicsABI_h
 #define vtkGeodesicsABI_h

@@ -26,8 +26,7 @@ const char* vtkPolyDataGeodesicDistance::GetFieldDataName()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPolyDataGeodesicDistance::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->Seeds ? std::max(time, this->Seeds->GetMTime()) : time;
+  return std::max(this->Superclass::GetMTime(), this->SeedsWatch.TimeOf(this->Seeds));
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "vtkFiltersGeodesicsModule.h" // For the export macro
 #include "vtkGeodesicsABI.h"           // For the namespace
 #include "vtkIdList.h"                 // For vtkSmartPointer<vtkIdList>
+#include "vtkIdListWatch.h"            // For members
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For members
 
@@ -53,8 +54,8 @@ public:
   ///@}
 
   /**
-   * Counts the options that are objects as well. A vtkIdList does not notice an edit by itself:
-   * call its Modified().
+   * Counts the options that are objects as well: an id list edited in place runs the filter again.
+   * A data array counts by its own modification time, so after editing one call its Modified().
    */
   vtkMTimeType GetMTime() override;
 
@@ -64,6 +65,7 @@ protected:
 
   vtkSmartPointer<vtkIdList> Seeds;
   std::string FieldDataName;
+  vtkIdListWatch SeedsWatch;
 
 private:
   vtkPolyDataGeodesicDistance(const vtkPolyDataGeodesicDistance&) = delete;

@@ -163,14 +163,12 @@ TEST_F(DistanceFilter, EditingAListInPlaceRunsAgain)
   this->Filter->SetSeeds(seeds);
   EXPECT_EQ(this->run()->GetComponent(0, 0), 0.0);
   seeds->SetId(0, 5);
-  seeds->Modified();
   EXPECT_NEAR(this->run()->GetComponent(0, 0), 5.0, 1e-9);
 
   const auto excluded = idList({ 20 });
   this->Filter->SetExclusionPointIds(excluded);
   EXPECT_EQ(this->run()->GetComponent(20, 0), -1.0);
   excluded->SetId(0, 30);
-  excluded->Modified();
   EXPECT_EQ(this->run()->GetComponent(30, 0), -1.0);
 
   const auto destinations = idList({ 6 });
@@ -178,7 +176,6 @@ TEST_F(DistanceFilter, EditingAListInPlaceRunsAgain)
   this->run();
   EXPECT_NEAR(this->Filter->GetMaximumDistance(), 1.0, 1e-9);
   destinations->SetId(0, 7);
-  destinations->Modified();
   this->run();
   EXPECT_NEAR(this->Filter->GetMaximumDistance(), 2.0, 1e-9);
 }
