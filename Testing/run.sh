@@ -37,7 +37,7 @@ check_labels()
 {
   local label
   for label in "${labels[@]}"; do
-    ctest --test-dir "$build" -N -L "^$label$" | grep -q '^Total Tests: [1-9]' ||
+    [[ $(ctest --test-dir "$build" -N -L "^$label$") == *"Total Tests: "[1-9]* ]] ||
       fail "No test has the label $label"
   done
 }

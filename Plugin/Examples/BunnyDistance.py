@@ -42,7 +42,8 @@ timed("Second solve, another seed", distance.UpdatePipeline)
 if distance.GetDataInformation().GetNumberOfPoints() == 0:
     sys.exit("No distances: see the message above.")
 
-SaveData(os.path.join(folder, "BunnyDistance.vtp"), proxy=distance)
+# Not the default, appended data: with Debian 12's libexpat ParaView can't read those back.
+SaveData(os.path.join(folder, "BunnyDistance.vtp"), proxy=distance, DataMode="Binary")
 
 # --- the picture ---
 

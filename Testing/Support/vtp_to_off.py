@@ -1,40 +1,37 @@
-"""Converts a .vtp of triangles (appended, raw, zlib) to OFF, with Python's own library only.
+"""Converts a .vtp of triangles (inline, zlib, 32-bit headers) to OFF, with Python's own library only.
 
 Core is tested without VTK, so it can't read the test data itself.
 usage: vtp_to_off.py input.vtp output.off
 """
 
-import re
+import base64
 import struct
 import sys
+import xml.etree.ElementTree
 import zlib
 
 
-def appended_array(appended, offset):
+def decoded(text):
     """Decodes one array: a header of block counts and sizes, then the compressed blocks."""
-    (blocks,) = struct.unpack_from("<I", appended, offset)
-    sizes = struct.unpack_from(f"<{blocks}I", appended, offset + 12)
-    data, position = b"", offset + 12 + 4 * blocks
+    (blocks,) = struct.unpack_from("<I", base64.b64decode(text[:8]))
+    header_length = -(-(12 + 4 * blocks) // 3) * 4
+    sizes = struct.unpack_from(f"<{blocks}I", base64.b64decode(text[:header_length]), 12)
+    compressed = base64.b64decode(text[header_length:])
+    data, position = b"", 0
     for size in sizes:
-        data += zlib.decompress(appended[position:position + size])
+        data += zlib.decompress(compressed[position:position + size])
         position += size
     return data
 
 
 def main(source, target):
-    text = open(source, "rb").read()
-    start = text.index(b"<AppendedData")
-    appended = text[text.index(b"_", start) + 1:]
-    header = text[:start].decode()
+    piece = xml.etree.ElementTree.parse(source).find("PolyData/Piece")
 
     def array(section, name):
-        body = re.search(f"<{section}>(.*?)</{section}>", header, re.S).group(1)
-        tag = re.search(f'<DataArray[^>]*Name="{name}"[^>]*>', body, re.S).group(0)
-        kind = re.search(r'type="(\w+)"', tag).group(1)
-        offset = int(re.search(r'offset="(\d+)"', tag).group(1))
-        code, size = {"Float32": ("f", 4), "Int64": ("q", 8)}[kind]
-        data = appended_array(appended, offset)
-        return struct.unpack(f"<{len(data) // size}{code}", data)
+        element = piece.find(f"{section}/DataArray[@Name='{name}']")
+        code = {"Float32": "f", "Int64": "q"}[element.get("type")]
+        data = decoded(element.text.strip())
+        return struct.unpack(f"<{len(data) // struct.calcsize(code)}{code}", data)
 
     points = array("Points", "Points")
     corners = array("Polys", "connectivity")
