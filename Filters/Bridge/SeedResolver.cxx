@@ -44,7 +44,7 @@ std::vector<Seed> seedsAtPositions(const InputSurface& surface, std::span<const 
               << ", " << position.z << "); give three finite numbers.";
       throw std::invalid_argument(message.str());
     }
-    seeds.push_back({ surface.closestPoints().closestPoint(position).point, 0.0 });
+    seeds.push_back(Seed::atPoint(surface.closestPoints().closestPoint(position).point));
   }
   return seeds;
 }
@@ -72,7 +72,7 @@ std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
   std::vector<Seed> seeds;
   for (Index vertex : verticesAtPoints(mesh, ids, "Seed"))
   {
-    seeds.push_back({ mesh.pointAtVertex(vertex), 0.0 });
+    seeds.push_back(Seed::atPoint(mesh.pointAtVertex(vertex)));
   }
   return seeds;
 }

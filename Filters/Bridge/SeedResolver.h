@@ -4,7 +4,7 @@
 #define geodesic_bridge_SeedResolver_h
 
 #include "InputSurface.h"
-#include "SolveOptions.h"
+#include "Seed.h"
 
 #include <cstdint>
 #include <span>

@@ -60,6 +60,7 @@ public:
   std::span<const Triangle> triangles() const { return this->Triangles; }
   /** The triangles round a vertex. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
+  const VertexRings& rings() const { return this->Rings; }
 
   /** The vertex as a point of the surface. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;
