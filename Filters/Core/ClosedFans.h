@@ -10,11 +10,13 @@
 namespace geodesic
 {
 
-/** Which triangles of the rings a front may not cross. Their vertices and border edges stay open. */
+/** Which triangles of the rings a front may not cross. Their vertices and border edges stay open.
+ */
 class ClosedFans
 {
 public:
-  /** @param closed one flag a triangle, or none. Time O(n) if there is one, memory 7 bytes a vertex. */
+  /** @param closed one flag a triangle, or none. Time O(n) if there is one, memory 7 bytes a
+   * vertex. */
   ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
 
   /** Whether entry @p i of the ring of @p vertex opens a triangle that may be crossed. */

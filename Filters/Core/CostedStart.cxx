@@ -14,12 +14,20 @@ constexpr double DiscInMeanEdges = 3.0;
 
 double meanEdgeAround(const TriangleMesh& mesh, Index vertex)
 {
-  double sum = 0.0;
+  // A ring may hold a neighbour twice.
+  std::vector<Index> neighbours;
   for (const RingEntry& entry : mesh.ring(vertex))
   {
-    sum += norm(mesh.position(entry.neighbour()) - mesh.position(vertex));
+    neighbours.push_back(entry.neighbour());
   }
-  return sum / static_cast<double>(mesh.ring(vertex).size());
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  double sum = 0.0;
+  for (Index neighbour : neighbours)
+  {
+    sum += norm(mesh.position(neighbour) - mesh.position(vertex));
+  }
+  return sum / static_cast<double>(neighbours.size());
 }
 
 bool isConstant(std::span<const double> cost, std::span<const StartValue> values)
@@ -36,8 +44,12 @@ std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const L
   SolveOptions near;
   near.excluded = options.excluded;
   near.closedTriangles = options.closedTriangles;
-  near.maximumDistance =
-    DiscInMeanEdges * meanEdgeAround(mesh, carriersOf(mesh, source.origin).front());
+  near.maximumDistance = 0.0;
+  for (Index vertex : carriersOf(mesh, source.origin))
+  {
+    near.maximumDistance =
+      std::max(near.maximumDistance, DiscInMeanEdges * meanEdgeAround(mesh, vertex));
+  }
   const Seed seed = Seed::atPoint(source.origin);
   const DistanceField& lengths = unitSolver.solve({ &seed, 1 }, near);
   std::vector<StartValue> disc;
@@ -96,8 +108,8 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
       disc.erase(std::remove_if(disc.begin(), disc.end(),
                    [&](const StartValue& value)
                    {
-                     return std::none_of(first, last, [&](const FrontStart& start)
-                       { return start.vertex == value.vertex; });
+                     return std::none_of(first, last,
+                       [&](const FrontStart& start) { return start.vertex == value.vertex; });
                    }),
         disc.end());
     }

@@ -28,8 +28,7 @@ bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceFie
   const auto propose = [&](Index vertex, double distance, Index seed)
   {
     const double old = field.distance(vertex);
-    const bool isBetter =
-      distance < old || (distance == old && seed < field.nearestSeed(vertex));
+    const bool isBetter = distance < old || (distance == old && seed < field.nearestSeed(vertex));
     if (isBetter && distance <= limit.value() && !request.options.isExcluded(vertex))
     {
       field.setDistance(vertex, distance);

@@ -16,8 +16,7 @@ DistanceSolver::DistanceSolver(std::shared_ptr<const TriangleMesh> mesh)
 {
 }
 
-const DistanceField& DistanceSolver::solve(
-  std::span<const Seed> seeds, const SolveOptions& options)
+const DistanceField& DistanceSolver::solve(std::span<const Seed> seeds, const SolveOptions& options)
 {
   if (seeds.empty())
   {

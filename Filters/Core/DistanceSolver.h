@@ -17,8 +17,8 @@ class StopLimit;
 class TriangleMesh;
 
 /**
- * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a second
- * run on it allocates nothing and touches only what its front reaches.
+ * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a
+ * second run on it allocates nothing and touches only what its front reaches.
  */
 class DistanceSolver
 {
@@ -32,10 +32,10 @@ public:
   /**
    * @param seeds   at least one
    * @param options see there; what its spans refer to must live as long as the call
-   * @return the field, which the next call overwrites. A target that can't be reached, or a cancelled
-   *         run, is no error: see DistanceField::stopReason.
-   * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point of
-   *         the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
+   * @return the field, which the next call overwrites. A target that can't be reached, or a
+   * cancelled run, is no error: see DistanceField::stopReason.
+   * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
+   * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
    */
   const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {});
 

@@ -27,9 +27,9 @@ struct FlatTriangle
 };
 
 /**
- * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on the
- * edge is w-Lipschitz, so nowhere on it less than (a + b - w c) / 2. Cheap, and most updates of a march
- * end here.
+ * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on
+ * the edge is w-Lipschitz, so nowhere on it less than (a + b - w c) / 2. Cheap, and most updates of
+ * a march end here.
  */
 inline double updateLowerBound(const FlatTriangle& t, double a, double b, double w = 1.0)
 {

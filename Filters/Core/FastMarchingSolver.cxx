@@ -22,8 +22,8 @@ constexpr double BucketWidthInMeanEdges = 0.5;
 
 double smallestValue(std::span<const Label> labels)
 {
-  return std::min_element(labels.begin(), labels.end(),
-    [](const Label& a, const Label& b) { return a.value < b.value; })
+  return std::min_element(
+    labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value < b.value; })
     ->value;
 }
 
@@ -47,8 +47,7 @@ bool FastMarchingSolver::march(const Request& request, StopLimit& limit, Distanc
     this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh());
   }
   const VertexCost cost(this->mesh(), request.options.cost);
-  const auto starts =
-    costedStarts(this->mesh(), request.front, request.options, *this->UnitSolver);
+  const auto starts = costedStarts(this->mesh(), request.front, request.options, *this->UnitSolver);
   return this->marchAtCost(cost, starts, request, limit, field);
 }
 
@@ -80,8 +79,7 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   {
     const double old = valueOf(vertex);
     std::uint8_t& state = this->State[vertex];
-    if (!(value < ceilingOf(vertex, old)) || (state & Pinned) ||
-      request.options.isExcluded(vertex))
+    if (!(value < ceilingOf(vertex, old)) || (state & Pinned) || request.options.isExcluded(vertex))
     {
       return old;
     }
@@ -163,8 +161,8 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     const auto valueOf = [&](Index vertex) { return sets.value(vertex, current.label); };
     const auto ceilingOf = [&](Index vertex, double value)
     {
-      return std::min(value * KeptFraction,
-        std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
+      return std::min(
+        value * KeptFraction, std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
     };
     const auto propose = [&](Index vertex, double value)
     {
@@ -180,19 +178,18 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     };
     if (labels[current.label].shape == FrontShape::Round)
     {
-      sweepRing<FrontShape::Round>(mesh, request.closed, cost, current.vertex, current.value,
-        valueOf, ceilingOf, propose);
+      sweepRing<FrontShape::Round>(
+        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
     }
     else
     {
-      sweepRing<FrontShape::Straight>(mesh, request.closed, cost, current.vertex, current.value,
-        valueOf, ceilingOf, propose);
+      sweepRing<FrontShape::Straight>(
+        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
     }
   }
   for (Index vertex : field.reached())
   {
-    field.setNearestSeed(
-      vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
+    field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
   }
   sets.clear(field.reached());
   return !control.isCancelled();

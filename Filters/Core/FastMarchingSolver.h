@@ -23,8 +23,8 @@ namespace geodesic
  * The march is label correcting: vertices are taken in rough order of distance and again whenever
  * their value falls. As the updates are monotone the result is their greatest fixed point, the same
  * (to 1e-10) for any order, numbering or partition. Exact on developable surfaces at constant cost,
- * first order accurate in the edge length elsewhere. With several labels each keeps values of its own
- * near the border between them (LabelSets), so that no update mixes two sources.
+ * first order accurate in the edge length elsewhere. With several labels each keeps values of its
+ * own near the border between them (LabelSets), so that no update mixes two sources.
  *
  * Time O(n) on meshes whose edges do not vary wildly, memory 13 bytes a vertex beside the mesh for
  * one label, 24 bytes more for each value kept with several.
@@ -45,8 +45,8 @@ private:
   bool marchOneLabel(const Cost& cost, std::span<const StartValue> starts, const Request& request,
     StopLimit& limit, DistanceField& field);
   template <class Cost>
-  bool marchManyLabels(const Cost& cost, std::span<const StartValue> starts,
-    const Request& request, StopLimit& limit, DistanceField& field);
+  bool marchManyLabels(const Cost& cost, std::span<const StartValue> starts, const Request& request,
+    StopLimit& limit, DistanceField& field);
 
   BucketQueue Queue;
   std::vector<std::uint8_t> State;

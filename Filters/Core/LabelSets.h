@@ -11,10 +11,10 @@ namespace geodesic
 {
 
 /**
- * The values that vertices keep for several labels, one a label and vertex, as far as they are within
- * a margin of the vertex's best. Mixing values of different seeds in an update would be wrong on
- * both sides of the border between them, and a switch by the nearest seed would depend on the
- * order.
+ * The values that vertices keep for several labels, one a label and vertex, as far as they are
+ * within a margin of the vertex's best. Mixing values of different seeds in an update would be
+ * wrong on both sides of the border between them, and a switch by the nearest seed would depend on
+ * the order.
  *
  * Margin: where a seed wins at a point of an edge, its value at the ends of the edge exceeds the
  * best one there by at most twice the edge's length. Twice that again leaves room for the error

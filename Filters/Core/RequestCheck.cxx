@@ -58,8 +58,8 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
       ", where no front may be; move it off the barrier.");
   }
   const bool isInside = carriers.size() == 3 && options.isClosed(point.triangle);
-  const bool isSurrounded = std::none_of(carriers.begin(), carriers.end(),
-    [&](Index vertex) { return closed.hasOpenTriangle(vertex); });
+  const bool isSurrounded = std::none_of(
+    carriers.begin(), carriers.end(), [&](Index vertex) { return closed.hasOpenTriangle(vertex); });
   if (isInside || isSurrounded)
   {
     throw std::invalid_argument(seed + " lies inside a barrier cell, beside point " +

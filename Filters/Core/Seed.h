@@ -16,7 +16,8 @@ struct Seed
   {
     /** The one entry of points. */
     Point,
-    /** The straight segments from each of points to the next, each inside a face or along an edge. */
+    /** The straight segments from each of points to the next, each inside a face or along an edge.
+     */
     Curve,
     /** All of vertices, and what lies between neighbours among them. */
     Region

@@ -64,7 +64,8 @@ void sortUnique(std::vector<Index>& vertices)
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-/** The corners of every open triangle that has all of @p carriers (one, two or three) as corners. */
+/** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
+ */
 std::vector<Index> cornersRound(
   const TriangleMesh& mesh, const ClosedFans& closed, const std::vector<Index>& carriers)
 {
@@ -155,9 +156,34 @@ private:
 
   void addCurve(const std::vector<SurfacePoint>& points)
   {
+    std::vector<std::size_t> bends = this->bendsOf(points);
+    if (bends.size() > MostRoundLabels)
+    {
+      bends.clear();
+    }
+    for (std::size_t bend : bends)
+    {
+      this->addPoint(points[bend]);
+    }
+    // Each straight piece marches by itself: on the inner side of a bend two fronts meet.
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      if (i + 1 == points.size() || std::binary_search(bends.begin(), bends.end(), i))
+      {
+        this->addStraightPiece(points, first, i);
+        first = i;
+      }
+    }
+  }
+
+  /** The segments of a curve from its point @p first to its point @p last. */
+  void addStraightPiece(
+    const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last)
+  {
     const Index label = this->addLabel(FrontShape::Straight);
     std::map<Index, double> lengths;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    for (std::size_t i = first; i < last; ++i)
     {
       const Vector3 a = this->Mesh.positionOf(points[i]);
       const Vector3 b = this->Mesh.positionOf(points[i + 1]);
@@ -171,14 +197,6 @@ private:
     for (const auto& [vertex, length] : lengths)
     {
       this->Front.starts.push_back({ vertex, label, length });
-    }
-    const std::vector<SurfacePoint> bends = this->bendsOf(points);
-    if (bends.size() <= MostRoundLabels)
-    {
-      for (const SurfacePoint& bend : bends)
-      {
-        this->addPoint(bend);
-      }
     }
   }
 
@@ -196,40 +214,33 @@ private:
     }
     if (corners.empty())
     {
-      throw std::invalid_argument("Seed " + std::to_string(this->Number) + " is a curve whose segment " +
-        std::to_string(number) + " lies neither in one face nor along one edge of the surface. Give "
+      throw std::invalid_argument("Seed " + std::to_string(this->Number) +
+        " is a curve whose segment " + std::to_string(number) +
+        " lies neither in one face nor along one edge of the surface. Give "
         "it a point on each edge that it crosses.");
     }
     return corners;
   }
 
-  /** The curve's ends, unless it is closed, and the points where it is not straight. */
-  std::vector<SurfacePoint> bendsOf(const std::vector<SurfacePoint>& points) const
+  /** Numbers of the curve's points where it is not straight, its ends among them. */
+  std::vector<std::size_t> bendsOf(const std::vector<SurfacePoint>& points) const
   {
     std::vector<Vector3> positions;
     for (const SurfacePoint& point : points)
     {
       positions.push_back(this->Mesh.positionOf(point));
     }
-    const bool isClosed = points.size() > 2 && positions.front() == positions.back();
-    const std::size_t last = points.size() - 1;
-    std::vector<SurfacePoint> bends;
-    for (std::size_t i = 0; i <= last; ++i)
+    std::vector<std::size_t> bends{ 0 };
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
     {
-      if ((i == 0 || i == last) && !isClosed)
+      const Vector3 in = positions[i] - positions[i - 1];
+      const Vector3 out = positions[i + 1] - positions[i];
+      if (!(dot(in, out) >= StraightCosine * norm(in) * norm(out)))
       {
-        bends.push_back(points[i]);
-      }
-      else if (i < last)
-      {
-        const Vector3 in = positions[i] - positions[i == 0 ? last - 1 : i - 1];
-        const Vector3 out = positions[i + 1] - positions[i];
-        if (!(dot(in, out) >= StraightCosine * norm(in) * norm(out)))
-        {
-          bends.push_back(points[i]);
-        }
+        bends.push_back(i);
       }
     }
+    bends.push_back(points.size() - 1);
     return bends;
   }
 
@@ -299,8 +310,7 @@ std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& poin
   return carriers;
 }
 
-SeedFront seedFront(
-  const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds)
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds)
 {
   SeedFront front;
   FrontBuilder builder(mesh, closed, front);

@@ -43,11 +43,12 @@ struct FrontStart
 /**
  * Where the fronts of the seeds start.
  *
- * A point is one round label: it starts at the point's vertex, at the corners of all triangles of its
- * edge, or at the corners of its face. A curve is one straight label, which starts at the corners
- * of the triangles that it touches, and a round one at each end and at each bend. A region is one
- * straight label at its vertices, and a round one for each isolated vertex and, on small regions, for
- * each vertex of its border. Within a triangle the straight line is the shortest, so lengths are final.
+ * A point is one round label: it starts at the point's vertex, at the corners of all triangles of
+ * its edge, or at the corners of its face. A curve is one straight label for each straight piece,
+ * which starts at the corners of the triangles that the piece touches, and a round one at each end
+ * and bend. A region is one straight label at its vertices, and a round one for each isolated
+ * vertex and, on small regions, for each vertex of its border. Within a triangle the straight line
+ * is the shortest, so lengths are final.
  */
 struct SeedFront
 {
@@ -57,9 +58,9 @@ struct SeedFront
 
 /**
  * @param closed triangles that no front crosses, nor starts through
- * @throws std::invalid_argument naming the first seed that is none: without points, in a triangle that
- *         does not exist, of weights that are no barycentric weights, of a value that is negative or not
- *         finite, or a curve with a segment that is neither in one face nor along one edge
+ * @throws std::invalid_argument naming the first seed that is none: without points, in a triangle
+ * that does not exist, of weights that are no barycentric weights, of a value that is negative or
+ * not finite, or a curve with a segment that is neither in one face nor along one edge
  */
 SeedFront seedFront(
   const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds);

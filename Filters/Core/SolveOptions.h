@@ -27,14 +27,15 @@ struct SolveOptions
   std::span<const double> cost;
   /** One flag a vertex: non-zero ones are never entered by the front. Empty: none. */
   std::span<const std::uint8_t> excluded;
-  /** One flag a triangle: the front never crosses non-zero ones; their border stays open. Empty: none. */
+  /** One flag a triangle: the front never crosses non-zero ones; their border stays open. Empty:
+   * none. */
   std::span<const std::uint8_t> closedTriangles;
   /** No vertex farther than this gets a distance, every nearer one gets its final one. */
   double maximumDistance = std::numeric_limits<double>::infinity();
   /**
-   * What to reach: each target is a set of three vertices (the corners round a point; three times the
-   * same for a vertex) and reached when all of them are. Nothing farther than the last one needed gets
-   * a distance. Empty: none.
+   * What to reach: each target is a set of three vertices (the corners round a point; three times
+   * the same for a vertex) and reached when all of them are. Nothing farther than the last one
+   * needed gets a distance. Empty: none.
    */
   std::span<const Triangle> targets;
   TargetMode targetMode = TargetMode::Any;

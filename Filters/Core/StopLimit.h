@@ -27,8 +27,8 @@ public:
   double value() const { return this->Limit; }
 
   /**
-   * The largest value that may still matter where neighbours differ by up to @p reach: one above the
-   * limit can lower its neighbours' a little below it, but not beyond that.
+   * The largest value that may still matter where neighbours differ by up to @p reach: one above
+   * the limit can lower its neighbours' a little below it, but not beyond that.
    */
   double with(double reach) const { return this->Limit + reach; }
 

@@ -185,10 +185,13 @@ TYPED_TEST(Request, NoSeedIsAnError)
 
 TYPED_TEST(Request, ASeedOffTheMeshIsNamed)
 {
-  EXPECT_NE(this->messageOf({ this->oneSeed[0], Seed::atPoint({ 999999, { 1, 0, 0 } }) }).find("Seed 1"),
+  EXPECT_NE(
+    this->messageOf({ this->oneSeed[0], Seed::atPoint({ 999999, { 1, 0, 0 } }) }).find("Seed 1"),
     std::string::npos);
-  EXPECT_NE(this->messageOf({ Seed::atPoint({ 0, { 0.5, 0.6, 0.0 } }) }).find("Seed 0"), std::string::npos);
-  EXPECT_NE(this->messageOf({ Seed::atPoint({ 0, { 1, 0, 0 } }, -1.0) }).find("Seed 0"), std::string::npos);
+  EXPECT_NE(
+    this->messageOf({ Seed::atPoint({ 0, { 0.5, 0.6, 0.0 } }) }).find("Seed 0"), std::string::npos);
+  EXPECT_NE(
+    this->messageOf({ Seed::atPoint({ 0, { 1, 0, 0 } }, -1.0) }).find("Seed 0"), std::string::npos);
 }
 
 TYPED_TEST(Request, AnExcludedSeedIsNamed)
