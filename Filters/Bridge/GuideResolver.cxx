@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuideResolver.h"
 
+#include "NumberText.h"
 #include "PointResolver.h"
 #include "SeedFront.h"
 
@@ -48,8 +49,10 @@ std::vector<double> costOfArray(
     const double value = array->GetComponent(point, 0);
     if (!(value > 0.0 && std::isfinite(value)))
     {
-      throw std::invalid_argument(role + " is " + std::to_string(value) + " at point " +
-        std::to_string(point) + "; it must be positive and finite at every point of the surface.");
+      throw std::invalid_argument(role + " is " + textOf(value) + " at point " +
+        std::to_string(point) +
+        "; it must be positive and finite at every point of the surface. Take, for example, the "
+        "absolute value plus a small constant.");
     }
     cost[vertex] += meaning == CostMeaning::Cost ? value : 1.0 / value;
     ++count[vertex];
@@ -117,7 +120,7 @@ void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers&
   const TriangleMesh& mesh = *surface.mesh();
   barriers.excluded.resize(mesh.numberOfVertices(), 0);
   barriers.closed.resize(mesh.numberOfTriangles(), 0);
-  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source);
+  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, "BarrierSource");
   std::size_t number = 0;
   for (const std::vector<vtkIdType>& line : linesOf(source))
   {
@@ -143,7 +146,7 @@ void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers&
       {
         throw std::invalid_argument("BarrierSource's line " + std::to_string(number) +
           " has a segment, number " + std::to_string(i) +
-          ", that lies neither in one face nor along one edge of the surface. Give it a point on "
+          ", which lies neither in one face nor along one edge of the surface. Give it a point on "
           "each edge that it crosses.");
       }
     }

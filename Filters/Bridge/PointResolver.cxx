@@ -9,11 +9,39 @@
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 namespace geodesic::bridge
 {
+namespace
+{
+
+/** The height over the longest side: the shortest way from a corner to the opposite side. */
+double shortestHeight(const TriangleMesh& mesh, Index triangle)
+{
+  const Triangle& corners = mesh.triangle(triangle);
+  const Vector3 a = mesh.position(corners[1]) - mesh.position(corners[0]);
+  const Vector3 b = mesh.position(corners[2]) - mesh.position(corners[0]);
+  return norm(cross(a, b)) / std::max({ norm(a), norm(b), norm(b - a) });
+}
+
+/**
+ * Puts a point on the edge or vertex that it is as near to as single precision can tell: most data
+ * sets have such coordinates, and a line along edges should be one.
+ */
+SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  const Vector3 p = mesh.positionOf(point);
+  const double largest = std::max({ std::abs(p.x), std::abs(p.y), std::abs(p.z) });
+  const double blur = 4.0 * std::numeric_limits<float>::epsilon() * largest;
+  return snapped(point, std::min(blur / shortestHeight(mesh, point.triangle), 0.01));
+}
+
+}
 
 std::vector<SurfacePoint> surfacePointsAt(
   const InputSurface& surface, std::span<const double> coordinates, const std::string& property)
@@ -39,14 +67,20 @@ std::vector<SurfacePoint> surfacePointsAt(
   return points;
 }
 
-std::vector<SurfacePoint> surfacePointsOf(const InputSurface& surface, vtkPointSet* source)
+std::vector<SurfacePoint> surfacePointsOf(
+  const InputSurface& surface, vtkPointSet* source, const std::string& property)
 {
   std::vector<double> coordinates(3 * source->GetNumberOfPoints());
   for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
   {
     source->GetPoint(i, coordinates.data() + 3 * i);
   }
-  return surfacePointsAt(surface, coordinates, "the source");
+  std::vector<SurfacePoint> points = surfacePointsAt(surface, coordinates, property);
+  for (SurfacePoint& point : points)
+  {
+    point = snappedAsSingle(*surface.mesh(), point);
+  }
+  return points;
 }
 
 std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source)

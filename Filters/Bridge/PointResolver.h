@@ -28,8 +28,13 @@ namespace geodesic::bridge
 std::vector<SurfacePoint> surfacePointsAt(
   const InputSurface& surface, std::span<const double> coordinates, const std::string& property);
 
-/** All points of a data set, projected. */
-std::vector<SurfacePoint> surfacePointsOf(const InputSurface& surface, vtkPointSet* source);
+/**
+ * All points of a data set, projected, and put on the edge or vertex that they can't be told from
+ * in single precision.
+ * @param property what gave the data set, for the message
+ */
+std::vector<SurfacePoint> surfacePointsOf(
+  const InputSurface& surface, vtkPointSet* source, const std::string& property);
 
 /** The point ids of each line and polyline of a data set. */
 std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source);

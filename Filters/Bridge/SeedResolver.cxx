@@ -70,7 +70,7 @@ std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
 
 std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source)
 {
-  const auto points = surfacePointsOf(surface, source);
+  const auto points = surfacePointsOf(surface, source, "SeedSource");
   const auto lines = linesOf(source);
   std::vector<bool> isOnLine(points.size(), false);
   for (const auto& line : lines)
@@ -120,7 +120,7 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array,
   if (regions.empty())
   {
     throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) +
-      "\" is 0 on the whole surface; it marks seeds by other values.");
+      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
   }
   std::vector<Seed> seeds;
   for (auto& [value, vertices] : regions)
@@ -146,6 +146,12 @@ std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool
         vertices.push_back(vertex);
       }
     });
+  if (vertices.empty() && !wanted.empty())
+  {
+    throw std::invalid_argument(std::string("SeedSelection selects no ") +
+      (areCells ? "cell" : "point") + " of the surface, of " + std::to_string(wanted.size()) +
+      " that it names. Select others.");
+  }
   return vertices.empty() ? std::vector<Seed>{} : std::vector<Seed>{ Seed::onRegion(vertices) };
 }
 

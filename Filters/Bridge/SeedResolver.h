@@ -38,7 +38,10 @@ std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source
  */
 std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells);
 
-/** One seed of all these points, or of all these cells; none where the list is empty. */
+/**
+ * One seed of all these points, or of all these cells; none where the list is empty.
+ * @throws std::invalid_argument where none of them belongs to the surface
+ */
 std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells);
 
 }

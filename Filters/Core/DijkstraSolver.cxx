@@ -48,7 +48,7 @@ bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceFie
     const double meanCost = 0.5 * (atOrigin + costOf(start.vertex));
     propose(start.vertex, label.value + start.length * meanCost, label.seed);
   }
-  MarchControl control(request.options, limit);
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   while (!this->Heap.empty() && control.mayGoOn())
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end(), isAfter);

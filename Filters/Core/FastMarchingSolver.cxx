@@ -72,9 +72,10 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
 {
   const TriangleMesh& mesh = this->mesh();
   const double offset = request.front.labels[0].value;
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   const auto valueOf = [&](Index vertex) { return field.distance(vertex) - offset; };
   const auto ceilingOf = [&](Index vertex, double value)
-  { return std::min(value * KeptFraction, limit.with(cost.reach(vertex)) - offset); };
+  { return std::min(value * control.keptFraction(), limit.with(cost.reach(vertex)) - offset); };
   const auto propose = [&](Index vertex, double value)
   {
     const double old = valueOf(vertex);
@@ -98,7 +99,6 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
     this->State[start.vertex] = start.isFinal ? Pinned | Queued : Queued;
     this->Queue.push(start.vertex, start.value);
   }
-  MarchControl control(request.options, limit);
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index vertex = this->Queue.pop();
@@ -123,6 +123,7 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   LabelSets& sets = this->Labels;
   sets.start(mesh.numberOfVertices());
   const double first = smallestValue(labels);
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   const auto lower = [&](Index entry, double value)
   {
     const Index vertex = sets[entry].vertex;
@@ -147,7 +148,6 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     sets[entry].isPinned = start.isFinal;
     lower(entry, start.value);
   }
-  MarchControl control(request.options, limit);
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index popped = this->Queue.pop();
@@ -161,8 +161,8 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     const auto valueOf = [&](Index vertex) { return sets.value(vertex, current.label); };
     const auto ceilingOf = [&](Index vertex, double value)
     {
-      return std::min(
-        value * KeptFraction, std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
+      return std::min(value * control.keptFraction(),
+        std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
     };
     const auto propose = [&](Index vertex, double value)
     {

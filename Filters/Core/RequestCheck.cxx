@@ -1,6 +1,7 @@
 #include "RequestCheck.h"
 
 #include "ClosedFans.h"
+#include "NumberText.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
 
@@ -38,7 +39,7 @@ void checkCost(const TriangleMesh& mesh, std::span<const double> cost)
   if (firstBad != NoIndex)
   {
     throw std::invalid_argument("The cost of point " + std::to_string(firstBad) + " is " +
-      std::to_string(cost[vertex]) + "; every cost must be positive and finite.");
+      textOf(cost[vertex]) + "; every cost must be positive and finite.");
   }
 }
 
@@ -79,8 +80,8 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
   checkCost(mesh, options.cost);
   if (!(options.maximumDistance >= 0.0))
   {
-    throw std::invalid_argument("The maximum distance is " +
-      std::to_string(options.maximumDistance) + "; it must be at least 0.");
+    throw std::invalid_argument(
+      "The maximum distance is " + textOf(options.maximumDistance) + "; it must be at least 0.");
   }
   for (const Triangle& target : options.targets)
   {

@@ -11,9 +11,6 @@
 namespace geodesic
 {
 
-/** A new distance counts where it is less than the old one by more than this factor. */
-inline constexpr double KeptFraction = 1.0 - 1e-12;
-
 /** The update for a front of a shape at cost @p w, which is constant in a triangle. */
 template <FrontShape Shape>
 inline double update(const FlatTriangle& t, double a, double b, double w)

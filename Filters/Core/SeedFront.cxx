@@ -1,6 +1,7 @@
 #include "SeedFront.h"
 
 #include "ClosedFans.h"
+#include "NumberText.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::
   }
   if (!inside || !(std::abs(sum - 1.0) < 1e-6))
   {
-    throw std::invalid_argument(name + " has barycentric weights " + std::to_string(weights[0]) +
-      ", " + std::to_string(weights[1]) + ", " + std::to_string(weights[2]) +
+    throw std::invalid_argument(name + " has barycentric weights " + textOf(weights[0]) + ", " +
+      textOf(weights[1]) + ", " + textOf(weights[2]) +
       "; each must be at least 0 and their sum 1.");
   }
 }
@@ -41,8 +42,8 @@ void checkSeed(const TriangleMesh& mesh, const Seed& seed, const std::string& na
   }
   if (!(seed.value >= 0.0 && std::isfinite(seed.value)))
   {
-    throw std::invalid_argument(name + " has the value " + std::to_string(seed.value) +
-      "; it must be finite and at least 0.");
+    throw std::invalid_argument(
+      name + " has the value " + textOf(seed.value) + "; it must be finite and at least 0.");
   }
   for (const SurfacePoint& point : seed.points)
   {

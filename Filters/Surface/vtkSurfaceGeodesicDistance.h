@@ -11,8 +11,10 @@
  * The output is the input passed through, together with a point array of distances in the mesh's
  * unit of length, which becomes the active scalars. The input is never modified.
  *
- * Errors, which leave the output empty: no seed, a list of seed coordinates whose length is no
- * multiple of 3, a negative MaximumDistance in use, composite input, more than one rank.
+ * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
+ * barriers across faces, a list of coordinates whose length is no multiple of 3, an id that does
+ * not exist, an array that does not or has several components, a cost that is not positive, a
+ * negative MaximumDistance in use, composite input, more than one rank.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h

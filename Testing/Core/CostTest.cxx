@@ -105,6 +105,43 @@ TEST(Cost, ALinearSpeedHasCircularFronts)
   EXPECT_LT(relativeError(d, truth).mean, 1.5e-3);
 }
 
+// The article's example. Subdivision keeps the points of the coarser mesh, so that the field on a
+// mesh of four times shorter edges is a truth four times nearer.
+TEST(Cost, CurvatureOnAnEllipsoidConverges)
+{
+  const Vector3 axes{ 1.0, 0.7, 0.5 };
+  const auto field = [&](int levels)
+  {
+    Surface ellipsoid = icosphere(levels);
+    for (Vector3& p : ellipsoid.points)
+    {
+      p = { axes.x * p.x, axes.y * p.y, axes.z * p.z };
+    }
+    const auto mesh = meshOf(ellipsoid);
+    const auto cost = costOn(*mesh,
+      [&](const Vector3& p)
+      {
+        const Vector3 n{ p.x / (axes.x * axes.x), p.y / (axes.y * axes.y),
+          p.z / (axes.z * axes.z) };
+        const double volume = axes.x * axes.y * axes.z;
+        return (dot(axes, axes) - dot(p, p)) / (2.0 * volume * volume * std::pow(norm(n), 3));
+      });
+    SolveOptions options;
+    options.cost = cost;
+    return distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 3) }, options);
+  };
+  const auto truth = field(7);
+  const auto error = [&](int levels)
+  {
+    const auto d = field(levels);
+    return relativeError(d, { truth.begin(), truth.begin() + d.size() }).mean;
+  };
+  const double coarse = error(4);
+  const double fine = error(5);
+  EXPECT_LT(fine, 5e-3);
+  EXPECT_LT(fine, 0.65 * coarse);
+}
+
 TEST(Cost, AConstantCostScalesTheField)
 {
   const Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
