@@ -38,22 +38,6 @@ struct Known
   std::weak_ptr<const InputSurface> surface;
 };
 
-std::shared_ptr<const TriangleMesh> meshOf(vtkPolyData* input, CoincidentPoints coincident)
-{
-  const std::vector<Vector3> points = pointsOf(input);
-  const std::vector<Triangle> triangles = trianglesOf(input, points);
-  auto mesh = std::make_shared<const TriangleMesh>(points, triangles, coincident);
-  if (mesh->numberOfTriangles() == 0)
-  {
-    throw std::invalid_argument("The input has no surface: " + std::to_string(points.size()) +
-      " points, and no triangle, polygon or strip with an area among its " +
-      std::to_string(input->GetNumberOfCells()) +
-      " cells. Give a surface, for example by "
-      "Extract Surface.");
-  }
-  return mesh;
-}
-
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
@@ -78,8 +62,30 @@ std::shared_ptr<const InputSurface> InputSurface::of(
 }
 
 InputSurface::InputSurface(vtkPolyData* input, CoincidentPoints coincident)
-  : Mesh(meshOf(input, coincident))
 {
+  const std::vector<Vector3> points = pointsOf(input);
+  SurfaceTriangles triangles = trianglesOf(input, points);
+  this->Mesh = std::make_shared<const TriangleMesh>(points, triangles.corners, coincident);
+  if (this->Mesh->numberOfTriangles() == 0)
+  {
+    throw std::invalid_argument("The input has no surface: " + std::to_string(points.size()) +
+      " points, and no triangle, polygon or strip with an area among its " +
+      std::to_string(input->GetNumberOfCells()) +
+      " cells. Give a surface, for example by "
+      "Extract Surface.");
+  }
+  this->FirstCell = triangles.cells.front();
+  const bool isConsecutive = triangles.cells.back() - this->FirstCell + 1 == triangles.cells.size();
+  if (!isConsecutive || static_cast<vtkIdType>(triangles.cells.size()) != input->GetNumberOfPolys())
+  {
+    this->CellOfSource = std::move(triangles.cells);
+  }
+}
+
+Index InputSurface::cellOfTriangle(Index triangle) const
+{
+  const Index source = this->Mesh->sourceOfTriangle(triangle);
+  return this->CellOfSource.empty() ? this->FirstCell + source : this->CellOfSource[source];
 }
 
 const ClosestPointTree& InputSurface::closestPoints() const

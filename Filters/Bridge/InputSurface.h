@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <mutex>
+#include <vector>
 
 class vtkPolyData;
 
@@ -34,8 +35,13 @@ public:
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const ClosestPointTree& closestPoints() const;
+  /** The input's cell that a triangle of the mesh was cut from. */
+  Index cellOfTriangle(Index triangle) const;
 
 private:
+  /** By the source triangle; empty where the cells are the triangles, counted from FirstCell. */
+  std::vector<Index> CellOfSource;
+  Index FirstCell = 0;
   std::shared_ptr<const TriangleMesh> Mesh;
   mutable std::once_flag ClosestPointsBuilt;
   mutable std::unique_ptr<ClosestPointTree> ClosestPoints;

@@ -201,15 +201,28 @@ std::vector<Vector3> pointsOf(vtkPolyData* surface)
   return points;
 }
 
-std::vector<Triangle> trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points)
+SurfaceTriangles trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points)
 {
-  std::vector<Triangle> triangles;
-  triangles.reserve(surface->GetNumberOfPolys());
-  Triangulator triangulator(points, triangles);
+  SurfaceTriangles triangles;
+  triangles.corners.reserve(surface->GetNumberOfPolys());
+  triangles.cells.reserve(surface->GetNumberOfPolys());
+  Triangulator triangulator(points, triangles.corners);
+  // A polydata numbers its vertices first, then lines, polygons and strips.
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  const auto noteCell = [&]
+  { triangles.cells.resize(triangles.corners.size(), static_cast<Index>(cell++)); };
   surface->GetPolys()->Visit(VisitCells{}, points.size(),
-    [&](std::span<const Index> corners) { triangulator.addPolygon(corners); });
+    [&](std::span<const Index> corners)
+    {
+      triangulator.addPolygon(corners);
+      noteCell();
+    });
   surface->GetStrips()->Visit(VisitCells{}, points.size(),
-    [&](std::span<const Index> corners) { triangulator.addStrip(corners); });
+    [&](std::span<const Index> corners)
+    {
+      triangulator.addStrip(corners);
+      noteCell();
+    });
   return triangles;
 }
 

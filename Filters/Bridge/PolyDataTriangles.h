@@ -19,13 +19,21 @@ namespace geodesic::bridge
  */
 std::vector<Vector3> pointsOf(vtkPolyData* surface);
 
+/** The triangles of a surface and the cells that they are cut from. */
+struct SurfaceTriangles
+{
+  std::vector<Triangle> corners;
+  /** One cell id of the input a triangle. */
+  std::vector<Index> cells;
+};
+
 /**
  * The triangles of the surface's polygons and strips, as ids of @p points. A quadrilateral is cut
  * along its shorter inner diagonal, a larger polygon by vtkPolygon; one that has no proper inside
  * becomes a fan round its first point. Vertices and lines are no surface.
  * @throws std::invalid_argument for a cell that names a point which does not exist
  */
-std::vector<Triangle> trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points);
+SurfaceTriangles trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points);
 
 }
 

@@ -2,69 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedResolver.h"
 
+#include "vtkCell.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
 
-#include <sstream>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 namespace geodesic::bridge
 {
 namespace
 {
 
-/** The vertex of a point, NoIndex where no cell uses the point. */
-Index vertexAt(const TriangleMesh& mesh, vtkIdType id, const std::string& role)
+/** Calls @p visit with each vertex and the number of its point, or of a cell that it is a corner
+ * of. */
+void visitVertices(const InputSurface& surface, bool ofCells,
+  const std::function<void(Index vertex, vtkIdType id)>& visit)
 {
-  if (id < 0 || id >= static_cast<vtkIdType>(mesh.numberOfPoints()))
+  const TriangleMesh& mesh = *surface.mesh();
+  if (ofCells)
   {
-    throw std::invalid_argument(role + " point id " + std::to_string(id) +
-      " does not exist: the input has " + std::to_string(mesh.numberOfPoints()) +
-      " points, numbered from 0.");
+    for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+    {
+      for (Index vertex : mesh.triangle(t))
+      {
+        visit(vertex, surface.cellOfTriangle(t));
+      }
+    }
+    return;
   }
-  return mesh.vertexOfPoint(static_cast<Index>(id));
+  for (Index point = 0; point < mesh.numberOfPoints(); ++point)
+  {
+    if (mesh.vertexOfPoint(point) != NoIndex)
+    {
+      visit(mesh.vertexOfPoint(point), point);
+    }
+  }
 }
 
 }
 
 std::vector<Seed> seedsAtPositions(const InputSurface& surface, std::span<const double> coordinates)
 {
-  if (coordinates.size() % 3 != 0)
-  {
-    throw std::invalid_argument("SeedPositions has " + std::to_string(coordinates.size()) +
-      " numbers, which is no multiple of 3: give x, y and z of each seed.");
-  }
   std::vector<Seed> seeds;
-  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  for (const SurfacePoint& point : surfacePointsAt(surface, coordinates, "SeedPositions"))
   {
-    const Vector3 position{ coordinates[i], coordinates[i + 1], coordinates[i + 2] };
-    if (!isFinite(position))
-    {
-      std::ostringstream message;
-      message << "Seed " << i / 3 << " of SeedPositions is at (" << position.x << ", " << position.y
-              << ", " << position.z << "); give three finite numbers.";
-      throw std::invalid_argument(message.str());
-    }
-    seeds.push_back({ surface.closestPoints().closestPoint(position).point, 0.0 });
+    seeds.push_back(Seed::atPoint(point));
   }
   return seeds;
-}
-
-std::vector<Index> verticesAtPoints(
-  const TriangleMesh& mesh, vtkIdList* ids, const std::string& role)
-{
-  std::vector<Index> vertices;
-  const vtkIdType count = ids ? ids->GetNumberOfIds() : 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Index vertex = vertexAt(mesh, ids->GetId(i), role);
-    if (vertex == NoIndex)
-    {
-      throw std::invalid_argument(role + " point id " + std::to_string(ids->GetId(i)) +
-        " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
-    }
-    vertices.push_back(vertex);
-  }
-  return vertices;
 }
 
 std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
@@ -72,29 +63,96 @@ std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
   std::vector<Seed> seeds;
   for (Index vertex : verticesAtPoints(mesh, ids, "Seed"))
   {
-    seeds.push_back({ mesh.pointAtVertex(vertex), 0.0 });
+    seeds.push_back(Seed::atPoint(mesh.pointAtVertex(vertex)));
   }
   return seeds;
 }
 
-std::vector<std::uint8_t> maskOfPoints(
-  const TriangleMesh& mesh, vtkIdList* ids, const std::string& role)
+std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source)
 {
-  std::vector<std::uint8_t> mask;
-  const vtkIdType count = ids ? ids->GetNumberOfIds() : 0;
-  if (count > 0)
+  const auto points = surfacePointsOf(surface, source, "SeedSource");
+  const auto lines = linesOf(source);
+  std::vector<bool> isOnLine(points.size(), false);
+  for (const auto& line : lines)
   {
-    mask.resize(mesh.numberOfVertices(), 0);
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Index vertex = vertexAt(mesh, ids->GetId(i), role);
-    if (vertex != NoIndex)
+    for (vtkIdType id : line)
     {
-      mask[vertex] = 1;
+      isOnLine[id] = true;
     }
   }
-  return mask;
+  std::vector<Seed> seeds;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!isOnLine[i])
+    {
+      seeds.push_back(Seed::atPoint(points[i]));
+    }
+  }
+  for (const auto& line : lines)
+  {
+    std::vector<SurfacePoint> curve;
+    for (vtkIdType id : line)
+    {
+      curve.push_back(points[id]);
+    }
+    seeds.push_back(Seed::alongCurve(std::move(curve)));
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells)
+{
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) + "\" has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
+  }
+  std::map<double, std::vector<Index>> regions;
+  visitVertices(surface, isOfCells,
+    [&](Index vertex, vtkIdType id)
+    {
+      const double value = array->GetComponent(id, 0);
+      if (value != 0.0 && !std::isnan(value))
+      {
+        regions[value].push_back(vertex);
+      }
+    });
+  if (regions.empty())
+  {
+    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) +
+      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
+  }
+  std::vector<Seed> seeds;
+  for (auto& [value, vertices] : regions)
+  {
+    seeds.push_back(Seed::onRegion(std::move(vertices)));
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells)
+{
+  std::set<vtkIdType> wanted;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    wanted.insert(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
+  }
+  std::vector<Index> vertices;
+  visitVertices(surface, areCells,
+    [&](Index vertex, vtkIdType id)
+    {
+      if (wanted.count(id) > 0)
+      {
+        vertices.push_back(vertex);
+      }
+    });
+  if (vertices.empty() && !wanted.empty())
+  {
+    throw std::invalid_argument(std::string("SeedSelection selects no ") +
+      (areCells ? "cell" : "point") + " of the surface, of " + std::to_string(wanted.size()) +
+      " that it names. Select others.");
+  }
+  return vertices.empty() ? std::vector<Seed>{} : std::vector<Seed>{ Seed::onRegion(vertices) };
 }
 
 }

@@ -4,45 +4,45 @@
 #define geodesic_bridge_SeedResolver_h
 
 #include "InputSurface.h"
-#include "SolveOptions.h"
+#include "PointResolver.h"
+#include "Seed.h"
 
-#include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkIdList;
+class vtkPointSet;
 
 namespace geodesic::bridge
 {
 
-/**
- * One seed at each position, projected to the nearest point of the surface.
- * @param coordinates x y z of one after the other
- * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
- */
+/** One seed at each position; throws as surfacePointsAt. */
 std::vector<Seed> seedsAtPositions(
   const InputSurface& surface, std::span<const double> coordinates);
-
-/**
- * The vertices that stand for points of the input.
- * @param ids   may be null: none
- * @param role  what the points are, for the message
- * @throws std::invalid_argument for an id that does not exist, or whose point no cell uses
- */
-std::vector<Index> verticesAtPoints(
-  const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
 
 /** One seed at each point; throws as verticesAtPoints. */
 std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids);
 
 /**
- * One flag a vertex, set for the points in the list; empty where the list is null or empty. Points
- * that no cell uses are excluded anyway.
- * @throws std::invalid_argument for an id that does not exist
+ * The points of a data set that no line uses, one seed each, then its lines and polylines, one
+ * seed each, a curve; all projected to the nearest point of the surface.
  */
-std::vector<std::uint8_t> maskOfPoints(
-  const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
+std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source);
+
+/**
+ * One seed for each value of the array but 0, by increasing value: all points, or all of all cells,
+ * that have it. NaN is 0.
+ * @param isOfCells whether the array belongs to the input's cells
+ * @throws std::invalid_argument where every value is 0, or the array has several components
+ */
+std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells);
+
+/**
+ * One seed of all these points, or of all these cells; none where the list is empty.
+ * @throws std::invalid_argument where none of them belongs to the surface
+ */
+std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells);
 
 }
 

@@ -1,5 +1,7 @@
 #include "DijkstraSolver.h"
 
+#include "ClosedFans.h"
+#include "CostedStart.h"
 #include "MarchControl.h"
 #include "StopLimit.h"
 #include "TriangleMesh.h"
@@ -21,12 +23,13 @@ bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceFie
   // Nearest first; of equally near ones the smaller seed.
   const auto isAfter = [](const Trial& a, const Trial& b)
   { return std::tie(a.distance, a.seed) > std::tie(b.distance, b.seed); };
+  const auto costOf = [&](Index vertex)
+  { return request.options.cost.empty() ? 1.0 : request.options.cost[vertex]; };
   const auto propose = [&](Index vertex, double distance, Index seed)
   {
-    const bool isExcluded = !request.options.excluded.empty() && request.options.excluded[vertex];
     const double old = field.distance(vertex);
     const bool isBetter = distance < old || (distance == old && seed < field.nearestSeed(vertex));
-    if (isBetter && distance <= limit.value() && !isExcluded)
+    if (isBetter && distance <= limit.value() && !request.options.isExcluded(vertex))
     {
       field.setDistance(vertex, distance);
       field.setNearestSeed(vertex, seed);
@@ -36,11 +39,16 @@ bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceFie
   };
 
   this->Heap.clear();
-  for (const SeedCorner& corner : request.corners)
+  for (const FrontStart& start : request.front.starts)
   {
-    propose(corner.vertex, corner.distance + request.seeds[corner.seed].value, corner.seed);
+    const Label& label = request.front.labels[start.label];
+    const bool isCosted = !request.options.cost.empty() && label.shape == FrontShape::Round;
+    const double atOrigin =
+      isCosted ? costAt(mesh, request.options.cost, label.origin) : costOf(start.vertex);
+    const double meanCost = 0.5 * (atOrigin + costOf(start.vertex));
+    propose(start.vertex, label.value + start.length * meanCost, label.seed);
   }
-  MarchControl control(request.options, limit);
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   while (!this->Heap.empty() && control.mayGoOn())
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end(), isAfter);
@@ -52,10 +60,16 @@ bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceFie
       continue;
     }
     const Vector3 centre = mesh.position(trial.vertex);
-    for (const RingEntry& entry : mesh.ring(trial.vertex))
+    const std::span<const RingEntry> ring = mesh.ring(trial.vertex);
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Index neighbour = entry.neighbour();
-      propose(neighbour, trial.distance + norm(mesh.position(neighbour) - centre), trial.seed);
+      if (request.closed.isOpenEdge(trial.vertex, i))
+      {
+        const Index neighbour = ring[i].neighbour();
+        const double length = norm(mesh.position(neighbour) - centre);
+        const double meanCost = 0.5 * (costOf(trial.vertex) + costOf(neighbour));
+        propose(neighbour, trial.distance + length * meanCost, trial.seed);
+      }
     }
   }
   return !control.isCancelled();

@@ -2,7 +2,8 @@
 #define geodesic_DistanceSolver_h
 
 #include "DistanceField.h"
-#include "SeedCorners.h"
+#include "Seed.h"
+#include "SeedFront.h"
 #include "SolveOptions.h"
 
 #include <memory>
@@ -11,6 +12,7 @@
 namespace geodesic
 {
 
+class ClosedFans;
 class StopLimit;
 class TriangleMesh;
 
@@ -33,7 +35,7 @@ public:
    * @return the field, which the next call overwrites. A target that can't be reached, or a
    * cancelled run, is no error: see DistanceField::stopReason.
    * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
-   * of the mesh or that is excluded, an option that does not fit the mesh
+   * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
    */
   const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {});
 
@@ -43,8 +45,8 @@ protected:
   /** What a run is asked for, checked. */
   struct Request
   {
-    std::span<const Seed> seeds;
-    std::span<const SeedCorner> corners;
+    const SeedFront& front;
+    const ClosedFans& closed;
     const SolveOptions& options;
   };
 
@@ -53,6 +55,8 @@ protected:
    * @return false when cancelled
    */
   virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;
+
+  const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Mesh; }
 
 private:
   std::shared_ptr<const TriangleMesh> Mesh;

@@ -27,14 +27,15 @@ struct FlatTriangle
 };
 
 /**
- * A lower bound of every update of v over the edge: the distance on the edge is 1-Lipschitz, so
- * nowhere on it less than (a + b - c) / 2. Cheap, and most updates of a march end here.
+ * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on
+ * the edge is w-Lipschitz, so nowhere on it less than (a + b - w c) / 2. Cheap, and most updates of
+ * a march end here.
  */
-inline double updateLowerBound(const FlatTriangle& t, double a, double b)
+inline double updateLowerBound(const FlatTriangle& t, double a, double b, double w = 1.0)
 {
   const double low = std::min(a, b);
-  const double high = std::min(std::max(a, b), low + t.c);
-  return 0.5 * (low + high - t.c) + t.h;
+  const double high = std::min(std::max(a, b), low + w * t.c);
+  return 0.5 * (low + high - w * t.c) + w * t.h;
 }
 
 /**
@@ -85,6 +86,37 @@ inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
     return alongEdge;
   }
   return std::min(alongEdge, std::sqrt(run * run + rise * rise));
+}
+
+/**
+ * The same for a straight front, whose distance is linear along the edge: right beside a line of
+ * sources, and nondecreasing in both values as well. @p w is the cost of a unit of length.
+ * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
+ */
+inline double straightFrontUpdate(const FlatTriangle& t, double a, double b, double w = 1.0)
+{
+  double x = t.x;
+  double av = t.av;
+  double bv = t.bv;
+  if (a > b)
+  {
+    std::swap(a, b);
+    std::swap(av, bv);
+    x = t.c - x;
+  }
+  const double alongEdge = std::min(a + w * av, b + w * bv);
+  const double sine = (b - a) / (w * t.c);
+  if (!(sine < 1.0))
+  {
+    return alongEdge;
+  }
+  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+  const double crossing = x * cosine - sine * t.h;
+  if (crossing <= 0.0 || crossing >= t.c * cosine)
+  {
+    return alongEdge;
+  }
+  return std::min(alongEdge, a + w * (sine * x + cosine * t.h));
 }
 
 }

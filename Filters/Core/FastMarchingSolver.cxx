@@ -1,8 +1,10 @@
 #include "FastMarchingSolver.h"
 
+#include "ClosedFans.h"
 #include "MarchControl.h"
 #include "RingSweep.h"
 #include "StopLimit.h"
+#include "TriangleCost.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
@@ -13,16 +15,15 @@ namespace
 {
 
 constexpr std::uint8_t Queued = 1;
-/** A value that is final from the start, because the straight line from the seed is known. */
 constexpr std::uint8_t Pinned = 2;
 
 /** Width of the queue's buckets; 0.25 to 1 serve about equally well. */
 constexpr double BucketWidthInMeanEdges = 0.5;
 
-double smallestValue(std::span<const Seed> seeds)
+double smallestValue(std::span<const Label> labels)
 {
   return std::min_element(
-    seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.value < b.value; })
+    labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value < b.value; })
     ->value;
 }
 
@@ -36,27 +37,50 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
-  this->Queue.start(
-    BucketWidthInMeanEdges * this->mesh().meanEdgeLength(), 2.0 * this->mesh().longestEdgeLength());
-  return request.seeds.size() == 1 ? this->marchOneSeed(request, limit, field)
-                                   : this->marchManySeeds(request, limit, field);
+  if (request.options.cost.empty())
+  {
+    const UnitCost cost(this->mesh());
+    return this->marchAtCost(cost, unitStarts(request.front), request, limit, field);
+  }
+  if (!this->UnitSolver)
+  {
+    this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh());
+  }
+  const VertexCost cost(this->mesh(), request.options.cost);
+  const auto starts = costedStarts(this->mesh(), request.front, request.options, *this->UnitSolver);
+  return this->marchAtCost(cost, starts, request, limit, field);
 }
 
-bool FastMarchingSolver::marchOneSeed(
+template <class Cost>
+bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  this->Queue.start(BucketWidthInMeanEdges * this->mesh().meanEdgeLength() * cost.mean(),
+    2.0 * this->mesh().longestEdgeLength() * cost.largest());
+  if (request.front.labels.size() > 1)
+  {
+    return this->marchManyLabels(cost, starts, request, limit, field);
+  }
+  return request.front.labels[0].shape == FrontShape::Round
+    ? this->marchOneLabel<FrontShape::Round>(cost, starts, request, limit, field)
+    : this->marchOneLabel<FrontShape::Straight>(cost, starts, request, limit, field);
+}
+
+template <FrontShape Shape, class Cost>
+bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
   const TriangleMesh& mesh = this->mesh();
-  const double offset = request.seeds[0].value;
-  const auto isExcluded = [&](Index vertex)
-  { return !request.options.excluded.empty() && request.options.excluded[vertex]; };
+  const double offset = request.front.labels[0].value;
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   const auto valueOf = [&](Index vertex) { return field.distance(vertex) - offset; };
   const auto ceilingOf = [&](Index vertex, double value)
-  { return std::min(value * KeptFraction, limit.reach(mesh, vertex) - offset); };
+  { return std::min(value * control.keptFraction(), limit.with(cost.reach(vertex)) - offset); };
   const auto propose = [&](Index vertex, double value)
   {
     const double old = valueOf(vertex);
     std::uint8_t& state = this->State[vertex];
-    if (!(value < ceilingOf(vertex, old)) || (state & Pinned) || isExcluded(vertex))
+    if (!(value < ceilingOf(vertex, old)) || (state & Pinned) || request.options.isExcluded(vertex))
     {
       return old;
     }
@@ -69,98 +93,105 @@ bool FastMarchingSolver::marchOneSeed(
     return value;
   };
 
-  for (const SeedCorner& corner : request.corners)
+  for (const StartValue& start : starts)
   {
-    field.setDistance(corner.vertex, corner.distance + offset);
-    this->State[corner.vertex] = Pinned | Queued;
-    this->Queue.push(corner.vertex, corner.distance);
+    field.setDistance(start.vertex, start.value + offset);
+    this->State[start.vertex] = start.isFinal ? Pinned | Queued : Queued;
+    this->Queue.push(start.vertex, start.value);
   }
-  MarchControl control(request.options, limit);
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index vertex = this->Queue.pop();
     this->State[vertex] &= ~Queued;
-    sweepRing(mesh, vertex, valueOf(vertex), valueOf, ceilingOf, propose);
+    sweepRing<Shape>(
+      mesh, request.closed, cost, vertex, valueOf(vertex), valueOf, ceilingOf, propose);
   }
   for (Index vertex : field.reached())
   {
     this->State[vertex] = 0;
-    field.setNearestSeed(vertex, 0);
+    field.setNearestSeed(vertex, request.front.labels[0].seed);
   }
   return !control.isCancelled();
 }
 
-bool FastMarchingSolver::marchManySeeds(
+template <class Cost>
+bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
   const TriangleMesh& mesh = this->mesh();
-  LabelSets& labels = this->Labels;
-  labels.start(mesh.numberOfVertices());
-  const double start = smallestValue(request.seeds);
-  const auto isExcluded = [&](Index vertex)
-  { return !request.options.excluded.empty() && request.options.excluded[vertex]; };
+  const std::vector<Label>& labels = request.front.labels;
+  LabelSets& sets = this->Labels;
+  sets.start(mesh.numberOfVertices());
+  const double first = smallestValue(labels);
+  MarchControl control(request.options, limit, mesh.numberOfVertices());
   const auto lower = [&](Index entry, double value)
   {
-    const Index vertex = labels[entry].vertex;
-    labels[entry].value = value;
-    const double distance = value + request.seeds[labels[entry].label].value;
+    const Index vertex = sets[entry].vertex;
+    sets[entry].value = value;
+    const double distance = value + labels[sets[entry].label].value;
     if (distance < field.distance(vertex))
     {
       field.setDistance(vertex, distance);
     }
-    if (!labels[entry].isQueued)
+    if (!sets[entry].isQueued)
     {
-      labels[entry].isQueued = true;
-      this->Queue.push(entry, distance - start);
+      sets[entry].isQueued = true;
+      this->Queue.push(entry, distance - first);
     }
   };
   const auto keptUpTo = [&](Index vertex)
-  { return field.distance(vertex) + LabelSets::MarginInEdges * mesh.longestEdgeAround(vertex); };
+  { return field.distance(vertex) + LabelSets::MarginInEdges * cost.reach(vertex); };
 
-  for (const SeedCorner& corner : request.corners)
+  for (const StartValue& start : starts)
   {
-    const Index entry = labels.add(corner.vertex, corner.seed);
-    labels[entry].isPinned = true;
-    lower(entry, corner.distance);
+    const Index entry = sets.add(start.vertex, start.label);
+    sets[entry].isPinned = start.isFinal;
+    lower(entry, start.value);
   }
-  MarchControl control(request.options, limit);
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index popped = this->Queue.pop();
-    labels[popped].isQueued = false;
-    const LabelSets::Entry current = labels[popped];
-    const double offset = request.seeds[current.label].value;
+    sets[popped].isQueued = false;
+    const LabelSets::Entry current = sets[popped];
+    const double offset = labels[current.label].value;
     if (current.value + offset > keptUpTo(current.vertex))
     {
       continue;
     }
-    const auto valueOf = [&](Index vertex) { return labels.value(vertex, current.label); };
+    const auto valueOf = [&](Index vertex) { return sets.value(vertex, current.label); };
     const auto ceilingOf = [&](Index vertex, double value)
     {
-      return std::min(
-        value * KeptFraction, std::min(keptUpTo(vertex), limit.reach(mesh, vertex)) - offset);
+      return std::min(value * control.keptFraction(),
+        std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
     };
     const auto propose = [&](Index vertex, double value)
     {
-      const Index known = labels.find(vertex, current.label);
-      const double old = known == NoIndex ? DistanceField::Unreached : labels[known].value;
-      if (!(value < ceilingOf(vertex, old)) || isExcluded(vertex) ||
-        (known != NoIndex && labels[known].isPinned))
+      const Index known = sets.find(vertex, current.label);
+      const double old = known == NoIndex ? DistanceField::Unreached : sets[known].value;
+      if (!(value < ceilingOf(vertex, old)) || request.options.isExcluded(vertex) ||
+        (known != NoIndex && sets[known].isPinned))
       {
         return old;
       }
-      lower(known == NoIndex ? labels.add(vertex, current.label) : known, value);
+      lower(known == NoIndex ? sets.add(vertex, current.label) : known, value);
       return value;
     };
-    sweepRing(mesh, current.vertex, current.value, valueOf, ceilingOf, propose);
+    if (labels[current.label].shape == FrontShape::Round)
+    {
+      sweepRing<FrontShape::Round>(
+        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
+    }
+    else
+    {
+      sweepRing<FrontShape::Straight>(
+        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
+    }
   }
   for (Index vertex : field.reached())
   {
-    field.setNearestSeed(vertex,
-      labels.nearest(
-        vertex, field.distance(vertex), [&](Index label) { return request.seeds[label].value; }));
+    field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
   }
-  labels.clear(field.reached());
+  sets.clear(field.reached());
   return !control.isCancelled();
 }
 

@@ -1,7 +1,7 @@
 #ifndef geodesic_LabelSets_h
 #define geodesic_LabelSets_h
 
-#include "Index.h"
+#include "SeedFront.h"
 
 #include <limits>
 #include <span>
@@ -11,10 +11,10 @@ namespace geodesic
 {
 
 /**
- * The values that vertices keep for several seeds, one a seed and vertex, as far as they are within
- * a margin of the vertex's best. Mixing values of different seeds in an update would be wrong on
- * both sides of the border between them, and a switch by the nearest seed would depend on the
- * order.
+ * The values that vertices keep for several labels, one a label and vertex, as far as they are
+ * within a margin of the vertex's best. Mixing values of different seeds in an update would be
+ * wrong on both sides of the border between them, and a switch by the nearest seed would depend on
+ * the order.
  *
  * Margin: where a seed wins at a point of an edge, its value at the ends of the edge exceeds the
  * best one there by at most twice the edge's length. Twice that again leaves room for the error
@@ -80,21 +80,20 @@ public:
     return entry;
   }
 
-  /** The smallest label among those whose value equals the vertex's best one, rounding aside. */
-  template <class OffsetOf>
-  Index nearest(Index vertex, double best, OffsetOf&& offsetOf) const
+  /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
+  Index nearestSeed(Index vertex, double best, std::span<const Label> labels) const
   {
     constexpr double rounding = 1.0 + 1e-10;
-    Index label = NoIndex;
+    Index seed = NoIndex;
     for (Index e = this->Heads[vertex]; e != NoIndex; e = this->Entries[e].next)
     {
-      const Entry& entry = this->Entries[e];
-      if (entry.label < label && entry.value + offsetOf(entry.label) <= best * rounding)
+      const Label& label = labels[this->Entries[e].label];
+      if (label.seed < seed && this->Entries[e].value + label.value <= best * rounding)
       {
-        label = entry.label;
+        seed = label.seed;
       }
     }
-    return label;
+    return seed;
   }
 
 private:

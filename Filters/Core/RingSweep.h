@@ -1,7 +1,9 @@
 #ifndef geodesic_RingSweep_h
 #define geodesic_RingSweep_h
 
+#include "ClosedFans.h"
 #include "EikonalUpdate.h"
+#include "SeedFront.h"
 #include "TriangleMesh.h"
 
 #include <cmath>
@@ -9,20 +11,26 @@
 namespace geodesic
 {
 
-/** A new distance counts where it is less than the old one by more than this factor. */
-inline constexpr double KeptFraction = 1.0 - 1e-12;
+/** The update for a front of a shape at cost @p w, which is constant in a triangle. */
+template <FrontShape Shape>
+inline double update(const FlatTriangle& t, double a, double b, double w)
+{
+  return Shape == FrontShape::Round ? w * pointSourceUpdate(t, a / w, b / w)
+                                    : straightFrontUpdate(t, a, b, w);
+}
 
 /**
- * Updates the neighbours of @p vertex over the edges round it, after its own value fell to @p
- * value.
+ * Updates the neighbours of @p vertex over the edges round it, after its own value fell to
+ * @p value.
+ * @param cost     of a triangle: UnitCost or VertexCost
  * @param valueOf  Index -> double: a neighbour's value, +infinity where it has none
  * @param propose  (Index, double) -> double: takes a new value if it counts; returns the value that
  *                 then holds
  * @param ceilingOf Index -> double: nothing at or above it is of interest to a neighbour
  */
-template <class ValueOf, class CeilingOf, class Propose>
-inline void sweepRing(const TriangleMesh& mesh, Index vertex, double value, ValueOf&& valueOf,
-  CeilingOf&& ceilingOf, Propose&& propose)
+template <FrontShape Shape, class Cost, class ValueOf, class CeilingOf, class Propose>
+inline void sweepRing(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost,
+  Index vertex, double value, ValueOf&& valueOf, CeilingOf&& ceilingOf, Propose&& propose)
 {
   struct Neighbour
   {
@@ -44,9 +52,9 @@ inline void sweepRing(const TriangleMesh& mesh, Index vertex, double value, Valu
   const std::span<const RingEntry> ring = mesh.ring(vertex);
   Neighbour p{};
   bool follows = false;
-  for (const RingEntry& entry : ring)
+  for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    Neighbour q = look(entry);
+    Neighbour q = look(ring[i]);
     if (follows)
     {
       const Vector3 side = q.offset - p.offset;
@@ -58,6 +66,7 @@ inline void sweepRing(const TriangleMesh& mesh, Index vertex, double value, Valu
         q.value <= value && q.value <= p.value && q.squaredLength + squaredSide >= p.squaredLength;
       if (!skipsP || !skipsQ)
       {
+        const double w = cost.ofTriangle(vertex, p.index, q.index);
         const double sideLength = std::sqrt(squaredSide);
         const double projection = dot(p.offset, q.offset);
         const double area = norm(cross(p.offset, q.offset));
@@ -65,24 +74,24 @@ inline void sweepRing(const TriangleMesh& mesh, Index vertex, double value, Valu
         {
           const FlatTriangle flat{ q.length, projection / q.length, area / q.length, p.length,
             sideLength };
-          if (updateLowerBound(flat, value, q.value) < ceilingOf(p.index, p.value))
+          if (updateLowerBound(flat, value, q.value, w) < ceilingOf(p.index, p.value))
           {
-            p.value = propose(p.index, pointSourceUpdate(flat, value, q.value));
+            p.value = propose(p.index, update<Shape>(flat, value, q.value, w));
           }
         }
         if (!skipsQ)
         {
           const FlatTriangle flat{ p.length, projection / p.length, area / p.length, q.length,
             sideLength };
-          if (updateLowerBound(flat, value, p.value) < ceilingOf(q.index, q.value))
+          if (updateLowerBound(flat, value, p.value, w) < ceilingOf(q.index, q.value))
           {
-            q.value = propose(q.index, pointSourceUpdate(flat, value, p.value));
+            q.value = propose(q.index, update<Shape>(flat, value, p.value, w));
           }
         }
       }
     }
     p = q;
-    follows = entry.opensTriangle();
+    follows = closed.isOpen(vertex, i);
   }
 }
 

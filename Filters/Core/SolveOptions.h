@@ -2,7 +2,6 @@
 #define geodesic_SolveOptions_h
 
 #include "Index.h"
-#include "SurfacePoint.h"
 
 #include <cstdint>
 #include <functional>
@@ -11,14 +10,6 @@
 
 namespace geodesic
 {
-
-/** A source of the front. Seeds are told apart by their position in the list. */
-struct Seed
-{
-  SurfacePoint point;
-  /** Distance at the seed itself, at least 0, in the mesh's length unit. */
-  double value = 0.0;
-};
 
 /** Which of the targets must be final before the front may stop. */
 enum class TargetMode
@@ -29,12 +20,24 @@ enum class TargetMode
 
 struct SolveOptions
 {
+  /**
+   * Cost of a unit of length at each vertex, positive and finite; that of a triangle is the mean of
+   * its corners'. Empty: 1. Distances are lengths times cost.
+   */
+  std::span<const double> cost;
   /** One flag a vertex: non-zero ones are never entered by the front. Empty: none. */
   std::span<const std::uint8_t> excluded;
+  /** One flag a triangle: the front never crosses non-zero ones; their border stays open. Empty:
+   * none. */
+  std::span<const std::uint8_t> closedTriangles;
   /** No vertex farther than this gets a distance, every nearer one gets its final one. */
   double maximumDistance = std::numeric_limits<double>::infinity();
-  /** Vertices to reach; nothing farther than the last one needed gets a distance. Empty: none. */
-  std::span<const Index> targets;
+  /**
+   * What to reach: each target is a set of three vertices (the corners round a point; three times
+   * the same for a vertex) and reached when all of them are. Nothing farther than the last one
+   * needed gets a distance. Empty: none.
+   */
+  std::span<const Triangle> targets;
   TargetMode targetMode = TargetMode::Any;
   /**
    * Called with the number of vertices taken from the queue so far, each time that another
@@ -42,6 +45,12 @@ struct SolveOptions
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;
+
+  bool isExcluded(Index vertex) const { return !this->excluded.empty() && this->excluded[vertex]; }
+  bool isClosed(Index triangle) const
+  {
+    return !this->closedTriangles.empty() && this->closedTriangles[triangle];
+  }
 };
 
 }

@@ -3,7 +3,6 @@
 
 #include "DistanceField.h"
 #include "SolveOptions.h"
-#include "TriangleMesh.h"
 
 #include <algorithm>
 
@@ -28,14 +27,10 @@ public:
   double value() const { return this->Limit; }
 
   /**
-   * The largest value that may still matter at a vertex: one above the limit can lower its
-   * neighbours' a little below it, but not beyond an edge's length.
+   * The largest value that may still matter where neighbours differ by up to @p reach: one above
+   * the limit can lower its neighbours' a little below it, but not beyond that.
    */
-  double reach(const TriangleMesh& mesh, Index vertex) const
-  {
-    return this->Limit < DistanceField::Unreached ? this->Limit + mesh.longestEdgeAround(vertex)
-                                                  : DistanceField::Unreached;
-  }
+  double with(double reach) const { return this->Limit + reach; }
 
   /** To be called now and then; lowers the limit to what the targets' distances allow. */
   void update()
@@ -58,15 +53,22 @@ public:
   }
 
 private:
+  double distanceOf(const Triangle& target) const
+  {
+    return std::max({ this->Field.distance(target[0]), this->Field.distance(target[1]),
+      this->Field.distance(target[2]) });
+  }
+
   double distanceOfTargets() const
   {
-    const auto nearer = [this](Index a, Index b)
-    { return this->Field.distance(a) < this->Field.distance(b); };
-    const auto& targets = this->Options.targets;
-    const auto decisive = this->Options.targetMode == TargetMode::Any
-      ? std::min_element(targets.begin(), targets.end(), nearer)
-      : std::max_element(targets.begin(), targets.end(), nearer);
-    return this->Field.distance(*decisive);
+    const bool isAny = this->Options.targetMode == TargetMode::Any;
+    double decisive = isAny ? DistanceField::Unreached : 0.0;
+    for (const Triangle& target : this->Options.targets)
+    {
+      const double distance = this->distanceOf(target);
+      decisive = isAny ? std::min(decisive, distance) : std::max(decisive, distance);
+    }
+    return decisive;
   }
 
   const SolveOptions& Options;

@@ -122,12 +122,15 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles)
     starts[v] += starts[v - 1];
   }
   this->Triangles.resize(starts.back());
-  for (const Triangle& input : triangles)
+  this->SourceOfTriangle.resize(starts.back());
+  for (Index source = 0; source < triangles.size(); ++source)
   {
-    const Triangle t = asVertices(input);
+    const Triangle t = asVertices(triangles[source]);
     if (!repeatsCorner(t))
     {
-      this->Triangles[starts[lowestCorner(t)]++] = t;
+      const Index place = starts[lowestCorner(t)]++;
+      this->Triangles[place] = t;
+      this->SourceOfTriangle[place] = source;
     }
   }
 }
@@ -167,20 +170,46 @@ void TriangleMesh::measureEdges()
 
 SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const
 {
-  const std::span<const RingEntry> ring = this->ring(vertex);
-  const Triangle wanted{ vertex, ring[0].neighbour(), ring[1].neighbour() };
-  const auto isBefore = [](const Triangle& t, Index lowest) { return lowestCorner(t) < lowest; };
-  auto found = std::lower_bound(
-    this->Triangles.begin(), this->Triangles.end(), lowestCorner(wanted), isBefore);
-  found = std::find_if(found, this->Triangles.end(),
-    [&](const Triangle& t) { return std::is_permutation(t.begin(), t.end(), wanted.begin()); });
   SurfacePoint point;
-  point.triangle = static_cast<Index>(found - this->Triangles.begin());
+  point.triangle = this->trianglesWith({ &vertex, 1 }).front();
   for (int c = 0; c < 3; ++c)
   {
-    point.weights[c] = (*found)[c] == vertex ? 1.0 : 0.0;
+    point.weights[c] = this->Triangles[point.triangle][c] == vertex ? 1.0 : 0.0;
   }
   return point;
+}
+
+std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) const
+{
+  const auto hasAll = [&](const Triangle& t)
+  {
+    return std::all_of(corners.begin(), corners.end(),
+      [&](Index corner) { return std::find(t.begin(), t.end(), corner) != t.end(); });
+  };
+  const auto isBefore = [](const Triangle& t, Index lowest) { return lowestCorner(t) < lowest; };
+  std::vector<Index> found;
+  const std::span<const RingEntry> ring = this->ring(corners[0]);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const Index next = ring[i].opensTriangle() ? ring[i + 1].neighbour() : ring[i].neighbour();
+    const Triangle wanted{ corners[0], ring[i].neighbour(), next };
+    if (!ring[i].opensTriangle() || !hasAll(wanted))
+    {
+      continue;
+    }
+    const Index lowest = lowestCorner(wanted);
+    auto t = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), lowest, isBefore);
+    for (; t != this->Triangles.end() && lowestCorner(*t) == lowest; ++t)
+    {
+      if (std::is_permutation(t->begin(), t->end(), wanted.begin()))
+      {
+        found.push_back(static_cast<Index>(t - this->Triangles.begin()));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 Vector3 TriangleMesh::positionOf(const SurfacePoint& point) const

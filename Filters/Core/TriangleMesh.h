@@ -28,7 +28,7 @@ enum class CoincidentPoints
  * boundaries, several parts, mixed orientation, edges with more than two triangles, triangles of
  * zero area. A triangle that repeats a corner has no area and no interior and is left out.
  *
- * Holds about 90 bytes a vertex. Lengths are computed from the coordinates where they are used:
+ * Holds about 100 bytes a vertex. Lengths are computed from the coordinates where they are used:
  * on current machines that is cheaper than reading them from memory.
  */
 class TriangleMesh
@@ -58,11 +58,16 @@ public:
   std::span<const Vector3> positions() const { return this->Positions; }
   const Triangle& triangle(Index triangle) const { return this->Triangles[triangle]; }
   std::span<const Triangle> triangles() const { return this->Triangles; }
+  /** Which of the triangles given to the constructor this one was. */
+  Index sourceOfTriangle(Index triangle) const { return this->SourceOfTriangle[triangle]; }
   /** The triangles round a vertex. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
+  const VertexRings& rings() const { return this->Rings; }
 
   /** The vertex as a point of the surface. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;
+  /** The triangles that have all of some vertices as corners; time O(log n). */
+  std::vector<Index> trianglesWith(std::span<const Index> corners) const;
   /** Where a point of the surface is in space. */
   Vector3 positionOf(const SurfacePoint& point) const;
 
@@ -83,6 +88,7 @@ private:
 
   std::vector<Vector3> Positions;
   std::vector<Triangle> Triangles;
+  std::vector<Index> SourceOfTriangle;
   VertexRings Rings;
   std::vector<Index> VertexOfPoint;
   std::vector<Index> PointOfVertex;

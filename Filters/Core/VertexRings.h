@@ -52,6 +52,10 @@ public:
       this->Entries.data() + this->Starts[vertex + 1] };
   }
 
+  /** Number of a vertex's first entry, counted over the rings of all vertices. */
+  std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
+  std::size_t numberOfEntries() const { return this->Entries.size(); }
+
 private:
   std::vector<std::uint32_t> Starts;
   std::vector<RingEntry> Entries;

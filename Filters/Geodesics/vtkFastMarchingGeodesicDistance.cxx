@@ -11,12 +11,13 @@
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "FieldArray.h"
+#include "GuideResolver.h"
 #include "InputSurface.h"
 #include "ProgressReporter.h"
 #include "SeedResolver.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <vector>
 
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkFastMarchingGeodesicDistance::Internals
@@ -109,21 +110,28 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
 //------------------------------------------------------------------------------
 void vtkFastMarchingGeodesicDistance::Solve(vtkPolyData* input)
 {
-  if (this->PropagationWeights)
-  {
-    throw std::invalid_argument("Propagation weights are not supported in this version; "
-                                "call SetPropagationWeights(nullptr).");
-  }
   Internals& internal = *this->Internal;
   internal.prepare(input);
   const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
   const auto seeds = geodesic::bridge::seedsAtPoints(mesh, this->Seeds);
-  const auto targets =
-    geodesic::bridge::verticesAtPoints(mesh, this->DestinationVertexStopCriterion, "Destination");
-  const auto excluded = geodesic::bridge::maskOfPoints(mesh, this->ExclusionPointIds, "Exclusion");
+  std::vector<geodesic::Triangle> targets;
+  for (geodesic::Index vertex :
+    geodesic::bridge::verticesAtPoints(mesh, this->DestinationVertexStopCriterion, "Destination"))
+  {
+    targets.push_back(geodesic::bridge::targetAt(vertex));
+  }
+  geodesic::bridge::Barriers barriers;
+  geodesic::bridge::excludePoints(mesh, this->ExclusionPointIds, barriers);
+  std::vector<double> cost;
+  if (this->PropagationWeights)
+  {
+    cost = geodesic::bridge::costOfArray(mesh, this->PropagationWeights,
+      geodesic::bridge::CostMeaning::Cost, "The propagation weight");
+  }
 
   geodesic::SolveOptions options;
-  options.excluded = excluded;
+  options.cost = cost;
+  options.excluded = barriers.excluded;
   options.targets = targets;
   options.targetMode = this->DestinationStopMode == ANY_DESTINATION ? geodesic::TargetMode::Any
                                                                     : geodesic::TargetMode::All;

@@ -107,8 +107,10 @@ public:
 
   ///@{
   /**
-   * The cost per unit of length: one component, one positive tuple a point. Null: 1 everywhere. Not
-   * supported in this version: any array is an error. Default: null.
+   * The cost of a unit of length at each point, the F above: an array of any numeric type, of one
+   * component and one tuple a point. A weight of 2 everywhere doubles every distance. Wrong size,
+   * zero, a negative value, NaN or infinity is an error that names the first bad point. Null: 1
+   * everywhere. Default: null.
    */
   virtual void SetPropagationWeights(vtkDataArray* weights);
   vtkGetSmartPointerMacro(PropagationWeights, vtkDataArray);

@@ -11,19 +11,25 @@
  * The output is the input passed through, together with a point array of distances in the mesh's
  * unit of length, which becomes the active scalars. The input is never modified.
  *
- * Errors, which leave the output empty: no seed, a list of seed coordinates whose length is no
- * multiple of 3, a negative MaximumDistance in use, composite input, more than one rank.
+ * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
+ * barriers across faces, a list of coordinates whose length is no multiple of 3, an id that does
+ * not exist, an array that does not or has several components, a cost that is not positive, a
+ * negative MaximumDistance in use, composite input, more than one rank.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
 
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
+#include "vtkIdList.h"                        // For members
+#include "vtkNew.h"                           // For members
 
 #include <memory> // For members
 #include <string> // For members
 #include <vector> // For members
 
+class vtkAlgorithmOutput;
+class vtkDataArray;
 class vtkPolyData;
 
 class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicDistance : public vtkDataObjectAlgorithm
@@ -37,6 +43,36 @@ public:
   {
     FAST_MARCHING,
     DIJKSTRA
+  };
+
+  enum CostModes
+  {
+    COST,
+    SPEED
+  };
+
+  enum DestinationModes
+  {
+    ANY_DESTINATION,
+    ALL_DESTINATIONS
+  };
+
+  /** Numbers of the arrays for SetInputArrayToProcess. */
+  enum Arrays
+  {
+    SEED_ARRAY,
+    COST_ARRAY,
+    BARRIER_ARRAY
+  };
+
+  /** Input ports. All but the surface are optional. */
+  enum Ports
+  {
+    SURFACE_PORT,
+    SEED_SOURCE_PORT,
+    BARRIER_SOURCE_PORT,
+    SEED_SELECTION_PORT,
+    NUMBER_OF_PORTS
   };
 
   enum UnreachedMarks
@@ -57,6 +93,77 @@ public:
   void AddSeedCoordinate(double coordinate);
   int GetNumberOfSeedCoordinates();
   double GetSeedCoordinate(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Point ids of the input that are seeds. Default: none.
+   */
+  void ClearSeedPointIds();
+  void AddSeedPointId(vtkIdType id);
+  ///@}
+
+  ///@{
+  /**
+   * A data set of points that are seeds, projected to the surface; each of its lines and polylines
+   * is one seed, a curve. A segment of a line must lie in one face or along one edge. Optional.
+   */
+  void SetSeedSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * The selection (vtkSelection) of points or cells of the input that together are one seed.
+   * Optional.
+   */
+  void SetSeedSelectionConnection(vtkAlgorithmOutput* selection);
+  ///@}
+
+  ///@{
+  /**
+   * A data set whose lines, projected to the surface, the front never crosses. Optional.
+   */
+  void SetBarrierSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * What COST_ARRAY holds: the cost of a unit of length, or the speed, whose inverse is the cost.
+   * Default: COST.
+   */
+  vtkSetClampMacro(CostMode, int, COST, SPEED);
+  vtkGetMacro(CostMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Positions (projected) and point ids to reach: nothing farther than the last one needed gets a
+   * distance. Default: none.
+   */
+  void ClearDestinationPositions();
+  void AddDestinationCoordinate(double coordinate);
+  void ClearDestinationPointIds();
+  void AddDestinationPointId(vtkIdType id);
+  ///@}
+
+  ///@{
+  /**
+   * Whether any one or all of the destinations must be reached. Default: ANY_DESTINATION.
+   */
+  vtkSetClampMacro(DestinationMode, int, ANY_DESTINATION, ALL_DESTINATIONS);
+  vtkGetMacro(DestinationMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a point array NearestSeed is made: the number of the nearest seed, the smaller one of
+   * equally near ones, -1 at points without a distance. Seeds are numbered from 0: positions, point
+   * ids, the source's points and then lines, the array's values upwards, the selection. Default:
+   * off.
+   */
+  vtkSetMacro(ComputeNearestSeed, bool);
+  vtkGetMacro(ComputeNearestSeed, bool);
+  vtkBooleanMacro(ComputeNearestSeed, bool);
   ///@}
 
   ///@{
@@ -143,6 +250,12 @@ protected:
     vtkInformationVector* outputVector) override;
 
   std::vector<double> SeedCoordinates;
+  vtkNew<vtkIdList> SeedPointIds;
+  std::vector<double> DestinationCoordinates;
+  vtkNew<vtkIdList> DestinationPointIds;
+  int DestinationMode = ANY_DESTINATION;
+  int CostMode = COST;
+  bool ComputeNearestSeed = false;
   int Method = FAST_MARCHING;
   bool UseMaximumDistance = false;
   double MaximumDistance = 1.0;
@@ -155,9 +268,16 @@ protected:
 
 private:
   struct Internals;
+  struct Guides;
   vtkPolyData* GetSurface(vtkInformationVector* inputVector);
-  void Solve(vtkPolyData* input);
-  void AttachArray(vtkPolyData* output);
+  /** The array chosen by SetInputArrayToProcess, null for none; throws where there is no such
+   * array. */
+  vtkDataArray* GetChosenArray(int number, vtkInformationVector** inputVector, bool& isOfCells);
+  void Solve(vtkInformationVector** inputVector);
+  void GatherSeeds(vtkInformationVector** inputVector, Guides& guides);
+  void GatherTargets(Guides& guides);
+  void GatherBarriersAndCost(vtkInformationVector** inputVector, Guides& guides);
+  void AttachArrays(vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;
 

@@ -31,7 +31,7 @@ double meanErrorOnSphere(int levels, const Vector3& direction)
   const Surface sphere = icosphere(levels);
   const auto mesh = meshOf(sphere);
   const Seed seed = seedNear(mesh, direction);
-  const Vector3 source = mesh->positionOf(seed.point);
+  const Vector3 source = mesh->positionOf(seed.points[0]);
   std::vector<double> truth;
   for (const Vector3& p : sphere.points)
   {
@@ -68,9 +68,9 @@ TEST(AnalyticField, PlaneFromPointsOnEdgesIsTheStraightLine)
   for (Index t = 0; t < mesh->numberOfTriangles(); t += 131)
   {
     const double part = 0.1 + 0.8 * t / mesh->numberOfTriangles();
-    const Seed seed{ { t, { part, 1.0 - part, 0.0 } } };
+    const Seed seed = Seed::atPoint({ t, { part, 1.0 - part, 0.0 } });
     const auto d = distances<FastMarchingSolver>(mesh, { seed });
-    const auto truth = straightLines(plane, mesh->positionOf(seed.point));
+    const auto truth = straightLines(plane, mesh->positionOf(seed.points[0]));
     EXPECT_LT(relativeError(d, truth).largest, 1e-9) << "edge of triangle " << t;
   }
 }

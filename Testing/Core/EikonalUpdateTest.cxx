@@ -51,6 +51,29 @@ TEST(EikonalUpdate, IsExactForAPointSource)
   EXPECT_GT(checked, 10000);
 }
 
+// A front that advances in a direction has distance w times the way in that direction, everywhere.
+TEST(EikonalUpdate, IsExactForAStraightFront)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int checked = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const FlatTriangle t = triangle(1.0, 2.0 * uniform(random) - 0.5, 0.05 + uniform(random));
+    const double w = 0.1 + 3.0 * uniform(random);
+    const double sine = 2.0 * uniform(random) - 1.0;
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const double crossing = t.x - t.h * sine / cosine;
+    if (crossing > 0.0 && crossing < 1.0)
+    {
+      const double value = straightFrontUpdate(t, 5.0, 5.0 + w * sine, w);
+      EXPECT_NEAR(value, 5.0 + w * (sine * t.x + cosine * t.h), 1e-11);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
+
 TEST(EikonalUpdate, IsMonotoneInBothValues)
 {
   std::mt19937 random(2);
@@ -64,6 +87,10 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
     const double value = pointSourceUpdate(t, a, b);
     EXPECT_LE(value, pointSourceUpdate(t, a + step, b) + 1e-12);
     EXPECT_LE(value, pointSourceUpdate(t, a, b + step) + 1e-12);
+    const double w = 0.1 + 3.0 * uniform(random);
+    const double straight = straightFrontUpdate(t, a, b, w);
+    EXPECT_LE(straight, straightFrontUpdate(t, a + step, b, w) + 1e-12);
+    EXPECT_LE(straight, straightFrontUpdate(t, a, b + step, w) + 1e-12);
   }
 }
 
@@ -77,6 +104,8 @@ TEST(EikonalUpdate, IsNotBelowItsBound)
     const double a = 3.0 * uniform(random);
     const double b = 3.0 * uniform(random);
     EXPECT_GE(pointSourceUpdate(t, a, b), updateLowerBound(t, a, b) - 1e-12);
+    const double w = 0.1 + 3.0 * uniform(random);
+    EXPECT_GE(straightFrontUpdate(t, a, b, w), updateLowerBound(t, a, b, w) - 1e-12);
   }
 }
 

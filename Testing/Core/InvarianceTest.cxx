@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 using namespace geodesic;
@@ -101,6 +102,63 @@ TEST_P(OnBunny, ReversingOrientationChangesNothing)
     }
   }
   this->expectSame(this->solve(other, {}), {}, 1.0);
+}
+
+// Ten seeds, a curve, a cost that varies, excluded points and closed triangles, all at once.
+TEST(WithEverything, ShufflingChangesNothing)
+{
+  const Surface bunny = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
+  const auto solve = [&](const Surface& surface, const std::vector<Index>& newId)
+  {
+    const auto mesh = meshOf(surface);
+    const auto vertexOf = [&](Index point) { return mesh->vertexOfPoint(newId[point]); };
+    std::vector<Seed> seeds;
+    for (Index s = 0; s < 10; ++s)
+    {
+      seeds.push_back(seedAt(*mesh, newId[bunny.triangles[6000 * s + 5][0]]));
+    }
+    const Triangle& t = bunny.triangles[33333];
+    seeds.push_back(Seed::alongCurve(
+      { mesh->pointAtVertex(vertexOf(t[0])), mesh->pointAtVertex(vertexOf(t[1])) }));
+    std::vector<double> cost;
+    for (const Vector3& p : mesh->positions())
+    {
+      cost.push_back(1.0 + 0.5 * std::sin(40.0 * p.x) + 10.0 * p.y);
+    }
+    std::vector<std::uint8_t> excluded(mesh->numberOfVertices(), 0);
+    for (Index i = 0; i < bunny.triangles.size(); i += 501)
+    {
+      excluded[vertexOf(bunny.triangles[i][0])] = 1;
+    }
+    std::vector<std::uint8_t> closed(mesh->numberOfTriangles(), 0);
+    for (Index i = 0; i < closed.size(); ++i)
+    {
+      const Vector3 centre = mesh->positionOf({ i, { 1.0 / 3, 1.0 / 3, 1.0 / 3 } });
+      closed[i] = centre.y > 0.08 && centre.y < 0.09;
+    }
+    SolveOptions options;
+    options.cost = cost;
+    options.excluded = excluded;
+    options.closedTriangles = closed;
+    return distances<FastMarchingSolver>(mesh, seeds, options);
+  };
+  std::vector<Index> identity(bunny.points.size());
+  std::iota(identity.begin(), identity.end(), 0u);
+  const auto expected = solve(bunny, identity);
+  std::vector<Index> newId;
+  const Surface other = shuffled(bunny, 11, newId);
+  const auto d = solve(other, newId);
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    ASSERT_EQ(std::isfinite(d[newId[i]]), std::isfinite(expected[i]));
+    if (std::isfinite(expected[i]))
+    {
+      ASSERT_NEAR(d[newId[i]], expected[i], 1e-9 * expected[i]);
+      ++reached;
+    }
+  }
+  EXPECT_GT(reached, 30000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OnBunny, ::testing::Values(1, 3));

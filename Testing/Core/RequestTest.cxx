@@ -13,6 +13,16 @@
 using namespace geodesic;
 using namespace geodesic::testing;
 
+namespace
+{
+
+Triangle atVertex(Index vertex)
+{
+  return { vertex, vertex, vertex };
+}
+
+}
+
 template <class Solver>
 class Request : public ::testing::Test
 {
@@ -76,8 +86,8 @@ TYPED_TEST(Request, MaximumDistanceCutsTheField)
 
 TYPED_TEST(Request, TargetsEndTheField)
 {
-  const std::vector<Index> targets{ this->mesh->vertexOfPoint(200), this->mesh->vertexOfPoint(2000),
-    this->mesh->vertexOfPoint(1200) };
+  const std::vector<Triangle> targets{ atVertex(this->mesh->vertexOfPoint(200)),
+    atVertex(this->mesh->vertexOfPoint(2000)), atVertex(this->mesh->vertexOfPoint(1200)) };
   for (const auto& seeds : { this->oneSeed, this->seeds })
   {
     const auto whole = this->solve(seeds, {});
@@ -101,7 +111,7 @@ TYPED_TEST(Request, StopReasonSaysWhatHappened)
   SolveOptions options;
   options.maximumDistance = 0.2;
   EXPECT_EQ(solver.solve(this->oneSeed, options).stopReason(), StopReason::MaximumDistance);
-  const Index beside = this->mesh->ring(this->mesh->vertexOfPoint(10))[0].neighbour();
+  const Triangle beside = atVertex(this->mesh->ring(this->mesh->vertexOfPoint(10))[0].neighbour());
   options.targets = { &beside, 1 };
   EXPECT_EQ(solver.solve(this->oneSeed, options).stopReason(), StopReason::Targets);
 }
@@ -175,10 +185,13 @@ TYPED_TEST(Request, NoSeedIsAnError)
 
 TYPED_TEST(Request, ASeedOffTheMeshIsNamed)
 {
-  EXPECT_NE(this->messageOf({ this->oneSeed[0], { { 999999, { 1, 0, 0 } } } }).find("Seed 1"),
+  EXPECT_NE(
+    this->messageOf({ this->oneSeed[0], Seed::atPoint({ 999999, { 1, 0, 0 } }) }).find("Seed 1"),
     std::string::npos);
-  EXPECT_NE(this->messageOf({ { { 0, { 0.5, 0.6, 0.0 } } } }).find("Seed 0"), std::string::npos);
-  EXPECT_NE(this->messageOf({ { { 0, { 1, 0, 0 } }, -1.0 } }).find("Seed 0"), std::string::npos);
+  EXPECT_NE(
+    this->messageOf({ Seed::atPoint({ 0, { 0.5, 0.6, 0.0 } }) }).find("Seed 0"), std::string::npos);
+  EXPECT_NE(
+    this->messageOf({ Seed::atPoint({ 0, { 1, 0, 0 } }, -1.0) }).find("Seed 0"), std::string::npos);
 }
 
 TYPED_TEST(Request, AnExcludedSeedIsNamed)
@@ -202,7 +215,7 @@ TYPED_TEST(Request, OptionsThatDoNotFitAreErrors)
   options.excluded = shortMask;
   EXPECT_NE(this->messageOf(this->oneSeed, options), "");
   options = {};
-  const std::vector<Index> targets{ 999999 };
+  const std::vector<Triangle> targets{ atVertex(999999) };
   options.targets = targets;
   EXPECT_NE(this->messageOf(this->oneSeed, options), "");
 }

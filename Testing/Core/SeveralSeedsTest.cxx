@@ -47,7 +47,7 @@ void checkRandomSeeds(Index numberOfSeeds, const Surface& plane)
   {
     const double x = uniform(random);
     seeds.push_back(seedNear(mesh, { x, uniform(random), 0.0 }));
-    sources.push_back(mesh->positionOf(seeds.back().point));
+    sources.push_back(mesh->positionOf(seeds.back().points[0]));
   }
   FastMarchingSolver solver(mesh);
   const DistanceField& field = solver.solve(seeds);
@@ -105,8 +105,8 @@ TEST(SeveralSeeds, AValueIsAHeadStartOfTheOthers)
   const auto both = distances<FastMarchingSolver>(mesh, { late, early });
   for (Index i = 0; i < plane.points.size(); ++i)
   {
-    const double fromLate = 0.25 + norm(plane.points[i] - mesh->positionOf(late.point));
-    const double fromEarly = norm(plane.points[i] - mesh->positionOf(early.point));
+    const double fromLate = 0.25 + norm(plane.points[i] - mesh->positionOf(late.points[0]));
+    const double fromEarly = norm(plane.points[i] - mesh->positionOf(early.points[0]));
     EXPECT_NEAR(alone[i], fromLate, 1e-9);
     EXPECT_NEAR(both[i], std::min(fromLate, fromEarly), 1e-9);
   }

@@ -113,14 +113,29 @@ TEST_F(ArticleClassErrors, ASeedWithoutACellIsNamed)
     [&] { this->Filter->SetSeeds(this->Seeds); }, std::to_string(bare));
 }
 
-TEST_F(ArticleClassErrors, WeightsAreRefused)
+TEST_F(ArticleClassErrors, WeightsThatAreNoneAreNamed)
 {
   vtkNew<vtkDoubleArray> weights;
   weights->SetNumberOfTuples(25);
-  weights->Fill(1.0);
+  const auto clear = [&] { this->Filter->SetPropagationWeights(nullptr); };
+  for (double bad : { 0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    weights->Fill(1.0);
+    weights->SetValue(9, bad);
+    weights->SetValue(17, bad);
+    weights->Modified();
+    expectError(
+      this->Filter.Get(), [&] { this->Filter->SetPropagationWeights(weights); }, clear,
+      "at point 9;");
+  }
+  weights->SetNumberOfTuples(24);
   expectError(
-    this->Filter.Get(), [&] { this->Filter->SetPropagationWeights(weights); },
-    [&] { this->Filter->SetPropagationWeights(nullptr); }, "weights");
+    this->Filter.Get(), [&] { this->Filter->SetPropagationWeights(weights); }, clear, "24 tuples");
+  weights->SetNumberOfComponents(5);
+  weights->SetNumberOfTuples(25);
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetPropagationWeights(weights); }, clear,
+    "5 components");
 }
 
 TEST_F(ArticleClassErrors, ADistanceStopThatIsNoNumberIsNamed)
@@ -190,7 +205,7 @@ TEST_F(SurfaceFilterErrors, APositionThatIsNotFiniteIsNamed)
       this->Filter->ClearSeedPositions();
       this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
     },
-    "Seed 1");
+    "Point 1 of SeedPositions");
 }
 
 TEST_F(SurfaceFilterErrors, ANegativeMaximumDistanceIsNamed)

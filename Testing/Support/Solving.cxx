@@ -15,12 +15,12 @@ std::shared_ptr<const TriangleMesh> meshOf(const Surface& surface, CoincidentPoi
 
 Seed seedAt(const TriangleMesh& mesh, Index point)
 {
-  return { mesh.pointAtVertex(mesh.vertexOfPoint(point)) };
+  return Seed::atPoint(mesh.pointAtVertex(mesh.vertexOfPoint(point)));
 }
 
 Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
 {
-  return { ClosestPointTree(mesh).closestPoint(position).point };
+  return Seed::atPoint(ClosestPointTree(mesh).closestPoint(position).point);
 }
 
 Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth)

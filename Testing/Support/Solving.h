@@ -2,6 +2,7 @@
 #define geodesic_testing_Solving_h
 
 #include "DistanceField.h"
+#include "Seed.h"
 #include "SolveOptions.h"
 #include "Surfaces.h"
 #include "TriangleMesh.h"

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GuideResolver.h"
+
+#include "NumberText.h"
+#include "PointResolver.h"
+#include "SeedFront.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace geodesic::bridge
+{
+namespace
+{
+
+bool isSet(double value)
+{
+  return value != 0.0 && !std::isnan(value);
+}
+
+}
+
+std::vector<double> costOfArray(
+  const TriangleMesh& mesh, vtkDataArray* array, CostMeaning meaning, const std::string& role)
+{
+  const vtkIdType points = static_cast<vtkIdType>(mesh.numberOfPoints());
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
+  {
+    throw std::invalid_argument(role + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples of " + std::to_string(array->GetNumberOfComponents()) +
+      " components; give one component and a tuple for each of the " + std::to_string(points) +
+      " points.");
+  }
+  std::vector<double> cost(mesh.numberOfVertices(), 0.0);
+  std::vector<Index> count(mesh.numberOfVertices(), 0);
+  for (Index point = 0; point < mesh.numberOfPoints(); ++point)
+  {
+    const Index vertex = mesh.vertexOfPoint(point);
+    if (vertex == NoIndex)
+    {
+      continue;
+    }
+    const double value = array->GetComponent(point, 0);
+    if (!(value > 0.0 && std::isfinite(value)))
+    {
+      throw std::invalid_argument(role + " is " + textOf(value) + " at point " +
+        std::to_string(point) +
+        "; it must be positive and finite at every point of the surface. Take, for example, the "
+        "absolute value plus a small constant.");
+    }
+    cost[vertex] += meaning == CostMeaning::Cost ? value : 1.0 / value;
+    ++count[vertex];
+  }
+  for (Index v = 0; v < cost.size(); ++v)
+  {
+    // A vertex without points is of triangles without an area, and on no front's way.
+    cost[v] = count[v] > 0 ? cost[v] / count[v] : 1.0;
+  }
+  return cost;
+}
+
+void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers)
+{
+  const vtkIdType count = ids ? ids->GetNumberOfIds() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    if (id < 0 || id >= static_cast<vtkIdType>(mesh.numberOfPoints()))
+    {
+      throw std::invalid_argument("Exclusion point id " + std::to_string(id) +
+        " does not exist: the input has " + std::to_string(mesh.numberOfPoints()) +
+        " points, numbered from 0.");
+    }
+    const Index vertex = mesh.vertexOfPoint(static_cast<Index>(id));
+    if (vertex != NoIndex)
+    {
+      barriers.excluded.resize(mesh.numberOfVertices(), 0);
+      barriers.excluded[vertex] = 1;
+    }
+  }
+}
+
+void addBarrierArray(
+  const InputSurface& surface, vtkDataArray* array, bool isOfCells, Barriers& barriers)
+{
+  const TriangleMesh& mesh = *surface.mesh();
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("BarrierArray \"" + std::string(array->GetName()) + "\" has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
+  }
+  if (isOfCells)
+  {
+    barriers.closed.resize(mesh.numberOfTriangles(), 0);
+    for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+    {
+      barriers.closed[t] |= isSet(array->GetComponent(surface.cellOfTriangle(t), 0));
+    }
+    return;
+  }
+  barriers.excluded.resize(mesh.numberOfVertices(), 0);
+  for (Index point = 0; point < mesh.numberOfPoints(); ++point)
+  {
+    const Index vertex = mesh.vertexOfPoint(point);
+    if (vertex != NoIndex && isSet(array->GetComponent(point, 0)))
+    {
+      barriers.excluded[vertex] = 1;
+    }
+  }
+}
+
+void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers& barriers)
+{
+  const TriangleMesh& mesh = *surface.mesh();
+  barriers.excluded.resize(mesh.numberOfVertices(), 0);
+  barriers.closed.resize(mesh.numberOfTriangles(), 0);
+  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, "BarrierSource");
+  std::size_t number = 0;
+  for (const std::vector<vtkIdType>& line : linesOf(source))
+  {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      const std::vector<Index> from = carriersOf(mesh, points[line[i]]);
+      const std::vector<Index> to = carriersOf(mesh, points[line[i + 1]]);
+      for (const std::vector<Index>& end : { from, to })
+      {
+        if (end.size() == 1)
+        {
+          barriers.excluded[end[0]] = 1;
+        }
+      }
+      std::vector<Index> corners = from;
+      corners.insert(corners.end(), to.begin(), to.end());
+      const std::vector<Index> triangles = mesh.trianglesWith(corners);
+      for (Index t : triangles)
+      {
+        barriers.closed[t] |= from.size() + to.size() > 2;
+      }
+      if (triangles.empty())
+      {
+        throw std::invalid_argument("BarrierSource's line " + std::to_string(number) +
+          " has a segment, number " + std::to_string(i) +
+          ", which lies neither in one face nor along one edge of the surface. Give it a point on "
+          "each edge that it crosses.");
+      }
+    }
+    ++number;
+  }
+}
+
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_GuideResolver_h
+#define geodesic_bridge_GuideResolver_h
+
+#include "InputSurface.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkIdList;
+class vtkPointSet;
+
+namespace geodesic::bridge
+{
+
+/** What the values of a cost array are. */
+enum class CostMeaning
+{
+  Cost,
+  /** The cost is 1 / value. */
+  Speed
+};
+
+/**
+ * The cost at each vertex from an array of the input's points; the mean where points are merged.
+ * @throws std::invalid_argument where the array does not have one component and a tuple for each
+ * point, or where a value on the surface is not positive and finite, naming the first such point
+ */
+std::vector<double> costOfArray(
+  const TriangleMesh& mesh, vtkDataArray* array, CostMeaning meaning, const std::string& role);
+
+/** Where the front may not go. */
+struct Barriers
+{
+  /** One flag a vertex, or empty. */
+  std::vector<std::uint8_t> excluded;
+  /** One flag a triangle, or empty. */
+  std::vector<std::uint8_t> closed;
+};
+
+/** Excludes points; those that no cell uses need no excluding. Throws for an id that does not
+ * exist. */
+void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers);
+
+/** Excludes the points, or closes the cells, whose value is neither 0 nor NaN. */
+void addBarrierArray(
+  const InputSurface& surface, vtkDataArray* array, bool isOfCells, Barriers& barriers);
+
+/**
+ * Makes the lines of a data set, projected onto the surface, barriers: a line's points at vertices
+ * are excluded, and a segment that is not a whole edge closes the triangles that it lies in.
+ * @throws std::invalid_argument for a segment that is neither in one face nor along one edge
+ */
+void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers& barriers);
+
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_PointResolver_h
+#define geodesic_bridge_PointResolver_h
+
+#include "InputSurface.h"
+#include "SurfacePoint.h"
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+class vtkIdList;
+class vtkPointSet;
+
+namespace geodesic::bridge
+{
+
+/**
+ * Positions projected to the nearest points of the surface.
+ * @param coordinates x y z of one after the other
+ * @param property    what gave them, for the message
+ * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
+ */
+std::vector<SurfacePoint> surfacePointsAt(
+  const InputSurface& surface, std::span<const double> coordinates, const std::string& property);
+
+/**
+ * All points of a data set, projected, and put on the edge or vertex that they can't be told from
+ * in single precision.
+ * @param property what gave the data set, for the message
+ */
+std::vector<SurfacePoint> surfacePointsOf(
+  const InputSurface& surface, vtkPointSet* source, const std::string& property);
+
+/** The point ids of each line and polyline of a data set. */
+std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source);
+
+/**
+ * The vertices that stand for points of the input.
+ * @param ids   may be null: none
+ * @param role  what the points are, for the message
+ * @throws std::invalid_argument for an id that does not exist, or whose point no cell uses
+ */
+std::vector<Index> verticesAtPoints(
+  const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
+
+/** A target of the front (see SolveOptions::targets): the corners round a point, or a vertex. */
+Triangle targetAt(const TriangleMesh& mesh, const SurfacePoint& point);
+Triangle targetAt(Index vertex);
+
+}
+
+#endif

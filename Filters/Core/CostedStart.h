@@ -1,0 +1,47 @@
+#ifndef geodesic_CostedStart_h
+#define geodesic_CostedStart_h
+
+#include "SeedFront.h"
+#include "SolveOptions.h"
+
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+class DistanceSolver;
+class TriangleMesh;
+
+/** A vertex's first value, for a label, without the label's own. */
+struct StartValue
+{
+  Index vertex;
+  Index label;
+  double value;
+  /** Never to be updated for this label. */
+  bool isFinal;
+};
+
+/** The starts as they are where the cost is 1: lengths are values, and final. */
+std::vector<StartValue> unitStarts(const SeedFront& front);
+
+/**
+ * The starts where each vertex has a cost.
+ *
+ * Near a point in a varying cost the flat source that the update assumes does not exist, and its
+ * clamps make it erratic. So where the cost varies within three mean edges of a round label's
+ * origin, the vertices of that disc get their length (unfolded, within barriers: a march at cost 1)
+ * times the mean of the cost at both ends, for good. Elsewhere a start is its length times the
+ * local cost.
+ * @param unitSolver any solver on the mesh; its field is overwritten
+ */
+std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
+  const SolveOptions& options, DistanceSolver& unitSolver);
+
+/** The cost at a point of the surface. */
+double costAt(const TriangleMesh& mesh, std::span<const double> cost, const SurfacePoint& point);
+
+}
+
+#endif

@@ -1,0 +1,326 @@
+#include "SeedFront.h"
+
+#include "ClosedFans.h"
+#include "NumberText.h"
+#include "TriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace geodesic
+{
+namespace
+{
+
+void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& name)
+{
+  const auto& weights = point.weights;
+  const double sum = weights[0] + weights[1] + weights[2];
+  const bool inside =
+    std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0.0; });
+  if (point.triangle >= mesh.numberOfTriangles())
+  {
+    throw std::invalid_argument(name + " lies in triangle " + std::to_string(point.triangle) +
+      ", but the mesh has " + std::to_string(mesh.numberOfTriangles()) + " triangles.");
+  }
+  if (!inside || !(std::abs(sum - 1.0) < 1e-6))
+  {
+    throw std::invalid_argument(name + " has barycentric weights " + textOf(weights[0]) + ", " +
+      textOf(weights[1]) + ", " + textOf(weights[2]) +
+      "; each must be at least 0 and their sum 1.");
+  }
+}
+
+void checkSeed(const TriangleMesh& mesh, const Seed& seed, const std::string& name)
+{
+  if (seed.points.empty() && seed.vertices.empty())
+  {
+    throw std::invalid_argument(name + " has no point.");
+  }
+  if (!(seed.value >= 0.0 && std::isfinite(seed.value)))
+  {
+    throw std::invalid_argument(
+      name + " has the value " + textOf(seed.value) + "; it must be finite and at least 0.");
+  }
+  for (const SurfacePoint& point : seed.points)
+  {
+    checkPoint(mesh, point, name);
+  }
+  for (Index vertex : seed.vertices)
+  {
+    if (vertex >= mesh.numberOfVertices())
+    {
+      throw std::invalid_argument(name + " has vertex " + std::to_string(vertex) +
+        ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
+    }
+  }
+}
+
+void sortUnique(std::vector<Index>& vertices)
+{
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+/** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
+ */
+std::vector<Index> cornersRound(
+  const TriangleMesh& mesh, const ClosedFans& closed, const std::vector<Index>& carriers)
+{
+  std::vector<Index> corners;
+  const Index centre = carriers[0];
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (closed.isOpen(centre, i))
+    {
+      const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
+        [&](Index carrier) { return std::find(t.begin(), t.end(), carrier) != t.end(); });
+      if (hasAll)
+      {
+        corners.insert(corners.end(), t.begin(), t.end());
+      }
+    }
+  }
+  sortUnique(corners);
+  return corners;
+}
+
+double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
+{
+  const Vector3 side = b - a;
+  const double length2 = dot(side, side);
+  const double t = length2 > 0.0 ? std::clamp(dot(p - a, side) / length2, 0.0, 1.0) : 0.0;
+  return norm(p - (a + t * side));
+}
+
+/** Gathers the labels and starts of one seed after the other. */
+class FrontBuilder
+{
+public:
+  FrontBuilder(const TriangleMesh& mesh, const ClosedFans& closed, SeedFront& front)
+    : Mesh(mesh)
+    , Closed(closed)
+    , Front(front)
+  {
+  }
+
+  void add(const Seed& seed, Index number)
+  {
+    this->Number = number;
+    this->Value = seed.value;
+    switch (seed.kind)
+    {
+      case Seed::Kind::Point:
+        this->addPoint(seed.points[0]);
+        break;
+      case Seed::Kind::Curve:
+        this->addCurve(seed.points);
+        break;
+      case Seed::Kind::Region:
+        this->addRegion(seed.vertices);
+        break;
+    }
+  }
+
+private:
+  /** Of more bends, or border vertices, than this none gets a round label of its own. */
+  static constexpr std::size_t MostRoundLabels = 256;
+  /** Cosine of the angle from which on a curve bends. */
+  static constexpr double StraightCosine = 0.985;
+
+  Index addLabel(FrontShape shape, const SurfacePoint& origin = {})
+  {
+    this->Front.labels.push_back({ this->Number, shape, this->Value, origin });
+    return static_cast<Index>(this->Front.labels.size() - 1);
+  }
+
+  void addPoint(const SurfacePoint& point)
+  {
+    const Index label = this->addLabel(FrontShape::Round, point);
+    const std::vector<Index> carriers = carriersOf(this->Mesh, point);
+    if (carriers.size() == 1)
+    {
+      this->Front.starts.push_back({ carriers[0], label, 0.0 });
+      return;
+    }
+    const Vector3 position = this->Mesh.positionOf(point);
+    for (Index vertex : cornersRound(this->Mesh, this->Closed, carriers))
+    {
+      this->Front.starts.push_back({ vertex, label, norm(this->Mesh.position(vertex) - position) });
+    }
+  }
+
+  void addCurve(const std::vector<SurfacePoint>& points)
+  {
+    std::vector<std::size_t> bends = this->bendsOf(points);
+    if (bends.size() > MostRoundLabels)
+    {
+      bends.clear();
+    }
+    for (std::size_t bend : bends)
+    {
+      this->addPoint(points[bend]);
+    }
+    // Each straight piece marches by itself: on the inner side of a bend two fronts meet.
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      if (i + 1 == points.size() || std::binary_search(bends.begin(), bends.end(), i))
+      {
+        this->addStraightPiece(points, first, i);
+        first = i;
+      }
+    }
+  }
+
+  /** The segments of a curve from its point @p first to its point @p last. */
+  void addStraightPiece(
+    const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last)
+  {
+    const Index label = this->addLabel(FrontShape::Straight);
+    std::map<Index, double> lengths;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Vector3 a = this->Mesh.positionOf(points[i]);
+      const Vector3 b = this->Mesh.positionOf(points[i + 1]);
+      for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1], i))
+      {
+        const double length = distanceToSegment(this->Mesh.position(vertex), a, b);
+        const auto [place, isNew] = lengths.emplace(vertex, length);
+        place->second = std::min(place->second, length);
+      }
+    }
+    for (const auto& [vertex, length] : lengths)
+    {
+      this->Front.starts.push_back({ vertex, label, length });
+    }
+  }
+
+  std::vector<Index> cornersRoundSegment(
+    const SurfacePoint& a, const SurfacePoint& b, std::size_t number) const
+  {
+    std::vector<Index> carriers = carriersOf(this->Mesh, a);
+    const std::vector<Index> others = carriersOf(this->Mesh, b);
+    carriers.insert(carriers.end(), others.begin(), others.end());
+    sortUnique(carriers);
+    std::vector<Index> corners;
+    if (carriers.size() <= 3)
+    {
+      corners = cornersRound(this->Mesh, this->Closed, carriers);
+    }
+    if (corners.empty())
+    {
+      throw std::invalid_argument("Seed " + std::to_string(this->Number) +
+        " is a curve whose segment " + std::to_string(number) +
+        " lies neither in one face nor along one edge of the surface. Give "
+        "it a point on each edge that it crosses.");
+    }
+    return corners;
+  }
+
+  /** Numbers of the curve's points where it is not straight, its ends among them. */
+  std::vector<std::size_t> bendsOf(const std::vector<SurfacePoint>& points) const
+  {
+    std::vector<Vector3> positions;
+    for (const SurfacePoint& point : points)
+    {
+      positions.push_back(this->Mesh.positionOf(point));
+    }
+    std::vector<std::size_t> bends{ 0 };
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    {
+      const Vector3 in = positions[i] - positions[i - 1];
+      const Vector3 out = positions[i + 1] - positions[i];
+      if (!(dot(in, out) >= StraightCosine * norm(in) * norm(out)))
+      {
+        bends.push_back(i);
+      }
+    }
+    bends.push_back(points.size() - 1);
+    return bends;
+  }
+
+  void addRegion(std::vector<Index> vertices)
+  {
+    sortUnique(vertices);
+    const auto isInside = [&](Index vertex)
+    { return std::binary_search(vertices.begin(), vertices.end(), vertex); };
+    std::vector<Index> joined;
+    std::vector<Index> border;
+    for (Index vertex : vertices)
+    {
+      bool hasInside = false;
+      bool hasOutside = false;
+      for (const RingEntry& entry : this->Mesh.ring(vertex))
+      {
+        (isInside(entry.neighbour()) ? hasInside : hasOutside) = true;
+      }
+      if (!hasInside)
+      {
+        this->addPoint(this->Mesh.pointAtVertex(vertex));
+        continue;
+      }
+      joined.push_back(vertex);
+      if (hasOutside)
+      {
+        border.push_back(vertex);
+      }
+    }
+    if (!joined.empty())
+    {
+      const Index label = this->addLabel(FrontShape::Straight);
+      for (Index vertex : joined)
+      {
+        this->Front.starts.push_back({ vertex, label, 0.0 });
+      }
+    }
+    if (border.size() <= MostRoundLabels)
+    {
+      for (Index vertex : border)
+      {
+        this->addPoint(this->Mesh.pointAtVertex(vertex));
+      }
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const ClosedFans& Closed;
+  SeedFront& Front;
+  Index Number = 0;
+  double Value = 0.0;
+};
+
+}
+
+std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  const Triangle& triangle = mesh.triangle(point.triangle);
+  std::vector<Index> carriers;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (point.weights[c] > 0.0)
+    {
+      carriers.push_back(triangle[c]);
+    }
+  }
+  return carriers;
+}
+
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds)
+{
+  SeedFront front;
+  FrontBuilder builder(mesh, closed, front);
+  for (Index s = 0; s < seeds.size(); ++s)
+  {
+    checkSeed(mesh, seeds[s], "Seed " + std::to_string(s));
+    builder.add(seeds[s], s);
+  }
+  return front;
+}
+
+}
