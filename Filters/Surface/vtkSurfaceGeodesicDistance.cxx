@@ -257,10 +257,12 @@ int vtkSurfaceGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(request),
   }
   catch (const std::exception& error)
   {
+    // Not 0: after a request that failed ParaView no longer updates the view, and what it shows is
+    // stale.
     this->Internal->forget();
     output->Initialize();
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
-    return 0;
+    return 1;
   }
 }
 
