@@ -25,7 +25,7 @@ public:
   MarchControl(const SolveOptions& options, StopLimit& limit, Index numberOfVertices)
     : Options(options)
     , Limit(limit)
-    , Patience(200 * (std::size_t{ numberOfVertices } + 100))
+    , Patience(400 * (std::size_t{ numberOfVertices } + 100))
   {
   }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -149,5 +150,43 @@ TEST(OddInput, AVertexMayHaveThousandsOfTriangles)
   for (Index i = 1; i < surface.points.size(); ++i)
   {
     ASSERT_NEAR(d[i], 2.0, 1e-9);
+  }
+}
+
+// Random triangles lying on each other in a plane: gains can go on for ever, each smaller than the
+// last. It may take the field or an error, but not for ever.
+TEST(OddInput, TrianglesLyingOnEachOtherComeToAnEnd)
+{
+  std::mt19937 random(44);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int run = 0; run < 20; ++run)
+  {
+    Surface soup;
+    for (int i = 0; i < 50; ++i)
+    {
+      const double x = uniform(random);
+      soup.points.push_back({ x, uniform(random), 0.0 });
+    }
+    for (int i = 0; i < 1200; ++i)
+    {
+      const Index a = random() % 50;
+      const Index b = random() % 50;
+      soup.triangles.push_back({ a, b, static_cast<Index>(random() % 50) });
+    }
+    const auto mesh = meshOf(soup);
+    const Seed seed = Seed::atPoint({ 7, { 0.5, 0.25, 0.25 } });
+    const Vector3 source = mesh->positionOf(seed.points[0]);
+    try
+    {
+      const auto d = distances<FastMarchingSolver>(mesh, { seed });
+      for (Index i = 0; i < soup.points.size(); ++i)
+      {
+        EXPECT_GE(d[i], (1.0 - 1e-9) * norm(soup.points[i] - source));
+      }
+    }
+    catch (const std::runtime_error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("does not settle"), std::string::npos);
+    }
   }
 }
