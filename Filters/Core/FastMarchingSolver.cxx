@@ -27,6 +27,32 @@ double smallestValue(std::span<const Label> labels)
     ->value;
 }
 
+/**
+ * No way is shorter than the straight line to where a round front starts. Holding updates to that
+ * keeps them monotone, and keeps rounding from growing from update to update where triangles lie on
+ * each other over the source: there the update's slope exceeds 1.
+ */
+class StraightLineBound
+{
+public:
+  StraightLineBound(const TriangleMesh& mesh, const Label& label, double smallestCost)
+    : Mesh(mesh)
+    , Origin(label.shape == FrontShape::Round ? mesh.positionOf(label.origin) : Vector3{})
+    , Cost(label.shape == FrontShape::Round ? smallestCost : 0.0)
+  {
+  }
+
+  double operator()(Index vertex) const
+  {
+    return this->Cost * norm(this->Mesh.position(vertex) - this->Origin);
+  }
+
+private:
+  const TriangleMesh& Mesh;
+  Vector3 Origin;
+  double Cost;
+};
+
 }
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
@@ -73,6 +99,7 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   const TriangleMesh& mesh = this->mesh();
   const double offset = request.front.labels[0].value;
   MarchControl control(request.options, limit, mesh.numberOfVertices());
+  const StraightLineBound leastOf(mesh, request.front.labels[0], cost.smallest());
   const auto valueOf = [&](Index vertex) { return field.distance(vertex) - offset; };
   const auto ceilingOf = [&](Index vertex, double value)
   { return std::min(value * control.keptFraction(), limit.with(cost.reach(vertex)) - offset); };
@@ -80,6 +107,7 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   {
     const double old = valueOf(vertex);
     std::uint8_t& state = this->State[vertex];
+    value = std::max(value, leastOf(vertex));
     if (!(value < ceilingOf(vertex, old)) || (state & Pinned) || request.options.isExcluded(vertex))
     {
       return old;
@@ -154,6 +182,7 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     sets[popped].isQueued = false;
     const LabelSets::Entry current = sets[popped];
     const double offset = labels[current.label].value;
+    const StraightLineBound leastOf(mesh, labels[current.label], cost.smallest());
     if (current.value + offset > keptUpTo(current.vertex))
     {
       continue;
@@ -168,6 +197,7 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     {
       const Index known = sets.find(vertex, current.label);
       const double old = known == NoIndex ? DistanceField::Unreached : sets[known].value;
+      value = std::max(value, leastOf(vertex));
       if (!(value < ceilingOf(vertex, old)) || request.options.isExcluded(vertex) ||
         (known != NoIndex && sets[known].isPinned))
       {

@@ -4,6 +4,7 @@
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,7 @@ public:
   /** The most that two vertices of the triangles round a vertex can differ by. */
   double reach(Index vertex) const { return this->Mesh.longestEdgeAround(vertex); }
   double mean() const { return 1.0; }
+  double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
 
 private:
@@ -50,6 +52,7 @@ public:
       }
       this->Reaches[v] = dearest * mesh.longestEdgeAround(v);
       this->Sum += cost[v];
+      this->Smallest = std::min(this->Smallest, cost[v]);
       this->Largest = std::max(this->Largest, cost[v]);
     }
   }
@@ -60,12 +63,14 @@ public:
   }
   double reach(Index vertex) const { return this->Reaches[vertex]; }
   double mean() const { return this->Sum / static_cast<double>(this->Cost.size()); }
+  double smallest() const { return this->Smallest; }
   double largest() const { return this->Largest; }
 
 private:
   std::span<const double> Cost;
   std::vector<double> Reaches;
   double Sum = 0.0;
+  double Smallest = std::numeric_limits<double>::infinity();
   double Largest = 0.0;
 };
 
