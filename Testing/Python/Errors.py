@@ -5,8 +5,8 @@ usage: Errors.py OUR_PLUGIN
 
 import sys
 
-from paraview import simple
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+import numpy as np
+from paraview import servermanager, simple
 
 import testing
 
@@ -16,12 +16,8 @@ sphere = simple.Sphere()
 distance = simple.GeodesicDistance(Input=sphere, SeedPositions=[0, 0, 0.5])
 
 
-def expect_error(named):
-    window = vtkStringOutputWindow()
-    vtkOutputWindow.SetInstance(window)
-    assert testing.is_empty(distance), named
-    vtkOutputWindow.SetInstance(None)
-    assert named in window.GetOutput(), window.GetOutput()
+def expect_error(*named):
+    testing.expect_error(distance, *named)
 
 
 def expect_well():
@@ -57,3 +53,98 @@ distance.Input = simple.GroupDatasets(Input=[simple.Sphere(), simple.Plane()])
 expect_error("Merge Blocks")
 distance.Input = sphere
 expect_well()
+
+# What guides the front: each mistake is made and taken back. The plane has 5 x 5 points.
+plane = simple.Triangulate(Input=simple.Plane(XResolution=4, YResolution=4))
+points = testing.points_of(plane)
+count = len(points)
+ones = np.ones(count)
+
+
+def ones_but(places, value):
+    values = ones.copy()
+    values[places] = value
+    return values
+
+
+surface = testing.with_arrays(
+    plane,
+    points={
+        "zero": ones_but([9, 17], 0),
+        "negative": ones_but([9, 17], -0.5),
+        "tiny": ones_but([9, 17], -1e-12),
+        "nan": ones_but([9, 17], np.nan),
+        "infinite": ones_but([9, 17], np.inf),
+        "pairs": np.ones((count, 2)),
+        "none": 0 * ones,
+        "all": ones,
+        "middle": 1.0 * (np.arange(count) == 12),
+    },
+    cells={"cells": np.ones(32), "no cells": np.zeros(32), "cell pairs": np.ones((32, 2))})
+through_seed = testing.polyline([(0, 0, 0), (0.25, 0, 0)])
+across = testing.polyline([(-0.5, -0.4, 0), (0.5, 0.3, 0)])
+no_number = testing.polyline([(0, 0, 0), (0, float("nan"), 0)])
+blocks = simple.GroupDatasets(Input=[simple.Sphere(), simple.Plane()])
+nothing = servermanager.sources.IDSelectionSource(FieldType="POINT", IDs=[0, 25])
+
+distance.Input = surface
+distance.SeedPositions = [0, 0, 0]
+POSITIVE = "must be positive and finite"
+MISTAKES = [
+    # Arrays that there are not, or not of the kind.
+    (dict(CostArray=["POINTS", "lost"]), "CostArray", "lost", "no point array", "or None"),
+    (dict(SeedArray=["CELLS", "lost"]), "SeedArray", "lost", "no cell array", "or None"),
+    (dict(BarrierArray=["POINTS", "lost"]), "BarrierArray", "lost", "no point array", "or None"),
+    (dict(CostArray=["CELLS", "cells"]), "CostArray", "cells", "cell array", "Cell Data to Point Data"),
+    (dict(CostArray=["POINTS", "pairs"]), "CostArray", "pairs", "2 components", "one component"),
+    (dict(SeedArray=["POINTS", "pairs"]), "SeedArray", "pairs", "2 components", "array of one"),
+    (dict(SeedArray=["CELLS", "cell pairs"]), "SeedArray", "cell pairs", "2 components", "array of one"),
+    (dict(BarrierArray=["POINTS", "pairs"]), "BarrierArray", "pairs", "2 components", "array of one"),
+    (dict(SeedArray=["POINTS", "none"]), "SeedArray", "none", "is 0 on the whole surface"),
+    (dict(SeedArray=["CELLS", "no cells"]), "SeedArray", "no cells", "is 0 on the whole surface"),
+    # Costs: the first point that has none.
+    (dict(CostArray=["POINTS", "zero"]), "zero", "is 0 at point 9;", POSITIVE),
+    (dict(CostArray=["POINTS", "negative"]), "negative", "is -0.5 at point 9;", POSITIVE),
+    (dict(CostArray=["POINTS", "tiny"]), "tiny", "is -1e-12 at point 9;", POSITIVE),
+    (dict(CostArray=["POINTS", "nan"]), "is nan at point 9;", POSITIVE),
+    (dict(CostArray=["POINTS", "infinite"]), "is inf at point 9;", POSITIVE),
+    (dict(CostArray=["POINTS", "zero"], CostMode="Speed"), "is 0 at point 9;", POSITIVE),
+    # Seeds and destinations.
+    (dict(SeedPointIds=[3, 25]), "Seed point id 25", "25 points", "numbered from 0"),
+    (dict(SeedPointIds=[-1]), "Seed point id -1", "25 points"),
+    (dict(DestinationPointIds=[25]), "Destination point id 25", "25 points", "numbered from 0"),
+    (dict(DestinationPositions=[0, 0]), "DestinationPositions", "2 numbers", "multiple of 3"),
+    (dict(DestinationPositions=[0, float("inf"), 0]), "Point 0 of DestinationPositions", "inf"),
+    (dict(SeedSource=across), "Seed 1", "segment 0", "neither in one face nor along one edge",
+     "Give it a point on each edge"),
+    (dict(SeedSource=no_number), "Point 1 of SeedSource", "nan", "finite"),
+    (dict(SeedSource=blocks), "SeedSource", "blocks", "Merge Blocks"),
+    (dict(SeedSelection=nothing), "SeedSelection", "no point of the surface", "Select others"),
+    # Barriers.
+    (dict(BarrierArray=["POINTS", "middle"]), "Seed 0", "point 12", "off the barrier"),
+    (dict(BarrierArray=["CELLS", "cells"]), "Seed 0", "point 12", "off the barrier"),
+    (dict(BarrierArray=["POINTS", "all"]), "Seed 0", "point 12", "off the barrier"),
+    (dict(BarrierSource=through_seed), "Seed 0", "point 12", "off the barrier"),
+    (dict(BarrierSource=across), "BarrierSource", "line 0", "segment, number 0",
+     "neither in one face nor along one edge", "Give it a point on each edge"),
+    (dict(BarrierSource=blocks), "BarrierSource", "blocks", "Merge Blocks"),
+    # Stops.
+    (dict(UseMaximumDistance=1, MaximumDistance=-1e-12), "maximum distance is -1e-12", "at least 0"),
+    (dict(UseMaximumDistance=1, MaximumDistance=float("nan")), "maximum distance is nan", "at least 0"),
+]
+RIGHT = dict(
+    SeedPointIds=[], SeedSource=None, SeedArray=["POINTS", "None"], SeedSelection=None,
+    UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
+    CostArray=["POINTS", "None"], CostMode="Cost", BarrierArray=["POINTS", "None"], BarrierSource=None)
+
+
+def change(properties):
+    for name, value in properties.items():
+        distance.SetPropertyWithName(name, value)
+
+
+for mistake, *named in MISTAKES:
+    change(mistake)
+    expect_error(*named)
+    change(RIGHT)
+    expect_well()

@@ -2,8 +2,10 @@
 
 import os
 
+import numpy as np
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 DATA = os.path.join(os.path.dirname(__file__), "..", "Data")
 
@@ -33,9 +35,42 @@ def points_of(proxy):
     return vtk_to_numpy(output_of(proxy).GetPoints().GetData())
 
 
+def cells_of(proxy):
+    """The corners of the cells of a surface of triangles."""
+    return vtk_to_numpy(output_of(proxy).GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def with_arrays(proxy, points=None, cells=None):
+    """A source of the proxy's output with these arrays, {name: values}, on its points and cells."""
+    data = output_of(proxy)
+    for attributes, arrays in ((data.GetPointData(), points), (data.GetCellData(), cells)):
+        for name, values in (arrays or {}).items():
+            array = numpy_to_vtk(np.asarray(values, float), deep=True)
+            array.SetName(name)
+            attributes.AddArray(array)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+def polyline(points, closed=False):
+    return simple.PolyLineSource(Points=np.ravel(points).tolist(), Closed=closed)
+
+
 def is_empty(proxy):
     proxy.UpdatePipeline()
     return proxy.GetDataInformation().GetNumberOfPoints() == 0
+
+
+def expect_error(proxy, *named):
+    """The output is empty, and the message names all of these."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    empty = is_empty(proxy)
+    vtkOutputWindow.SetInstance(None)
+    assert empty, named
+    for words in named:
+        assert words in window.GetOutput(), (words, window.GetOutput())
 
 
 def informed(proxy, name):
