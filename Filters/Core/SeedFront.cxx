@@ -227,6 +227,7 @@ private:
   std::vector<std::size_t> bendsOf(const std::vector<SurfacePoint>& points) const
   {
     std::vector<Vector3> positions;
+    positions.reserve(points.size());
     for (const SurfacePoint& point : points)
     {
       positions.push_back(this->Mesh.positionOf(point));
