@@ -33,5 +33,6 @@ distance.UpdatePipeline()
 if distance.GetDataInformation().GetNumberOfPoints() == 0:
     sys.exit("No distances: see the message above.")
 
-SaveData(os.path.join(folder, "CurvatureCost.vtp"), proxy=distance)
+# Binary: what ParaView writes by default (appended), Debian 12 cannot read back.
+SaveData(os.path.join(folder, "CurvatureCost.vtp"), proxy=distance, DataMode="Binary")
 print(f"Wrote {folder}/CurvatureCost.vtp")
