@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace geodesic
 {
@@ -25,6 +24,12 @@ struct FlatTriangle
   /** Length from b to v. */
   double bv;
 };
+
+/** The same triangle with the ends of the edge the other way round. */
+inline FlatTriangle turned(const FlatTriangle& t)
+{
+  return { t.c, t.c - t.x, t.h, t.bv, t.av };
+}
 
 /**
  * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on
@@ -51,21 +56,16 @@ inline double updateLowerBound(const FlatTriangle& t, double a, double b, double
  */
 inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
 {
-  double x = t.x;
-  double av = t.av;
-  double bv = t.bv;
   if (a > b)
   {
-    std::swap(a, b);
-    std::swap(av, bv);
-    x = t.c - x;
+    return pointSourceUpdate(turned(t), b, a);
   }
   const double u = b - a;
   if (!(u < t.c))
   {
-    return std::min(a + av, b + bv);
+    return std::min(a + t.av, b + t.bv);
   }
-  const double alongEdge = std::min(a + av, b + bv);
+  const double alongEdge = std::min(a + t.av, b + t.bv);
   // The source is at (sourceX, -sourceY).
   const double sourceX = 0.5 * (t.c - u * (a + b) / t.c);
   const double s = a + b - t.c;
@@ -74,12 +74,13 @@ inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
   {
     // The two discs overlap: the source lies on the edge, somewhere within them.
     const double halfWidth = std::sqrt(std::max(0.0, -square)) / (2.0 * t.c);
-    const double p = std::clamp(std::clamp(x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
-    return std::min(alongEdge, std::sqrt((x - p) * (x - p) + t.h * t.h));
+    const double p =
+      std::clamp(std::clamp(t.x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
+    return std::min(alongEdge, std::sqrt((t.x - p) * (t.x - p) + t.h * t.h));
   }
   const double sourceY = std::sqrt(square) / (2.0 * t.c);
   const double rise = sourceY + t.h;
-  const double run = x - sourceX;
+  const double run = t.x - sourceX;
   const double crossing = sourceX * rise + run * sourceY;
   if (crossing <= 0.0 || crossing >= t.c * rise)
   {
@@ -95,28 +96,23 @@ inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
  */
 inline double straightFrontUpdate(const FlatTriangle& t, double a, double b, double w = 1.0)
 {
-  double x = t.x;
-  double av = t.av;
-  double bv = t.bv;
   if (a > b)
   {
-    std::swap(a, b);
-    std::swap(av, bv);
-    x = t.c - x;
+    return straightFrontUpdate(turned(t), b, a, w);
   }
-  const double alongEdge = std::min(a + w * av, b + w * bv);
+  const double alongEdge = std::min(a + w * t.av, b + w * t.bv);
   const double sine = (b - a) / (w * t.c);
   if (!(sine < 1.0))
   {
     return alongEdge;
   }
   const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  const double crossing = x * cosine - sine * t.h;
+  const double crossing = t.x * cosine - sine * t.h;
   if (crossing <= 0.0 || crossing >= t.c * cosine)
   {
     return alongEdge;
   }
-  return std::min(alongEdge, a + w * (sine * x + cosine * t.h));
+  return std::min(alongEdge, a + w * (sine * t.x + cosine * t.h));
 }
 
 }
