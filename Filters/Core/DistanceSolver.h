@@ -36,6 +36,8 @@ public:
    * cancelled run, is no error: see DistanceField::stopReason.
    * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
    * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
+   * @throws std::runtime_error where fast marching does not settle (see MarchControl). After any
+   *         exception from within a run the solver's workspace is undefined: make a new solver.
    */
   const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {});
 

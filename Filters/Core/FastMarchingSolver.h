@@ -26,8 +26,8 @@ namespace geodesic
  * first order accurate in the edge length elsewhere. With several labels each keeps values of its
  * own near the border between them (LabelSets), so that no update mixes two sources.
  *
- * Time O(n) on meshes whose edges do not vary wildly, memory 13 bytes a vertex beside the mesh for
- * one label, 24 bytes more for each value kept with several.
+ * Time O(n) on meshes whose edges do not vary wildly, memory 20 bytes a vertex beside the mesh for
+ * one label, with several 4 more and 24 for each value kept.
  */
 class FastMarchingSolver : public DistanceSolver
 {
