@@ -1,6 +1,7 @@
 #include "PathFinder.h"
 
 #include "DistanceSolver.h"
+#include "EdgePathSearch.h"
 #include "PathStraightener.h"
 
 #include <algorithm>
@@ -54,7 +55,12 @@ std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoi
     std::reverse(path->begin(), path->end());
     if (style.straighten)
     {
-      path = PathStraightener(terrain).straightened(*path);
+      const PathStraightener straightener(terrain);
+      path = straightener.straightened(*path);
+      if (const auto other = shorterEdgePath(terrain, field, start, end, lengthOf(mesh, *path)))
+      {
+        path = straightener.straightened(*other);
+      }
     }
   }
   return path;
