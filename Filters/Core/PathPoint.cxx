@@ -5,16 +5,6 @@ namespace geodesic
 namespace
 {
 
-Carriers unionOf(const PathPoint& a, const PathPoint& b)
-{
-  Carriers all = a.carriers();
-  for (Index vertex : b.carriers())
-  {
-    all.add(vertex);
-  }
-  return all;
-}
-
 /** The point a fraction of the way from @p a to @p b, which share a face. */
 PathPoint between(const PathPoint& a, const PathPoint& b, double fraction)
 {
@@ -42,6 +32,16 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double fraction)
 
 }
 
+Carriers unionOf(const PathPoint& a, const PathPoint& b)
+{
+  Carriers all = a.carriers();
+  for (Index vertex : b.carriers())
+  {
+    all.add(vertex);
+  }
+  return all;
+}
+
 Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b)
 {
   const Carriers corners = unionOf(a, b);
@@ -50,6 +50,16 @@ Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b
     return { corners[0], corners[1], corners[2] };
   }
   return mesh.triangle(mesh.trianglesWith({ corners.begin(), corners.end() }).front());
+}
+
+double weightOf(const PathPoint& point, Index vertex)
+{
+  double weight = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    weight += point.corners[i] == vertex ? point.weights[i] : 0.0;
+  }
+  return weight;
 }
 
 double lengthOf(const TriangleMesh& mesh, const SurfacePath& path)

@@ -100,6 +100,12 @@ inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
   return isVertex(a) && isVertex(b) && a.carriers()[0] == b.carriers()[0];
 }
 
+/** All vertices that carry one of two points, which may share no face. */
+Carriers unionOf(const PathPoint& a, const PathPoint& b);
+
+/** The weight that a vertex has in a point. */
+double weightOf(const PathPoint& point, Index vertex);
+
 /** A face that two consecutive points of a path lie in. */
 Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b);
 

@@ -25,12 +25,7 @@ double lengthOf(const std::vector<StraightPiece>& pieces)
 /** Whether the piece is one edge, or a part of one: no way across a face. */
 bool isAlongEdge(const StraightPiece& piece)
 {
-  Carriers corners = piece.start.carriers();
-  for (Index vertex : piece.end.carriers())
-  {
-    corners.add(vertex);
-  }
-  return piece.faces.size() == 1 && corners.size() <= 2;
+  return piece.faces.size() == 1 && unionOf(piece.start, piece.end).size() <= 2;
 }
 
 }

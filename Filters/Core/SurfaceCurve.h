@@ -1,0 +1,26 @@
+#ifndef geodesic_SurfaceCurve_h
+#define geodesic_SurfaceCurve_h
+
+#include "PathPoint.h"
+
+#include <span>
+#include <string>
+
+namespace geodesic
+{
+
+class DistanceSolver;
+
+/**
+ * The curve on the surface through some points: where consecutive ones share a face the straight
+ * segment, else the shortest path.
+ * @param solver a fast marching solver on the mesh; its field is overwritten
+ * @param name   what the points are, for the message
+ * @throws std::invalid_argument where no way over the surface joins two consecutive points
+ */
+SurfacePath joinedCurve(
+  DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name);
+
+}
+
+#endif

@@ -1,0 +1,259 @@
+// Triangles split along curves, and cut open along them.
+
+#include "SplitMesh.h"
+#include "FastMarchingSolver.h"
+#include "Solving.h"
+#include "SurfaceCurve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+double area(const TriangleMesh& mesh, Index t)
+{
+  const Triangle& c = mesh.triangle(t);
+  return 0.5 *
+    norm(
+      cross(mesh.position(c[1]) - mesh.position(c[0]), mesh.position(c[2]) - mesh.position(c[0])));
+}
+
+double area(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    sum += area(mesh, t);
+  }
+  return sum;
+}
+
+std::size_t borderEdges(const TriangleMesh& mesh)
+{
+  std::map<std::pair<Index, Index>, int> count;
+  for (const Triangle& t : mesh.triangles())
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ++count[std::minmax(t[c], t[(c + 1) % 3])];
+    }
+  }
+  std::size_t border = 0;
+  for (const auto& [edge, triangles] : count)
+  {
+    border += triangles == 1 ? 1 : 0;
+  }
+  return border;
+}
+
+SurfacePoint nearest(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
+{
+  return seedNear(mesh, position).points[0];
+}
+
+SurfacePath curveThrough(
+  const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Vector3>& positions)
+{
+  std::vector<SurfacePoint> points;
+  for (const Vector3& position : positions)
+  {
+    points.push_back(nearest(mesh, position));
+  }
+  FastMarchingSolver solver(mesh);
+  return joinedCurve(solver, points, "Test curve");
+}
+
+/** A closed regular polygon round (0.5, 0.5) in the unit square. */
+std::vector<Vector3> loop(double radius, int corners, double turn = 0.1)
+{
+  std::vector<Vector3> positions;
+  for (int i = 0; i <= corners; ++i)
+  {
+    const double angle = turn + 2.0 * std::numbers::pi * (i % corners) / corners;
+    positions.push_back({ 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), 0.0 });
+  }
+  return positions;
+}
+
+}
+
+// Curves that cross each other and themselves, on a real surface.
+TEST(SplitMesh, KeepsTheSurface)
+{
+  const auto base = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  std::vector<SurfacePath> curves;
+  for (int i = 0; i < 5; ++i)
+  {
+    std::vector<Vector3> positions;
+    for (int j = 0; j < 6; ++j)
+    {
+      positions.push_back({ coordinate(random), coordinate(random), coordinate(random) });
+    }
+    curves.push_back(curveThrough(base, positions));
+  }
+  const SplitMesh split(base, curves, {});
+  EXPECT_GT(split.mesh()->numberOfVertices(), base->numberOfVertices() + 50);
+  EXPECT_NEAR(area(*split.mesh()), area(*base), 1e-12 * area(*base));
+  EXPECT_EQ(borderEdges(*split.mesh()), borderEdges(*base));
+  for (Index t = 0; t < split.mesh()->numberOfTriangles(); ++t)
+  {
+    EXPECT_LE(area(*split.mesh(), t), area(*base, split.baseTriangleOf(t)) * (1.0 + 1e-12));
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    const std::vector<SurfacePoint> points = split.curve(i);
+    double length = 0.0;
+    for (std::size_t j = 1; j < points.size(); ++j)
+    {
+      const Index ends[] = { PathPoint::at(*split.mesh(), points[j - 1]).carriers()[0],
+        PathPoint::at(*split.mesh(), points[j]).carriers()[0] };
+      EXPECT_FALSE(split.mesh()->trianglesWith(ends).empty()) << "curve " << i << " point " << j;
+      length += norm(split.mesh()->position(ends[0]) - split.mesh()->position(ends[1]));
+    }
+    EXPECT_NEAR(length, lengthOf(*base, curves[i]), 1e-7 * length);
+  }
+}
+
+TEST(SplitMesh, FindsPointsAgain)
+{
+  const auto base = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const std::vector<SurfacePath> curves{ curveThrough(base, { { -1, 0, 0 }, { 1, 0, 0 } }) };
+  const SplitMesh split(base, curves, {});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> weight(0.0, 1.0);
+  for (Index t = 0; t < base->numberOfTriangles(); ++t)
+  {
+    SurfacePoint point{ t, { weight(random), weight(random), weight(random) } };
+    point = snapped({ t,
+      { point.weights[0] / 3.0, point.weights[1] / 3.0,
+        1.0 - (point.weights[0] + point.weights[1]) / 3.0 } });
+    const SurfacePoint there = split.pointOf(point);
+    const Vector3 back = split.basePointOf(PathPoint::at(*split.mesh(), there)).position(*base);
+    EXPECT_LT(norm(split.mesh()->positionOf(there) - base->positionOf(point)), 1e-9);
+    EXPECT_LT(norm(back - base->positionOf(point)), 1e-9);
+  }
+}
+
+// A coarse square of 8 x 8 cells, and loops of every size, also inside one cell.
+TEST(SplitMesh, ALoopConfinesTheFront)
+{
+  const auto base = meshOf(planeGrid(8, 8, 1.0, 1.0));
+  for (double radius : { 0.02, 0.05, 0.11, 0.13, 0.2, 0.31, 0.45 })
+  {
+    for (int corners : { 3, 4, 5, 7, 24 })
+    {
+      const auto positions = loop(radius, corners);
+      const std::vector<SurfacePath> cuts{ curveThrough(base, positions) };
+      const SplitMesh split(base, {}, cuts);
+      const auto excluded = split.excluded({});
+      SolveOptions options;
+      options.excluded = excluded;
+      FastMarchingSolver solver(split.mesh());
+      const auto isInside = [&](const Vector3& p)
+      {
+        for (std::size_t i = 1; i < positions.size(); ++i)
+        {
+          const Vector3 side = positions[i] - positions[i - 1];
+          if (cross(side, p - positions[i - 1]).z <= 0.0)
+          {
+            return false;
+          }
+        }
+        return true;
+      };
+      const Seed centre = Seed::atPoint(split.pointOf(nearest(base, { 0.5001, 0.5002, 0.0 })));
+      const DistanceField& field = solver.solve({ &centre, 1 }, options);
+      for (Index v = 0; v < base->numberOfVertices(); ++v)
+      {
+        EXPECT_EQ(field.isReached(split.vertexOf(v)), isInside(base->position(v)))
+          << "radius " << radius << ", " << corners << " corners, at " << base->position(v).x
+          << ", " << base->position(v).y;
+        if (field.isReached(split.vertexOf(v)))
+        {
+          EXPECT_NEAR(field.distance(split.vertexOf(v)),
+            norm(base->position(v) - Vector3{ 0.5001, 0.5002, 0.0 }), 1e-9);
+        }
+      }
+      const Seed corner = Seed::atPoint(split.pointOf(nearest(base, { 0.01, 0.02, 0.0 })));
+      const DistanceField& outside = solver.solve({ &corner, 1 }, options);
+      for (Index v = 0; v < base->numberOfVertices(); ++v)
+      {
+        EXPECT_EQ(outside.isReached(split.vertexOf(v)), !isInside(base->position(v)))
+          << "outside, radius " << radius << ", " << corners << " corners";
+      }
+    }
+  }
+}
+
+// A wall across the square but for a gap at one end: the way round its end is two straight lines.
+TEST(SplitMesh, TheFrontGoesRoundTheEndOfAWall)
+{
+  for (Index cells : { 20u, 80u })
+  {
+    const auto base = meshOf(jitteredGrid(cells, cells, 1.0, 1.0, 0.3, 4));
+    const Vector3 end{ 0.613, 0.507, 0.0 };
+    const std::vector<SurfacePath> cuts{ curveThrough(base, { { 0.0, 0.507, 0.0 }, end }) };
+    const SplitMesh split(base, {}, cuts);
+    const auto excluded = split.excluded({});
+    SolveOptions options;
+    options.excluded = excluded;
+    FastMarchingSolver solver(split.mesh());
+    const Vector3 source{ 0.2, 0.2, 0.0 };
+    const Seed seed = Seed::atPoint(split.pointOf(nearest(base, source)));
+    const DistanceField& field = solver.solve({ &seed, 1 }, options);
+    double worst = 0.0;
+    for (Index v = 0; v < base->numberOfVertices(); ++v)
+    {
+      const Vector3 p = base->position(v);
+      const bool isHidden = p.y > 0.507 && cross(end - source, p - source).z > 0.0;
+      const double exact = isHidden ? norm(end - source) + norm(p - end) : norm(p - source);
+      const double error = field.distance(split.vertexOf(v)) - exact;
+      EXPECT_GT(error, -1e-9);
+      worst = std::max(worst, error);
+    }
+    EXPECT_LT(worst, 1.0 / cells) << cells << " cells";
+  }
+}
+
+TEST(SplitMesh, ASeedOnAWallIsKnown)
+{
+  const auto base = meshOf(planeGrid(8, 8, 1.0, 1.0));
+  const std::vector<SurfacePath> cuts{ curveThrough(
+    base, { { 0.1, 0.52, 0.0 }, { 0.9, 0.57, 0.0 } }) };
+  const SplitMesh split(base, {}, cuts);
+  EXPECT_TRUE(split.isOnCut(split.pointOf(nearest(base, { 0.5, 0.545, 0.0 }))));
+  EXPECT_TRUE(split.isOnCut(split.pointOf(nearest(base, { 0.1, 0.52, 0.0 }))));
+  EXPECT_FALSE(split.isOnCut(split.pointOf(nearest(base, { 0.5, 0.546, 0.0 }))));
+  EXPECT_FALSE(split.isOnCut(split.pointOf(nearest(base, { 0.05, 0.51, 0.0 }))));
+}
+
+// Along a straight seed curve that crosses faces at any angle the field is the distance to it.
+TEST(SplitMesh, ACurveSeedCrossesFaces)
+{
+  const auto base = meshOf(jitteredGrid(50, 50, 1.0, 1.0, 0.3, 9));
+  const Vector3 a{ 0.213, 0.307, 0.0 };
+  const Vector3 b{ 0.771, 0.642, 0.0 };
+  const std::vector<SurfacePath> curves{ curveThrough(base, { a, b }) };
+  const SplitMesh split(base, curves, {});
+  const Seed seed = Seed::alongCurve(split.curve(0));
+  FastMarchingSolver solver(split.mesh());
+  const DistanceField& field = solver.solve({ &seed, 1 });
+  double sum = 0.0;
+  for (Index v = 0; v < base->numberOfVertices(); ++v)
+  {
+    const Vector3 p = base->position(v);
+    const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+    sum += std::abs(field.distance(split.vertexOf(v)) - norm(p - (a + t * (b - a))));
+  }
+  EXPECT_LT(sum / base->numberOfVertices(), 1e-6);
+}
