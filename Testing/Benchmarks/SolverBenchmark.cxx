@@ -79,14 +79,24 @@ SurfacePoint onSurface(const TriangleMesh& mesh, const SurfacePoint& point)
   return { mesh.sourceOfTriangle(point.triangle), point.weights };
 }
 
-double solveSeconds(Subject& s, const Vector3& position, const SolveOptions& options = {})
+/** One solve from a position, the search for the position's point included. */
+struct Run
 {
-  return seconds(
+  double time = 0.0;
+  /** Valid until the next run. */
+  const DistanceField* field = nullptr;
+};
+
+Run runFrom(Subject& s, const Vector3& position, const SolveOptions& options = {})
+{
+  Run run;
+  run.time = seconds(
     [&]
     {
       const Seed seed = s.seedAt(position);
-      s.solver.solve({ &seed, 1 }, options);
+      run.field = &s.solver.solve({ &seed, 1 }, options);
     });
+  return run;
 }
 
 double dijkstraSeconds(Subject& s, const Vector3& position)
@@ -108,19 +118,17 @@ void solve(benchmark::State& state, const std::string& name)
   {
     const Vector3 position = s.randomPosition();
     const double dijkstra = dijkstraSeconds(s, position);
-    const double time = solveSeconds(s, position);
-    state.SetIterationTime(time);
+    const Run run = runFrom(s, position);
+    state.SetIterationTime(run.time);
     state.counters["points"] = s.mesh->numberOfVertices();
     state.counters["dijkstra_ns"] = nanosecondsAPoint(s, dijkstra);
-    state.counters["solve_ns"] = nanosecondsAPoint(s, time);
-    state.counters["ratio"] = time / dijkstra;
+    state.counters["solve_ns"] = nanosecondsAPoint(s, run.time);
+    state.counters["ratio"] = run.time / dijkstra;
     if (s.truth)
     {
-      const Seed seed = s.seedAt(position);
-      const DistanceField& field = s.solver.solve({ &seed, 1 });
       report(state,
-        meanError(s.truth(onSurface(*s.mesh, seed.points[0])),
-          [&](Index point) { return field.distance(s.mesh->vertexOfPoint(point)); }));
+        meanError(s.truth(onSurface(*s.mesh, s.pointAt(position))),
+          [&](Index point) { return run.field->distance(s.mesh->vertexOfPoint(point)); }));
     }
   }
 }
@@ -169,7 +177,7 @@ void hundredSeeds(benchmark::State& state, const std::string& name)
   {
     std::vector<Vector3> positions(100);
     std::generate(positions.begin(), positions.end(), [&] { return s.randomPosition(); });
-    const double one = solveSeconds(s, positions[0]);
+    const double one = runFrom(s, positions[0]).time;
     const double hundred = seconds(
       [&]
       {
@@ -192,11 +200,28 @@ void growth(benchmark::State& state, const std::string& small, const std::string
   Subject& b = subject(large);
   for (auto _ : state)
   {
-    const double onSmall = nanosecondsAPoint(a, solveSeconds(a, a.randomPosition()));
-    const double time = solveSeconds(b, b.randomPosition());
+    const double onSmall = nanosecondsAPoint(a, runFrom(a, a.randomPosition()).time);
+    const double time = runFrom(b, b.randomPosition()).time;
     state.SetIterationTime(time);
     state.counters["ratio"] = nanosecondsAPoint(b, time) / onSmall;
   }
+}
+
+struct Box
+{
+  Vector3 low;
+  Vector3 high;
+};
+
+Box boxOf(const TriangleMesh& mesh)
+{
+  Box box{ mesh.position(0), mesh.position(0) };
+  for (const Vector3& p : mesh.positions())
+  {
+    box.low = { std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z) };
+    box.high = { std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z) };
+  }
+  return box;
 }
 
 /** Within one hundredth of the bounding box's diagonal, the workspace being there. */
@@ -204,27 +229,19 @@ void boundedQuery(benchmark::State& state, const std::string& name)
 {
   constexpr int queries = 50;
   Subject& s = subject(name);
-  Vector3 low = s.mesh->position(0);
-  Vector3 high = low;
-  for (const Vector3& p : s.mesh->positions())
-  {
-    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-  }
+  const Box box = boxOf(*s.mesh);
   SolveOptions options;
-  options.maximumDistance = 0.01 * norm(high - low);
+  options.maximumDistance = 0.01 * norm(box.high - box.low);
   for (auto _ : state)
   {
-    solveSeconds(s, s.randomPosition(), options);
+    runFrom(s, s.randomPosition(), options);
     double time = 0.0;
     double reached = 0.0;
     for (int i = 0; i < queries; ++i)
     {
-      const Vector3 position = s.randomPosition();
-      time += solveSeconds(s, position, options) / queries;
-      const Seed seed = s.seedAt(position);
-      reached +=
-        1.0 / queries * static_cast<double>(s.solver.solve({ &seed, 1 }, options).reached().size());
+      const Run run = runFrom(s, s.randomPosition(), options);
+      time += run.time / queries;
+      reached += static_cast<double>(run.field->reached().size()) / queries;
     }
     state.SetIterationTime(time);
     state.counters["query_us"] = 1e6 * time;
@@ -232,17 +249,14 @@ void boundedQuery(benchmark::State& state, const std::string& name)
   }
 }
 
-/** The index of closest points: its making, and queries on the surface and anywhere in its cube. */
+/** The index of closest points: its making, and queries on the surface and anywhere in its box. */
 void closestPoint(benchmark::State& state, const std::string& name)
 {
   constexpr int queries = 2000;
   Subject& s = subject(name);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  double reach = 0.0;
-  for (const Vector3& p : s.mesh->positions())
-  {
-    reach = std::max({ reach, std::abs(p.x), std::abs(p.y), std::abs(p.z) });
-  }
+  const Box box = boxOf(*s.mesh);
+  const auto between = [&](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(s.random); };
   const auto microseconds = [&](const std::vector<Vector3>& positions)
   {
     const double time = seconds(
@@ -260,13 +274,12 @@ void closestPoint(benchmark::State& state, const std::string& name)
     std::vector<Vector3> on(queries);
     std::vector<Vector3> off(queries);
     std::generate(on.begin(), on.end(), [&] { return s.randomPosition(); });
-    std::generate(off.begin(), off.end(),
-      [&]
-      {
-        const double x = uniform(s.random);
-        const double y = uniform(s.random);
-        return reach * Vector3{ x, y, uniform(s.random) };
-      });
+    for (Vector3& position : off)
+    {
+      position.x = between(box.low.x, box.high.x);
+      position.y = between(box.low.y, box.high.y);
+      position.z = between(box.low.z, box.high.z);
+    }
     const double build = seconds([&] { benchmark::DoNotOptimize(ClosestPointTree(s.mesh)); });
     state.SetIterationTime(build);
     state.counters["build_ns"] = 1e9 * build / s.mesh->numberOfTriangles();

@@ -31,6 +31,8 @@ def icosphere(levels):
     near = np.abs(np.linalg.norm(points[:, None] - points[None], axis=2) - 2) < 1e-9
     triangles = np.array([(a, b, c) for a in range(12) for b in range(a) for c in range(b)
                           if near[a, b] and near[b, c] and near[c, a]])
+    inward = np.linalg.det(points[triangles]) < 0
+    triangles[inward] = triangles[inward, ::-1]
     points /= np.linalg.norm(points, axis=1)[:, None]
     for _ in range(levels):
         sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)

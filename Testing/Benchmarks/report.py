@@ -13,6 +13,7 @@ from statistics import median
 
 TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "benchmarks.md.in")
 FILTER_MESH = "icosphere 650k"
+MIXED = "rounded tube 66k"
 SMOOTH = ["icosphere 10k", "icosphere 160k", "torus 250k", "icosphere 650k",
           "shuffled icosphere 650k", "icosphere 2.6M"]
 
@@ -60,6 +61,10 @@ def row(what, measured, at_least, aim, unit="", note=""):
     return [what, number(at_least) + unit, number(aim) + unit, number(measured) + unit + note, verdict]
 
 
+def row_without_bounds(what, measured):
+    return [what, "", "", number(measured), ""]
+
+
 def worst(medians, what, meshes):
     """The largest ratio and on which mesh."""
     mesh = max(meshes, key=lambda m: medians(what, m))
@@ -72,6 +77,7 @@ def rows_of_solve(medians):
     for mesh, at_least, aim in (
             ("Bunny 35k", 1.8, 1.2), ("Delaunay plane 160k", 2.2, 1.4), ("thin grid 160k", 10, 5)):
         yield row(f"Solve, Dijkstra times: {mesh}", medians("Solve", mesh), at_least, aim)
+    yield row_without_bounds(f"Solve, Dijkstra times: {MIXED}, edges 1:1000", medians("Solve", MIXED))
     ratio, note = worst(medians, "Setup", medians.meshes("Setup"))
     yield row("Setup, Dijkstra times: the worst of all", ratio, 1.5, 1.0, note=note)
 
@@ -107,7 +113,7 @@ def rows_of_queries(medians):
             medians("ClosestPoint", mesh, key) for key in ("build_ns", "on_surface_us", "in_box_us"))
         yield row(f"Closest point, {mesh}: build, a triangle", build, 300, 100, " ns")
         yield row(f"Closest point, {mesh}: query on the surface", on, 20, 5, " us")
-        yield row(f"Closest point, {mesh}: query anywhere in its cube", off, 20, 5, " us")
+        yield row(f"Closest point, {mesh}: query anywhere in its box", off, 20, 5, " us")
     for mesh in medians.meshes("HundredSeeds"):
         yield row(f"100 seeds against one, {mesh}", medians("HundredSeeds", mesh), 2, 1.3, "x")
     yield row("Growth: a point at 2.6M over one at 160k", medians("Growth", "icosphere 160k"), 1.3, 1.1)
@@ -126,6 +132,8 @@ def rows_of_errors(medians):
                 ("thin grid 160k", 1e-9, 1e-10), ("Bunny 35k", 2.5e-3, 1.5e-3)):
             yield row(f"Mean error, in parts {words}: {mesh}", medians("Solve", mesh, counter),
                       at_least, aim)
+        yield row_without_bounds(f"Mean error, in parts {words}: {MIXED}, edges 1:1000",
+                                 medians("Solve", MIXED, counter))
 
 
 def table_of_meshes(medians):
