@@ -3,7 +3,7 @@
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk pvpython gui install. Without any, all tests are run.
 #        bash Testing/run.sh bench
-# Runs the benchmarks instead, for six to ten minutes, and writes Plugin/Documentation/benchmarks.md.
+# Runs the benchmarks instead, for about five minutes, and writes Plugin/Documentation/benchmarks.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
