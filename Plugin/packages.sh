@@ -32,6 +32,7 @@ test_packages=(
   imagemagick
   libbenchmark-dev
   libcgal-dev
+  libeigen3-dev
   libgmp-dev
   libgtest-dev
   libmpfr-dev

@@ -2,6 +2,8 @@
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk pvpython gui install. Without any, all tests are run.
+#        bash Testing/run.sh bench
+# Runs the benchmarks instead, for about five minutes, and writes Plugin/Documentation/benchmarks.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
@@ -43,6 +45,11 @@ check_labels()
 }
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
+if [[ $* == bench ]]; then
+  cmake --preset bench
+  cmake --build --preset bench
+  exit
+fi
 check_format
 cmake --preset dev -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build --preset dev

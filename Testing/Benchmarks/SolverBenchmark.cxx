@@ -1,22 +1,19 @@
-// The whole-field solve beside Dijkstra's on the same mesh, with the relative error of the field:
-//   SolverBenchmark
-// Times are medians in nanoseconds a vertex, ratios medians of the runs' ratios; to be run on one
-// core.
+// The core's times, errors and memory beside Dijkstra's and the heat method's:
+//   SolverBenchmark [--tiny] [Google Benchmark's options]
+// Every repetition takes another random source and runs what is compared right after each other, so
+// that the ratios, of which the medians count, are little disturbed by what else the machine does.
+// To be run on one core; suite.py does so and makes the document.
 
-#include "DijkstraSolver.h"
-#include "ExactDistances.h"
-#include "FastMarchingSolver.h"
-#include "Solving.h"
-#include "TriangleMesh.h"
+#include "HeapMeter.h"
+#include "HeatMethod.h"
+#include "Subject.h"
+
+#include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <functional>
-#include <queue>
-#include <random>
-#include <string>
+#include <ctime>
+#include <string_view>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -24,172 +21,344 @@ using namespace geodesic::testing;
 namespace
 {
 
-constexpr int Runs = 5;
-
-double seconds(const std::function<void()>& work)
+/** Of this process, so that what else runs on the core does not count. */
+double processorSeconds()
 {
-  const auto start = std::chrono::steady_clock::now();
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+template <class Work>
+double seconds(const Work& work)
+{
+  const double start = processorSeconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return processorSeconds() - start;
 }
 
-double median(std::vector<double> values)
+/** Mean errors over all points whose distance is known: in parts of the largest, and of each own.
+ */
+struct MeanError
 {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-/** The yardstick: textbook Dijkstra with a binary heap on flat arrays, lengths stored. */
-class YardstickDijkstra
-{
-public:
-  explicit YardstickDijkstra(const TriangleMesh& mesh)
-    : Distances(mesh.numberOfVertices())
-  {
-    for (Index v = 0; v < mesh.numberOfVertices(); ++v)
-    {
-      this->Starts.push_back(static_cast<Index>(this->Edges.size()));
-      std::vector<Index> neighbours;
-      for (const RingEntry& entry : mesh.ring(v))
-      {
-        neighbours.push_back(entry.neighbour());
-      }
-      std::sort(neighbours.begin(), neighbours.end());
-      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-      for (Index n : neighbours)
-      {
-        this->Edges.push_back({ norm(mesh.position(n) - mesh.position(v)), n });
-      }
-    }
-    this->Starts.push_back(static_cast<Index>(this->Edges.size()));
-  }
-
-  double solve(Index source)
-  {
-    std::fill(this->Distances.begin(), this->Distances.end(), DistanceField::Unreached);
-    std::priority_queue<Trial, std::vector<Trial>, std::greater<>> heap;
-    this->Distances[source] = 0.0;
-    heap.push({ 0.0, source });
-    double last = 0.0;
-    while (!heap.empty())
-    {
-      const auto [distance, vertex] = heap.top();
-      heap.pop();
-      if (distance > this->Distances[vertex])
-      {
-        continue;
-      }
-      last = distance;
-      for (Index e = this->Starts[vertex]; e < this->Starts[vertex + 1]; ++e)
-      {
-        const double through = distance + this->Edges[e].length;
-        if (through < this->Distances[this->Edges[e].to])
-        {
-          this->Distances[this->Edges[e].to] = through;
-          heap.push({ through, this->Edges[e].to });
-        }
-      }
-    }
-    return last;
-  }
-
-private:
-  struct Edge
-  {
-    double length;
-    Index to;
-  };
-  using Trial = std::pair<double, Index>;
-  std::vector<Index> Starts;
-  std::vector<Edge> Edges;
-  std::vector<double> Distances;
+  double ofLargest = 0.0;
+  double ofOwn = 0.0;
 };
 
-/** The true distance of each point from a source. */
-using Truth = std::function<std::vector<double>(Index source)>;
-
-/** Mean error of all points, in parts of the largest distance; a true -1 is a point off the
- * surface. */
-double errorOfLargest(const std::vector<double>& distances, const std::vector<double>& truth)
+template <class DistanceAt>
+MeanError meanError(const std::vector<double>& truth, DistanceAt distanceAt)
 {
-  const double largest = *std::max_element(truth.begin(), truth.end());
-  double sum = 0.0;
+  MeanError error;
+  double largest = 0.0;
   std::size_t counted = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
+  for (Index point = 0; point < truth.size(); ++point)
   {
-    if (truth[i] >= 0.0)
+    if (truth[point] > 0.0)
     {
-      sum += std::abs(distances[i] - truth[i]);
+      const double off = std::abs(distanceAt(point) - truth[point]);
+      error.ofLargest += off;
+      error.ofOwn += off / truth[point];
+      largest = std::max(largest, truth[point]);
       ++counted;
     }
   }
-  return sum / largest / static_cast<double>(counted);
+  error.ofLargest /= largest * static_cast<double>(counted);
+  error.ofOwn /= static_cast<double>(counted);
+  return error;
 }
 
-void measure(const std::string& name, const Surface& surface, const Truth& truth)
+void report(benchmark::State& state, const MeanError& error)
 {
-  const auto mesh = meshOf(surface);
-  YardstickDijkstra dijkstra(*mesh);
-  FastMarchingSolver solver(mesh);
-  std::mt19937 random(1);
-  std::vector<double> setup, yardstick, marching, ratio;
-  double ofLargest = 0.0;
-  double ofOwn = 0.0;
-  for (int run = 0; run < Runs; ++run)
-  {
-    const Index source = random() % mesh->numberOfVertices();
-    const Seed seed = Seed::atPoint(mesh->pointAtVertex(source));
-    setup.push_back(seconds([&] { meshOf(surface); }));
-    yardstick.push_back(seconds([&] { dijkstra.solve(source); }));
-    marching.push_back(seconds([&] { solver.solve({ &seed, 1 }); }));
-    ratio.push_back(marching.back() / yardstick.back());
-    const auto d = distances<FastMarchingSolver>(mesh, { seed });
-    const auto exact = truth(mesh->pointOfVertex(source));
-    ofLargest += errorOfLargest(d, exact) / Runs;
-    ofOwn += relativeError(d, exact).mean / Runs;
-  }
-  const double perVertex = 1e9 / mesh->numberOfVertices();
-  std::printf("%-16s %8u vertices  Dijkstra %6.1f ns  setup %6.1f ns  march %6.1f ns  ratio %5.2f"
-              "  mean error %.2e of the largest distance, %.2e of each point's own\n",
-    name.c_str(), mesh->numberOfVertices(), perVertex * median(yardstick),
-    perVertex * median(setup), perVertex * median(marching), median(ratio), ofLargest, ofOwn);
+  state.counters["error_of_largest"] = error.ofLargest;
+  state.counters["error_of_own"] = error.ofOwn;
 }
 
-std::vector<double> straightLines(const Surface& surface, Index source)
+/** A point of the mesh as one of the surface it was made from. */
+SurfacePoint onSurface(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  std::vector<double> truth;
-  for (const Vector3& p : surface.points)
-  {
-    truth.push_back(norm(p - surface.points[source]));
-  }
-  return truth;
+  return { mesh.sourceOfTriangle(point.triangle), point.weights };
 }
 
-std::vector<double> greatCircles(const Surface& sphere, Index source)
+/** One solve from a position, the search for the position's point included. */
+struct Run
 {
-  std::vector<double> truth;
-  const Vector3& a = sphere.points[source];
-  for (const Vector3& b : sphere.points)
-  {
-    truth.push_back(std::atan2(norm(cross(a, b)), dot(a, b)));
-  }
-  return truth;
-}
+  double time = 0.0;
+  /** Valid until the next run. */
+  const DistanceField* field = nullptr;
+};
 
-}
-
-int main()
+Run runFrom(Subject& s, const Vector3& position, const SolveOptions& options = {})
 {
-  for (int levels : { 5, 7, 8 })
+  Run run;
+  run.time = seconds(
+    [&]
+    {
+      const Seed seed = s.seedAt(position);
+      run.field = &s.solver.solve({ &seed, 1 }, options);
+    });
+  return run;
+}
+
+double dijkstraSeconds(Subject& s, const Vector3& position)
+{
+  const Index source = s.vertexNear(s.pointAt(position));
+  return seconds([&] { benchmark::DoNotOptimize(s.dijkstra.solve(source)); });
+}
+
+double nanosecondsAPoint(const Subject& s, double time)
+{
+  return 1e9 * time / s.mesh->numberOfVertices();
+}
+
+/** The whole field from one seed. */
+void solve(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  for (auto _ : state)
   {
-    const Surface sphere = icosphere(levels);
-    measure("icosphere", sphere, [&](Index source) { return greatCircles(sphere, source); });
+    const Vector3 position = s.randomPosition();
+    const double dijkstra = dijkstraSeconds(s, position);
+    const Run run = runFrom(s, position);
+    state.SetIterationTime(run.time);
+    state.counters["points"] = s.mesh->numberOfVertices();
+    state.counters["dijkstra_ns"] = nanosecondsAPoint(s, dijkstra);
+    state.counters["solve_ns"] = nanosecondsAPoint(s, run.time);
+    state.counters["ratio"] = run.time / dijkstra;
+    if (s.truth)
+    {
+      report(state,
+        meanError(s.truth(onSurface(*s.mesh, s.pointAt(position))),
+          [&](Index point) { return run.field->distance(s.mesh->vertexOfPoint(point)); }));
+    }
   }
-  const Surface plane = delaunayPlane(160000, 1);
-  measure("Delaunay plane", plane, [&](Index source) { return straightLines(plane, source); });
-  const Surface thin = jitteredGrid(1265, 126, 1.0, 1.0, 0.4, 1);
-  measure("thin grid", thin, [&](Index source) { return straightLines(thin, source); });
-  const Surface bunny = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
-  measure("Bunny", bunny, [&](Index source) { return exactDistances(bunny, { source }); });
+}
+
+/** What is made once for an input. */
+void setup(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  for (auto _ : state)
+  {
+    const double dijkstra = dijkstraSeconds(s, s.randomPosition());
+    const double time = seconds([&] { benchmark::DoNotOptimize(setUp(s.surface)); });
+    state.SetIterationTime(time);
+    state.counters["setup_ns"] = nanosecondsAPoint(s, time);
+    state.counters["ratio"] = time / dijkstra;
+  }
+}
+
+void heat(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  for (auto _ : state)
+  {
+    std::unique_ptr<HeatMethod> method;
+    state.counters["setup_ns"] =
+      nanosecondsAPoint(s, seconds([&] { method = std::make_unique<HeatMethod>(*s.mesh); }));
+    const Vector3 position = s.randomPosition();
+    const Index vertex = s.vertexNear(s.pointAt(position));
+    const double dijkstra = dijkstraSeconds(s, position);
+    std::vector<double> distances;
+    const double time = seconds([&] { distances = method->solve(vertex); });
+    state.SetIterationTime(time);
+    state.counters["solve_ns"] = nanosecondsAPoint(s, time);
+    state.counters["ratio"] = time / dijkstra;
+    report(state,
+      meanError(s.truth(onSurface(*s.mesh, s.mesh->pointAtVertex(vertex))),
+        [&](Index point) { return distances[s.mesh->vertexOfPoint(point)]; }));
+  }
+}
+
+/** A hundred seeds, each with a label of its own, against one. */
+void hundredSeeds(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  for (auto _ : state)
+  {
+    std::vector<Vector3> positions(100);
+    std::generate(positions.begin(), positions.end(), [&] { return s.randomPosition(); });
+    const double one = runFrom(s, positions[0]).time;
+    const double hundred = seconds(
+      [&]
+      {
+        std::vector<Seed> seeds;
+        for (const Vector3& position : positions)
+        {
+          seeds.push_back(s.seedAt(position));
+        }
+        s.solver.solve(seeds);
+      });
+    state.SetIterationTime(hundred);
+    state.counters["ratio"] = hundred / one;
+  }
+}
+
+/** Time a point on the large mesh over that on the small one. */
+void growth(benchmark::State& state, const std::string& small, const std::string& large)
+{
+  Subject& a = subject(small);
+  Subject& b = subject(large);
+  for (auto _ : state)
+  {
+    const double onSmall = nanosecondsAPoint(a, runFrom(a, a.randomPosition()).time);
+    const double time = runFrom(b, b.randomPosition()).time;
+    state.SetIterationTime(time);
+    state.counters["ratio"] = nanosecondsAPoint(b, time) / onSmall;
+  }
+}
+
+struct Box
+{
+  Vector3 low;
+  Vector3 high;
+};
+
+Box boxOf(const TriangleMesh& mesh)
+{
+  Box box{ mesh.position(0), mesh.position(0) };
+  for (const Vector3& p : mesh.positions())
+  {
+    box.low = { std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z) };
+    box.high = { std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z) };
+  }
+  return box;
+}
+
+/** Within one hundredth of the bounding box's diagonal, the workspace being there. */
+void boundedQuery(benchmark::State& state, const std::string& name)
+{
+  constexpr int queries = 50;
+  Subject& s = subject(name);
+  const Box box = boxOf(*s.mesh);
+  SolveOptions options;
+  options.maximumDistance = 0.01 * norm(box.high - box.low);
+  for (auto _ : state)
+  {
+    runFrom(s, s.randomPosition(), options);
+    double time = 0.0;
+    double reached = 0.0;
+    for (int i = 0; i < queries; ++i)
+    {
+      const Run run = runFrom(s, s.randomPosition(), options);
+      time += run.time / queries;
+      reached += static_cast<double>(run.field->reached().size()) / queries;
+    }
+    state.SetIterationTime(time);
+    state.counters["query_us"] = 1e6 * time;
+    state.counters["reached"] = reached;
+  }
+}
+
+/** The index of closest points: its making, and queries on the surface and anywhere in its box. */
+void closestPoint(benchmark::State& state, const std::string& name)
+{
+  constexpr int queries = 2000;
+  Subject& s = subject(name);
+  const Box box = boxOf(*s.mesh);
+  const auto between = [&](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(s.random); };
+  const auto microseconds = [&](const std::vector<Vector3>& positions)
+  {
+    const double time = seconds(
+      [&]
+      {
+        for (const Vector3& position : positions)
+        {
+          benchmark::DoNotOptimize(s.tree.closestPoint(position));
+        }
+      });
+    return 1e6 * time / queries;
+  };
+  for (auto _ : state)
+  {
+    std::vector<Vector3> on(queries);
+    std::vector<Vector3> off(queries);
+    std::generate(on.begin(), on.end(), [&] { return s.randomPosition(); });
+    for (Vector3& position : off)
+    {
+      position.x = between(box.low.x, box.high.x);
+      position.y = between(box.low.y, box.high.y);
+      position.z = between(box.low.z, box.high.z);
+    }
+    const double build = seconds([&] { benchmark::DoNotOptimize(ClosestPointTree(s.mesh)); });
+    state.SetIterationTime(build);
+    state.counters["build_ns"] = 1e9 * build / s.mesh->numberOfTriangles();
+    state.counters["on_surface_us"] = microseconds(on);
+    state.counters["in_box_us"] = microseconds(off);
+  }
+}
+
+/** Bytes a point of everything beside the surface itself. */
+void memory(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  const double points = s.mesh->numberOfVertices();
+  for (auto _ : state)
+  {
+    const HeapMeter meter;
+    const auto mesh = setUp(s.surface);
+    FastMarchingSolver solver(mesh);
+    const Seed byId = Seed::atPoint(mesh->pointAtVertex(0));
+    solver.solve({ &byId, 1 });
+    state.counters["held"] = static_cast<double>(meter.held()) / points;
+    state.counters["peak"] = static_cast<double>(meter.peak()) / points;
+    const ClosestPointTree tree(mesh);
+    const Seed byPosition = Seed::atPoint(tree.closestPoint(s.randomPosition()).point);
+    solver.solve({ &byPosition, 1 });
+    state.counters["held_with_index"] = static_cast<double>(meter.held()) / points;
+    state.SetIterationTime(1.0);
+  }
+}
+
+template <class Function, class... Names>
+benchmark::internal::Benchmark* add(
+  const char* what, Function function, const std::string& name, const Names&... names)
+{
+  return benchmark::RegisterBenchmark((std::string(what) + "/" + name).c_str(),
+    [=](benchmark::State& state) { function(state, name, names...); })
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->Repetitions(7);
+}
+
+void addAll()
+{
+  for (const std::string& name : subjectNames())
+  {
+    add("Solve", solve, name);
+    add("Setup", setup, name);
+  }
+  for (const char* name : { "icosphere 10k", "Bunny 35k", "icosphere 160k", "Delaunay plane 160k",
+         "thin grid 160k", "rounded tube 66k" })
+  {
+    add("Heat", heat, name)->Repetitions(3);
+  }
+  add("HundredSeeds", hundredSeeds, "icosphere 160k");
+  add("HundredSeeds", hundredSeeds, "Delaunay plane 160k");
+  add("Growth", growth, "icosphere 160k", std::string("icosphere 2.6M"));
+  add("BoundedQuery", boundedQuery, "icosphere 2.6M");
+  add("ClosestPoint", closestPoint, "Bunny 35k");
+  add("ClosestPoint", closestPoint, "icosphere 650k");
+  add("Memory", memory, "icosphere 650k")->Repetitions(1);
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  char** const end = std::remove(argv + 1, argv + argc, std::string_view("--tiny"));
+  if (end != argv + argc)
+  {
+    useTinySubjects();
+    argc = static_cast<int>(end - argv);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+  {
+    return 1;
+  }
+  addAll();
+  benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -3,6 +3,7 @@
 #include "DijkstraSolver.h"
 #include "ExactDistances.h"
 #include "FastMarchingSolver.h"
+#include "RoundedTube.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -81,6 +82,26 @@ TEST(AnalyticField, ThinTrianglesAreNoLessExact)
   const auto mesh = meshOf(thin);
   const auto d = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 2110) });
   EXPECT_LT(relativeError(d, straightLines(thin, thin.points[2110])).largest, 1e-9);
+}
+
+// Edges of 1 and of 1/1000 beside each other, as on CAD surfaces: needles, folds, seeds in faces.
+TEST(AnalyticField, AMeshOfMixedEdgeLengthsIsUnrolled)
+{
+  const RoundedTube tube(2, 8, 1000.0, 1);
+  const auto mesh = meshOf(tube.surface());
+  for (Index source : { 0u, 333u, 1500u, 2900u })
+  {
+    const SurfacePoint inInput{ source, { 0.5, 0.3, 0.2 } };
+    Index triangle = 0;
+    while (mesh->sourceOfTriangle(triangle) != source)
+    {
+      ++triangle;
+      ASSERT_LT(triangle, mesh->numberOfTriangles());
+    }
+    const auto d =
+      distances<FastMarchingSolver>(mesh, { Seed::atPoint({ triangle, inInput.weights }) });
+    EXPECT_LT(relativeError(d, tube.distancesFrom(inInput)).largest, 1e-9);
+  }
 }
 
 // Great circle: d = R acos(p.q). First order scheme: halving the edges halves the error.

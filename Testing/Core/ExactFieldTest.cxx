@@ -3,6 +3,7 @@
 #include "DijkstraSolver.h"
 #include "ExactDistances.h"
 #include "FastMarchingSolver.h"
+#include "RoundedTube.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,18 @@ protected:
   const std::shared_ptr<const TriangleMesh> mesh = meshOf(surface);
 };
 
+}
+
+// The oracle itself, from inside faces of all shapes, where two truths are at hand.
+TEST(ExactOracle, AgreesWithTheUnrolledTube)
+{
+  const RoundedTube tube(1, 4, 10.0, 1);
+  for (Index source : { 0u, 333u, 700u })
+  {
+    const SurfacePoint point{ source, { 0.5, 0.3, 0.2 } };
+    const auto exact = exactDistancesFrom(tube.surface(), point);
+    EXPECT_LT(relativeError(exact, tube.distancesFrom(point)).largest, 1e-9);
+  }
 }
 
 // First order accurate: half a per cent on Spot's 3,000 points.

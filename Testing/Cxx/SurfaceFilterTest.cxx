@@ -39,6 +39,14 @@ vtkSmartPointer<vtkPolyData> soupOf(vtkPolyData* surface)
   return soup;
 }
 
+/** A surface of its own, of which nothing is known yet. */
+vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* surface)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(surface);
+  return copy;
+}
+
 class SurfaceFilter : public ::testing::Test
 {
 protected:
@@ -141,6 +149,65 @@ TEST_F(SurfaceFilter, MaximumDistanceIsSharpAndCanBeZero)
   this->Filter->SetMaximumDistance(0.0);
   this->run(surface);
   EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 1);
+}
+
+// The filter keeps its solver: nothing of the field of the former seeds may stay.
+TEST_F(SurfaceFilter, MovedAndRemovedSeedsStartANewField)
+{
+  const auto bunny = readData("Bunny.vtp");
+  const auto give = [](vtkSurfaceGeodesicDistance* filter, const std::vector<vtkIdType>& positions,
+                      const std::vector<vtkIdType>& ids, vtkPolyData* surface)
+  {
+    filter->ClearSeedPositions();
+    filter->ClearSeedPointIds();
+    for (vtkIdType point : positions)
+    {
+      double p[3];
+      surface->GetPoint(point, p);
+      filter->AddSeedPosition(p[0] + 1e-4, p[1], p[2]);
+    }
+    for (vtkIdType id : ids)
+    {
+      filter->AddSeedPointId(id);
+    }
+  };
+  struct Seeds
+  {
+    std::vector<vtkIdType> positions;
+    std::vector<vtkIdType> ids;
+  };
+  // Both; one moved a little; one moved far and to a point; removed down to one; one more again.
+  const std::vector<Seeds> edits{ { { 17, 20000 }, {} }, { { 18, 20000 }, {} },
+    { { 18 }, { 30000 } }, { { 18 }, {} }, { {}, { 4000 } }, { { 17 }, { 4000, 9000 } } };
+  for (int method :
+    { vtkSurfaceGeodesicDistance::FAST_MARCHING, vtkSurfaceGeodesicDistance::DIJKSTRA })
+  {
+    this->Filter->SetMethod(method);
+    for (const Seeds& seeds : edits)
+    {
+      give(this->Filter, seeds.positions, seeds.ids, bunny);
+      vtkDataArray* warm = this->run(bunny);
+      vtkNew<vtkSurfaceGeodesicDistance> cold;
+      cold->SetMethod(method);
+      give(cold, seeds.positions, seeds.ids, bunny);
+      cold->SetInputDataObject(copyOf(bunny));
+      ASSERT_EQ(errorsOf(cold.Get()), "");
+      auto* output = vtkPolyData::SafeDownCast(cold->GetOutputDataObject(0));
+      vtkDataArray* expected = output->GetPointData()->GetArray("GeodesicDistance");
+      for (vtkIdType i = 0; i < bunny->GetNumberOfPoints(); ++i)
+      {
+        const double value = expected->GetComponent(i, 0);
+        if (std::isnan(value))
+        {
+          ASSERT_TRUE(std::isnan(warm->GetComponent(i, 0)));
+        }
+        else
+        {
+          ASSERT_EQ(warm->GetComponent(i, 0), value);
+        }
+      }
+    }
+  }
 }
 
 TEST_F(SurfaceFilter, DijkstraFollowsEdges)

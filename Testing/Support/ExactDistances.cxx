@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -18,9 +19,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
-}
 
-std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
+Mesh meshOf(const Surface& surface)
 {
   Mesh mesh;
   for (const Vector3& p : surface.points)
@@ -35,11 +35,11 @@ std::vector<double> exactDistances(const Surface& surface, const std::vector<Ind
       throw std::runtime_error("the exact oracle needs a manifold surface");
     }
   }
-  ShortestPath paths(mesh);
-  for (Index source : sources)
-  {
-    paths.add_source_point(Mesh::Vertex_index(source));
-  }
+  return mesh;
+}
+
+std::vector<double> distancesBy(ShortestPath& paths, const Mesh& mesh)
+{
   std::vector<double> distances;
   for (Mesh::Vertex_index v : mesh.vertices())
   {
@@ -47,6 +47,39 @@ std::vector<double> exactDistances(const Surface& surface, const std::vector<Ind
       mesh.is_isolated(v) ? -1.0 : paths.shortest_distance_to_source_points(v).first);
   }
   return distances;
+}
+
+}
+
+std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
+{
+  const Mesh mesh = meshOf(surface);
+  ShortestPath paths(mesh);
+  for (Index source : sources)
+  {
+    paths.add_source_point(Mesh::Vertex_index(source));
+  }
+  return distancesBy(paths, mesh);
+}
+
+std::vector<double> exactDistancesFrom(const Surface& surface, const SurfacePoint& source)
+{
+  const Mesh mesh = meshOf(surface);
+  ShortestPath paths(mesh);
+  // CGAL's weights start at the corner that the face's halfedge comes from, which need not be the
+  // first one given.
+  const Mesh::Face_index face(source.triangle);
+  const Triangle& corners = surface.triangles[source.triangle];
+  Traits::Barycentric_coordinates weights{};
+  Mesh::Halfedge_index halfedge = mesh.halfedge(face);
+  for (double& weight : weights)
+  {
+    const auto corner = std::find(corners.begin(), corners.end(), mesh.source(halfedge).idx());
+    weight = source.weights[corner - corners.begin()];
+    halfedge = mesh.next(halfedge);
+  }
+  paths.add_source_point(face, weights);
+  return distancesBy(paths, mesh);
 }
 
 double distanceToTriangle(

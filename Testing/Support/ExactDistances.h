@@ -1,6 +1,7 @@
 #ifndef geodesic_testing_ExactDistances_h
 #define geodesic_testing_ExactDistances_h
 
+#include "SurfacePoint.h"
 #include "Surfaces.h"
 
 #include <vector>
@@ -14,6 +15,9 @@ namespace geodesic::testing
  * can't be reached. The surface must be manifold.
  */
 std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources);
+
+/** The same from one point in a triangle of the surface. */
+std::vector<double> exactDistancesFrom(const Surface& surface, const SurfacePoint& source);
 
 /** Distance from a point in space to a triangle, by CGAL. */
 double distanceToTriangle(

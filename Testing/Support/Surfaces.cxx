@@ -21,7 +21,8 @@ void addCell(Surface& surface, Index a, Index b, Index c, Index d)
   surface.triangles.push_back({ a, c, d });
 }
 
-/** Cells between rings of points; the last point of a ring is followed by its first. */
+}
+
 void addRingCells(Surface& surface, Index first, Index around, Index rings)
 {
   for (Index ring = 0; ring + 1 < rings; ++ring)
@@ -33,8 +34,6 @@ void addRingCells(Surface& surface, Index first, Index around, Index rings)
       addCell(surface, low + i, low + next, low + around + next, low + around + i);
     }
   }
-}
-
 }
 
 Surface planeGrid(Index columns, Index rows, double width, double height)

@@ -32,6 +32,8 @@ Surface torus(Index around, Index across, double majorRadius, double minorRadius
 Surface cylinder(Index around, Index along, double radius, double height);
 /** Open cone with its apex (point 0) at the origin; @p slope is the side's length. */
 Surface cone(Index around, Index along, double radius, double slope);
+/** Adds the cells between rings of points; the last point of a ring is followed by its first. */
+void addRingCells(Surface& surface, Index first, Index around, Index rings);
 /** Several surfaces as one, not connected. */
 Surface joined(const Surface& a, const Surface& b);
 /** The same surface with points and triangles in random order; newId[i] is point i's new id. */
