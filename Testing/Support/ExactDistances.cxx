@@ -1,5 +1,8 @@
 #include "ExactDistances.h"
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,9 +21,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
-}
 
-std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
+Mesh meshFrom(const Surface& surface)
 {
   Mesh mesh;
   for (const Vector3& p : surface.points)
@@ -35,11 +37,11 @@ std::vector<double> exactDistances(const Surface& surface, const std::vector<Ind
       throw std::runtime_error("the exact oracle needs a manifold surface");
     }
   }
-  ShortestPath paths(mesh);
-  for (Index source : sources)
-  {
-    paths.add_source_point(Mesh::Vertex_index(source));
-  }
+  return mesh;
+}
+
+std::vector<double> distancesToSources(const Mesh& mesh, ShortestPath& paths)
+{
   std::vector<double> distances;
   for (Mesh::Vertex_index v : mesh.vertices())
   {
@@ -47,6 +49,38 @@ std::vector<double> exactDistances(const Surface& surface, const std::vector<Ind
       mesh.is_isolated(v) ? -1.0 : paths.shortest_distance_to_source_points(v).first);
   }
   return distances;
+}
+}
+
+std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
+{
+  const Mesh mesh = meshFrom(surface);
+  ShortestPath paths(mesh);
+  for (Index source : sources)
+  {
+    paths.add_source_point(Mesh::Vertex_index(source));
+  }
+  return distancesToSources(mesh, paths);
+}
+
+std::vector<double> exactDistancesFromPositions(
+  const Surface& surface, const std::vector<Vector3>& positions)
+{
+  const Mesh mesh = meshFrom(surface);
+  ShortestPath paths(mesh);
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> tree;
+  paths.build_aabb_tree(tree);
+  for (const Vector3& p : positions)
+  {
+    ShortestPath::Face_location location = paths.locate(Kernel::Point_3(p.x, p.y, p.z), tree);
+    // CGAL knows vertices and edges by weights of exactly 0.
+    for (double& weight : location.second)
+    {
+      weight = std::abs(weight) < 1e-9 ? 0.0 : weight;
+    }
+    paths.add_source_point(location);
+  }
+  return distancesToSources(mesh, paths);
 }
 
 double distanceToTriangle(
