@@ -1,5 +1,8 @@
 #include "ExactDistances.h"
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -48,7 +51,26 @@ std::vector<double> distancesBy(ShortestPath& paths, const Mesh& mesh)
   }
   return distances;
 }
+}
 
+std::vector<double> exactDistancesFromPositions(
+  const Surface& surface, const std::vector<Vector3>& positions)
+{
+  const Mesh mesh = meshOf(surface);
+  ShortestPath paths(mesh);
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> tree;
+  paths.build_aabb_tree(tree);
+  for (const Vector3& p : positions)
+  {
+    ShortestPath::Face_location location = paths.locate(Kernel::Point_3(p.x, p.y, p.z), tree);
+    // CGAL knows vertices and edges by weights of exactly 0.
+    for (double& weight : location.second)
+    {
+      weight = std::abs(weight) < 1e-9 ? 0.0 : weight;
+    }
+    paths.add_source_point(location);
+  }
+  return distancesBy(paths, mesh);
 }
 
 std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)

@@ -15,6 +15,9 @@ namespace geodesic::testing
  * can't be reached. The surface must be manifold.
  */
 std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources);
+/** The same from the points of the surface that are nearest to some positions. */
+std::vector<double> exactDistancesFromPositions(
+  const Surface& surface, const std::vector<Vector3>& positions);
 
 /** The same from one point in a triangle of the surface. */
 std::vector<double> exactDistancesFrom(const Surface& surface, const SurfacePoint& source);
