@@ -3,6 +3,7 @@
 #include "FieldArray.h"
 
 #include "DistanceField.h"
+#include "SplitMesh.h"
 #include "TriangleMesh.h"
 
 #include "vtkDoubleArray.h"
@@ -13,51 +14,55 @@ namespace geodesic::bridge
 namespace
 {
 
-bool isReached(const TriangleMesh& mesh, const DistanceField& field, Index point)
+/** Calls @p visit with each of the input's points and its vertex in the field, or NoIndex. */
+template <class Visit>
+void visitPoints(const FieldOnInput& input, Visit&& visit)
 {
-  const Index vertex = mesh.vertexOfPoint(point);
-  return vertex != NoIndex && field.isReached(vertex);
+  for (Index point = 0; point < input.mesh.numberOfPoints(); ++point)
+  {
+    Index vertex = input.mesh.vertexOfPoint(point);
+    if (input.split && vertex != NoIndex)
+    {
+      vertex = input.split->vertexOf(vertex);
+    }
+    visit(point, vertex != NoIndex && input.field.isReached(vertex) ? vertex : NoIndex);
+  }
 }
 
 }
 
 vtkSmartPointer<vtkDoubleArray> distanceArray(
-  const TriangleMesh& mesh, const DistanceField& field, double unreached, const char* name)
+  const FieldOnInput& input, double unreached, const char* name)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
-  array->SetNumberOfTuples(mesh.numberOfPoints());
+  array->SetNumberOfTuples(input.mesh.numberOfPoints());
   double* values = array->GetPointer(0);
-  for (Index i = 0; i < mesh.numberOfPoints(); ++i)
-  {
-    values[i] = isReached(mesh, field, i) ? field.distance(mesh.vertexOfPoint(i)) : unreached;
-  }
+  visitPoints(input,
+    [&](Index point, Index vertex)
+    { values[point] = vertex == NoIndex ? unreached : input.field.distance(vertex); });
   return array;
 }
 
-vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(
-  const TriangleMesh& mesh, const DistanceField& field, const char* name)
+vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name)
 {
   auto array = vtkSmartPointer<vtkIdTypeArray>::New();
   array->SetName(name);
-  array->SetNumberOfTuples(mesh.numberOfPoints());
+  array->SetNumberOfTuples(input.mesh.numberOfPoints());
   vtkIdType* values = array->GetPointer(0);
-  for (Index i = 0; i < mesh.numberOfPoints(); ++i)
-  {
-    values[i] = isReached(mesh, field, i)
-      ? static_cast<vtkIdType>(field.nearestSeed(mesh.vertexOfPoint(i)))
-      : -1;
-  }
+  visitPoints(input,
+    [&](Index point, Index vertex)
+    {
+      values[point] =
+        vertex == NoIndex ? -1 : static_cast<vtkIdType>(input.field.nearestSeed(vertex));
+    });
   return array;
 }
 
-vtkIdType numberOfReachedPoints(const TriangleMesh& mesh, const DistanceField& field)
+vtkIdType numberOfReachedPoints(const FieldOnInput& input)
 {
   vtkIdType count = 0;
-  for (Index i = 0; i < mesh.numberOfPoints(); ++i)
-  {
-    count += isReached(mesh, field, i) ? 1 : 0;
-  }
+  visitPoints(input, [&](Index, Index vertex) { count += vertex == NoIndex ? 0 : 1; });
   return count;
 }
 

@@ -12,22 +12,30 @@ class vtkIdTypeArray;
 namespace geodesic
 {
 class DistanceField;
+class SplitMesh;
 class TriangleMesh;
 }
 
 namespace geodesic::bridge
 {
 
+/** A field of distances and the input's mesh, or that and the split copy which has the field. */
+struct FieldOnInput
+{
+  const TriangleMesh& mesh;
+  const DistanceField& field;
+  const SplitMesh* split = nullptr;
+};
+
 /** The distances at the input's points, @p unreached where there is none; one component. */
 vtkSmartPointer<vtkDoubleArray> distanceArray(
-  const TriangleMesh& mesh, const DistanceField& field, double unreached, const char* name);
+  const FieldOnInput& input, double unreached, const char* name);
 
 /** The numbers of the nearest seeds at the input's points, -1 where there is none. */
-vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(
-  const TriangleMesh& mesh, const DistanceField& field, const char* name);
+vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
 /** How many of the input's points have a distance. */
-vtkIdType numberOfReachedPoints(const TriangleMesh& mesh, const DistanceField& field);
+vtkIdType numberOfReachedPoints(const FieldOnInput& input);
 
 }
 

@@ -3,12 +3,9 @@
 #include "GuideResolver.h"
 
 #include "NumberText.h"
-#include "PointResolver.h"
-#include "SeedFront.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,45 +109,6 @@ void addBarrierArray(
     {
       barriers.excluded[vertex] = 1;
     }
-  }
-}
-
-void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers& barriers)
-{
-  const TriangleMesh& mesh = *surface.mesh();
-  barriers.excluded.resize(mesh.numberOfVertices(), 0);
-  barriers.closed.resize(mesh.numberOfTriangles(), 0);
-  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, "BarrierSource");
-  std::size_t number = 0;
-  for (const std::vector<vtkIdType>& line : linesOf(source))
-  {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    {
-      const std::vector<Index> from = carriersOf(mesh, points[line[i]]);
-      const std::vector<Index> to = carriersOf(mesh, points[line[i + 1]]);
-      for (const std::vector<Index>& end : { from, to })
-      {
-        if (end.size() == 1)
-        {
-          barriers.excluded[end[0]] = 1;
-        }
-      }
-      std::vector<Index> corners = from;
-      corners.insert(corners.end(), to.begin(), to.end());
-      const std::vector<Index> triangles = mesh.trianglesWith(corners);
-      for (Index t : triangles)
-      {
-        barriers.closed[t] |= from.size() + to.size() > 2;
-      }
-      if (triangles.empty())
-      {
-        throw std::invalid_argument("BarrierSource's line " + std::to_string(number) +
-          " has a segment, number " + std::to_string(i) +
-          ", which lies neither in one face nor along one edge of the surface. Give it a point on "
-          "each edge that it crosses.");
-      }
-    }
-    ++number;
   }
 }
 

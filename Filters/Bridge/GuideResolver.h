@@ -39,6 +39,8 @@ struct Barriers
   std::vector<std::uint8_t> excluded;
   /** One flag a triangle, or empty. */
   std::vector<std::uint8_t> closed;
+  /** The points of each line. */
+  std::vector<std::vector<SurfacePoint>> lines;
 };
 
 /** Excludes points; those that no cell uses need no excluding. Throws for an id that does not
@@ -48,13 +50,6 @@ void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers)
 /** Excludes the points, or closes the cells, whose value is neither 0 nor NaN. */
 void addBarrierArray(
   const InputSurface& surface, vtkDataArray* array, bool isOfCells, Barriers& barriers);
-
-/**
- * Makes the lines of a data set, projected onto the surface, barriers: a line's points at vertices
- * are excluded, and a segment that is not a whole edge closes the triangles that it lies in.
- * @throws std::invalid_argument for a segment that is neither in one face nor along one edge
- */
-void addBarrierLines(const InputSurface& surface, vtkPointSet* source, Barriers& barriers);
 
 }
 

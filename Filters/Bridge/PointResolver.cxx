@@ -99,6 +99,22 @@ std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source)
   return lines;
 }
 
+std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
+  const InputSurface& surface, vtkPointSet* source, const std::string& property)
+{
+  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, property);
+  std::vector<std::vector<SurfacePoint>> lines;
+  for (const std::vector<vtkIdType>& ids : linesOf(source))
+  {
+    std::vector<SurfacePoint>& line = lines.emplace_back();
+    for (vtkIdType id : ids)
+    {
+      line.push_back(points[id]);
+    }
+  }
+  return lines;
+}
+
 std::vector<Index> verticesAtPoints(
   const TriangleMesh& mesh, vtkIdList* ids, const std::string& role)
 {

@@ -39,6 +39,10 @@ std::vector<SurfacePoint> surfacePointsOf(
 /** The point ids of each line and polyline of a data set. */
 std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source);
 
+/** The points of each line and polyline of a data set on the surface, as by surfacePointsOf. */
+std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
+  const InputSurface& surface, vtkPointSet* source, const std::string& property);
+
 /**
  * The vertices that stand for points of the input.
  * @param ids   may be null: none

@@ -155,4 +155,17 @@ std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool
   return vertices.empty() ? std::vector<Seed>{} : std::vector<Seed>{ Seed::onRegion(vertices) };
 }
 
+std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)
+{
+  std::vector<std::vector<SurfacePoint>> lines;
+  for (const Seed& seed : seeds)
+  {
+    if (seed.kind == Seed::Kind::Curve)
+    {
+      lines.push_back(seed.points);
+    }
+  }
+  return lines;
+}
+
 }

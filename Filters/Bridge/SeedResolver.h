@@ -44,6 +44,9 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array,
  */
 std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells);
 
+/** The points of those seeds that are curves. */
+std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds);
+
 }
 
 #endif

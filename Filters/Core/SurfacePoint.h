@@ -16,6 +16,8 @@ struct SurfacePoint
 {
   Index triangle = NoIndex;
   std::array<double, 3> weights = { 1.0, 0.0, 0.0 };
+
+  friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
 
 /**

@@ -148,7 +148,7 @@ void vtkFastMarchingGeodesicDistance::Solve(vtkPolyData* input)
   };
   internal.Field = &internal.Solver->solve(seeds, options);
   this->MaximumDistance = internal.Field->largestDistance();
-  this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints(mesh, *internal.Field);
+  this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, *internal.Field });
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +161,7 @@ void vtkFastMarchingGeodesicDistance::AttachArrays(vtkPolyData* output)
   {
     const bool hadScalars = pointData->GetScalars() != nullptr;
     pointData->AddArray(geodesic::bridge::distanceArray(
-      mesh, *internal.Field, this->NotVisitedValue, this->FieldDataName.c_str()));
+      { mesh, *internal.Field }, this->NotVisitedValue, this->FieldDataName.c_str()));
     if (!hadScalars)
     {
       pointData->SetActiveScalars(this->FieldDataName.c_str());
@@ -170,7 +170,7 @@ void vtkFastMarchingGeodesicDistance::AttachArrays(vtkPolyData* output)
   if (!this->NearestSeedArrayName.empty())
   {
     pointData->AddArray(geodesic::bridge::nearestSeedArray(
-      mesh, *internal.Field, this->NearestSeedArrayName.c_str()));
+      { mesh, *internal.Field }, this->NearestSeedArrayName.c_str()));
   }
 }
 

@@ -12,44 +12,33 @@
  * unit of length, which becomes the active scalars. The input is never modified.
  *
  * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
- * barriers across faces, a list of coordinates whose length is no multiple of 3, an id that does
- * not exist, an array that does not or has several components, a cost that is not positive, a
- * negative MaximumDistance in use, composite input, more than one rank.
+ * barriers between parts of the surface that do not hang together, a list of coordinates whose
+ * length is no multiple of 3, an id that does not exist, an array that does not or has several
+ * components, a cost that is not positive, a negative MaximumDistance in use, composite input, more
+ * than one rank.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
 
-#include "vtkDataObjectAlgorithm.h"
-#include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
-#include "vtkIdList.h"                        // For members
-#include "vtkNew.h"                           // For members
+#include "vtkIdList.h" // For members
+#include "vtkNew.h"    // For members
+#include "vtkSurfaceGeodesicFilter.h"
 
 #include <memory> // For members
 #include <string> // For members
 #include <vector> // For members
 
-class vtkAlgorithmOutput;
-class vtkDataArray;
-class vtkPolyData;
+namespace geodesic
+{
+struct Seed;
+}
 
-class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicDistance : public vtkDataObjectAlgorithm
+class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicDistance : public vtkSurfaceGeodesicFilter
 {
 public:
   static vtkSurfaceGeodesicDistance* New();
-  vtkTypeMacro(vtkSurfaceGeodesicDistance, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkSurfaceGeodesicDistance, vtkSurfaceGeodesicFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum Methods
-  {
-    FAST_MARCHING,
-    DIJKSTRA
-  };
-
-  enum CostModes
-  {
-    COST,
-    SPEED
-  };
 
   enum DestinationModes
   {
@@ -57,21 +46,11 @@ public:
     ALL_DESTINATIONS
   };
 
-  /** Numbers of the arrays for SetInputArrayToProcess. */
-  enum Arrays
+  /** Further input ports, optional. */
+  enum SeedPorts
   {
-    SEED_ARRAY,
-    COST_ARRAY,
-    BARRIER_ARRAY
-  };
-
-  /** Input ports. All but the surface are optional. */
-  enum Ports
-  {
-    SURFACE_PORT,
-    SEED_SOURCE_PORT,
-    BARRIER_SOURCE_PORT,
-    SEED_SELECTION_PORT,
+    SEED_SOURCE_PORT = 1,
+    SEED_SELECTION_PORT = 3,
     NUMBER_OF_PORTS
   };
 
@@ -106,7 +85,8 @@ public:
   ///@{
   /**
    * A data set of points that are seeds, projected to the surface; each of its lines and polylines
-   * is one seed, a curve. A segment of a line must lie in one face or along one edge. Optional.
+   * is one seed, a curve, joined by shortest paths where consecutive points share no face.
+   * Optional.
    */
   void SetSeedSourceConnection(vtkAlgorithmOutput* source);
   ///@}
@@ -117,22 +97,6 @@ public:
    * Optional.
    */
   void SetSeedSelectionConnection(vtkAlgorithmOutput* selection);
-  ///@}
-
-  ///@{
-  /**
-   * A data set whose lines, projected to the surface, the front never crosses. Optional.
-   */
-  void SetBarrierSourceConnection(vtkAlgorithmOutput* source);
-  ///@}
-
-  ///@{
-  /**
-   * What COST_ARRAY holds: the cost of a unit of length, or the speed, whose inverse is the cost.
-   * Default: COST.
-   */
-  vtkSetClampMacro(CostMode, int, COST, SPEED);
-  vtkGetMacro(CostMode, int);
   ///@}
 
   ///@{
@@ -164,15 +128,6 @@ public:
   vtkSetMacro(ComputeNearestSeed, bool);
   vtkGetMacro(ComputeNearestSeed, bool);
   vtkBooleanMacro(ComputeNearestSeed, bool);
-  ///@}
-
-  ///@{
-  /**
-   * FAST_MARCHING: across the faces. DIJKSTRA: along the edges only, so never too short. Default:
-   * FAST_MARCHING.
-   */
-  vtkSetClampMacro(Method, int, FAST_MARCHING, DIJKSTRA);
-  vtkGetMacro(Method, int);
   ///@}
 
   ///@{
@@ -219,16 +174,6 @@ public:
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
-  ///@{
-  /**
-   * On: points of equal coordinates are one point to the front, so that STL files, CAD seams and
-   * pieces behave alike; each keeps its tuple. Off: a slit stays a slit. Default: on.
-   */
-  vtkSetMacro(MergeCoincidentPoints, bool);
-  vtkGetMacro(MergeCoincidentPoints, bool);
-  vtkBooleanMacro(MergeCoincidentPoints, bool);
-  ///@}
-
   /**
    * The largest final distance of the last run, in the mesh's unit of length; 0 before the first.
    */
@@ -244,39 +189,27 @@ protected:
   ~vtkSurfaceGeodesicDistance() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Compute(vtkInformationVector** inputVector, vtkPolyData* output) override;
+  void Forget() override;
 
   std::vector<double> SeedCoordinates;
   vtkNew<vtkIdList> SeedPointIds;
   std::vector<double> DestinationCoordinates;
   vtkNew<vtkIdList> DestinationPointIds;
   int DestinationMode = ANY_DESTINATION;
-  int CostMode = COST;
   bool ComputeNearestSeed = false;
-  int Method = FAST_MARCHING;
   bool UseMaximumDistance = false;
   double MaximumDistance = 1.0;
   std::string DistanceArrayName = "GeodesicDistance";
   int UnreachedAs = UNREACHED_AS_NAN;
   double UnreachedValue = -1.0;
-  bool MergeCoincidentPoints = true;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
 
 private:
   struct Internals;
-  struct Guides;
-  vtkPolyData* GetSurface(vtkInformationVector* inputVector);
-  /** The array chosen by SetInputArrayToProcess, null for none; throws where there is no such
-   * array. */
-  vtkDataArray* GetChosenArray(int number, vtkInformationVector** inputVector, bool& isOfCells);
   void Solve(vtkInformationVector** inputVector);
-  void GatherSeeds(vtkInformationVector** inputVector, Guides& guides);
-  void GatherTargets(Guides& guides);
-  void GatherBarriersAndCost(vtkInformationVector** inputVector, Guides& guides);
+  std::vector<geodesic::Seed> GatherSeeds(vtkInformationVector** inputVector);
   void AttachArrays(vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;

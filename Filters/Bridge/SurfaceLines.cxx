@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceLines.h"
+
+#include "FastMarchingSolver.h"
+#include "SplitMesh.h"
+#include "SurfaceCurve.h"
+
+#include <algorithm>
+#include <string>
+
+namespace geodesic::bridge
+{
+namespace
+{
+
+std::vector<SurfacePath> joined(
+  DistanceSolver& solver, const std::vector<LinePoints>& lines, const std::string& property)
+{
+  std::vector<SurfacePath> paths;
+  for (const LinePoints& line : lines)
+  {
+    paths.push_back(
+      joinedCurve(solver, line, property + "'s line " + std::to_string(paths.size())));
+  }
+  return paths;
+}
+
+}
+
+void SurfaceLines::update(const std::shared_ptr<const TriangleMesh>& mesh,
+  std::vector<LinePoints> seeds, std::vector<LinePoints> barriers)
+{
+  if (mesh == this->Mesh && seeds == this->Seeds && barriers == this->Barriers)
+  {
+    return;
+  }
+  *this = SurfaceLines();
+  if (!seeds.empty() || !barriers.empty())
+  {
+    FastMarchingSolver solver(mesh);
+    this->SeedPaths = joined(solver, seeds, "SeedSource");
+    this->BarrierPaths = joined(solver, barriers, "BarrierSource");
+    const auto splits = [](const std::vector<SurfacePath>& paths)
+    { return std::any_of(paths.begin(), paths.end(), SplitMesh::splits); };
+    if (splits(this->SeedPaths) || splits(this->BarrierPaths))
+    {
+      this->Split = std::make_shared<const SplitMesh>(mesh, this->SeedPaths, this->BarrierPaths);
+    }
+  }
+  this->Mesh = mesh;
+  this->Seeds = std::move(seeds);
+  this->Barriers = std::move(barriers);
+}
+
+}
