@@ -4,6 +4,7 @@
 
 #include "SplitMesh.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace geodesic::bridge
@@ -89,6 +90,17 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
   if (this->Split && this->Split->isOnCut(point))
   {
     throw std::invalid_argument(name + " lies on a line of BarrierSource; move it off the line.");
+  }
+  const Carriers carriers = PathPoint::at(*this->Mesh, point).carriers();
+  const bool isExcluded = !this->Excluded.empty() &&
+    std::all_of(carriers.begin(), carriers.end(),
+      [&](Index vertex) { return this->Excluded[vertex] != 0; });
+  if (isExcluded)
+  {
+    const Index vertex = this->Split ? this->Split->origin(carriers[0]).carriers()[0] : carriers[0];
+    throw std::invalid_argument(name + " is at point " +
+      std::to_string(this->Base->pointOfVertex(vertex)) +
+      " of a barrier, where nothing may be; move it off the barrier.");
   }
 }
 

@@ -27,15 +27,33 @@ std::vector<Triangle> targetsRound(const Terrain& terrain, const PathPoint& poin
   return targets;
 }
 
+std::optional<SurfacePath> tracedPath(const Terrain& terrain, const DistanceField& field,
+  std::span<const PathPoint> seeds, const PathPoint& point, const PathStyle& style)
+{
+  if (style.straighten && (style.order == PathOrder::Vertices || terrain.hasCosts()))
+  {
+    throw std::invalid_argument(std::string("A path ") +
+      (terrain.hasCosts() ? "through varying cost" : "along edges") +
+      " is not straight; ask for it without straightening.");
+  }
+  auto path = PathTracer(terrain, field, seeds).trace(point, style.order);
+  if (path && style.straighten)
+  {
+    const PathStraightener straightener(terrain);
+    path = straightener.straightened(*path);
+    const double length = lengthOf(terrain.mesh(), *path);
+    if (auto other = shorterEdgePath(terrain, field, path->back(), point, length))
+    {
+      std::reverse(other->begin(), other->end());
+      path = straightener.straightened(*other);
+    }
+  }
+  return path;
+}
+
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
   const SurfacePoint& to, SolveOptions options, const PathStyle& style)
 {
-  if (style.straighten && (style.order == PathOrder::Vertices || !options.cost.empty()))
-  {
-    throw std::invalid_argument(std::string("A path ") +
-      (options.cost.empty() ? "along edges" : "through varying cost") +
-      " is not straight; ask for it without straightening.");
-  }
   const TriangleMesh& mesh = solver.mesh();
   const PathPoint start = PathPoint::at(mesh, from);
   const PathPoint end = PathPoint::at(mesh, to);
@@ -49,19 +67,10 @@ std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoi
   {
     return std::nullopt;
   }
-  auto path = PathTracer(terrain, field, { &start, 1 }).trace(end, style.order);
+  auto path = tracedPath(terrain, field, { &start, 1 }, end, style);
   if (path)
   {
     std::reverse(path->begin(), path->end());
-    if (style.straighten)
-    {
-      const PathStraightener straightener(terrain);
-      path = straightener.straightened(*path);
-      if (const auto other = shorterEdgePath(terrain, field, start, end, lengthOf(mesh, *path)))
-      {
-        path = straightener.straightened(*other);
-      }
-    }
   }
   return path;
 }

@@ -46,6 +46,8 @@ struct PathPoint
   Triangle corners{};
   std::array<double, 3> weights{};
 
+  friend constexpr bool operator==(const PathPoint&, const PathPoint&) = default;
+
   static constexpr PathPoint atVertex(Index vertex)
   {
     return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_PathOutput_h
+#define geodesic_bridge_PathOutput_h
+
+#include "PathPoint.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkPoints;
+class vtkPolyData;
+
+namespace geodesic::bridge
+{
+
+/**
+ * Collects paths as polylines with these arrays.
+ * Of points: ArcLength (from the beginning of the path, or of the chain of paths), OriginalPointIds
+ * (the nearest of the input's points that carry the path's), EdgePointIds (the two ends of the
+ * edge, nearest first; at a vertex twice the same; inside a face the two nearest corners), Normals
+ * (of length 1).
+ * Of cells: Segment, Length. Of the field: TotalLength.
+ */
+class PathOutput
+{
+public:
+  /**
+   * @param normals the input's point normals of any length, or null: then they are those of the
+   *                faces round each vertex, weighted by area
+   */
+  PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double heightOffset);
+  ~PathOutput();
+
+  /**
+   * @param segment    its number
+   * @param arcLength  at its first point
+   * @return its length on the surface, before the offset
+   */
+  double add(const SurfacePath& path, vtkIdType segment, double arcLength);
+  void writeTo(vtkPolyData* output) const;
+  double totalLength() const { return this->TotalLength; }
+
+private:
+  Vector3 normalAt(const PathPoint& point) const;
+  Vector3 normalAtVertex(Index vertex) const;
+
+  const TriangleMesh& Mesh;
+  vtkDataArray* InputNormals;
+  double HeightOffset;
+  double TotalLength = 0.0;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkDoubleArray> ArcLengths;
+  vtkNew<vtkIdTypeArray> OriginalPointIds;
+  vtkNew<vtkIdTypeArray> EdgePointIds;
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkIdTypeArray> Segments;
+  vtkNew<vtkDoubleArray> Lengths;
+};
+
+}
+
+#endif

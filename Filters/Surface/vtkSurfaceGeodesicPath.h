@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSurfaceGeodesicPath
+ * @brief Shortest paths over a surface between positions in space.
+ *
+ * The filter behind ParaView's proxy GeodesicPath. Each position is projected to the nearest point
+ * of the surface, on a face, an edge or a vertex, where paths really begin and end.
+ *
+ * The output is one polyline for each segment between consecutive waypoints, or from each start to
+ * its nearest waypoint. Point arrays: ArcLength (from the first waypoint on, through all segments;
+ * in TO_NEAREST_SEED from each start on), OriginalPointIds (the nearest mesh point that carries the
+ * path's point), EdgePointIds (both ends of the edge that it is on, nearest first; at a mesh point
+ * twice its id; in a face the two nearest corners), Normals (of length 1: the input's, or made from
+ * its faces). Cell arrays: Segment (its number, or the start's, from 0) and Length; in
+ * TO_NEAREST_SEED also NearestSeed (the waypoint's number). Field array: TotalLength. Lengths are
+ * those on the surface, in the mesh's unit of length, without cost and height offset.
+ *
+ * Equal waypoints are joined by a segment of length 0. Where there is no route, an error names the
+ * two waypoints, and all other segments are delivered. Other requests that can't be served empty
+ * the output: fewer than two waypoints (one in TO_NEAREST_SEED, and one start), positions and
+ * source both set, a waypoint on a barrier, and what vtkSurfaceGeodesicFilter names.
+ */
+#ifndef vtkSurfaceGeodesicPath_h
+#define vtkSurfaceGeodesicPath_h
+
+#include "vtkSurfaceGeodesicFilter.h"
+
+#include <string> // For arguments
+
+namespace geodesic
+{
+struct SurfacePoint;
+namespace bridge
+{
+class SolveSurface;
+}
+}
+
+class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicPath : public vtkSurfaceGeodesicFilter
+{
+public:
+  static vtkSurfaceGeodesicPath* New();
+  vtkTypeMacro(vtkSurfaceGeodesicPath, vtkSurfaceGeodesicFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum PathModes
+  {
+    THROUGH_WAYPOINTS,
+    TO_NEAREST_SEED
+  };
+
+  enum StraightenModes
+  {
+    STRAIGHTEN_AUTO,
+    STRAIGHTEN_OFF
+  };
+
+  /** Further input ports, optional. */
+  enum WaypointPorts
+  {
+    WAYPOINT_SOURCE_PORT = 1,
+    START_SOURCE_PORT = 3,
+    NUMBER_OF_PORTS
+  };
+
+  ///@{
+  /**
+   * The waypoints in their order, x y z of one after the other, in the input's coordinates.
+   * Default: none.
+   */
+  void ClearWaypointPositions();
+  void AddWaypointCoordinate(double coordinate);
+  ///@}
+
+  ///@{
+  /**
+   * A data set whose points are the waypoints, in their order; instead of positions. Optional.
+   */
+  void SetWaypointSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the last waypoint is joined to the first. Default: off.
+   */
+  vtkSetMacro(Closed, bool);
+  vtkGetMacro(Closed, bool);
+  vtkBooleanMacro(Closed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * THROUGH_WAYPOINTS: from each waypoint to the next. TO_NEAREST_SEED: from each start to the
+   * geodesically nearest waypoint, all from one field. Default: THROUGH_WAYPOINTS.
+   */
+  vtkSetClampMacro(PathMode, int, THROUGH_WAYPOINTS, TO_NEAREST_SEED);
+  vtkGetMacro(PathMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * The starts of TO_NEAREST_SEED, x y z of one after the other, in the input's coordinates.
+   * Default: none.
+   */
+  void ClearStartPositions();
+  void AddStartCoordinate(double coordinate);
+  ///@}
+
+  ///@{
+  /**
+   * A data set whose points are the starts; instead of positions. Optional.
+   */
+  void SetStartSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * 0: the path runs through mesh points, along edges. 1: across faces, each of its points on an
+   * edge. Default: 1.
+   */
+  vtkSetClampMacro(InterpolationOrder, int, 0, 1);
+  vtkGetMacro(InterpolationOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * STRAIGHTEN_AUTO: a path of order 1 at constant cost is made locally shortest, others are as
+   * traced. STRAIGHTEN_OFF: all are as traced. Default: STRAIGHTEN_AUTO.
+   */
+  vtkSetClampMacro(Straighten, int, STRAIGHTEN_AUTO, STRAIGHTEN_OFF);
+  vtkGetMacro(Straighten, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether MaximumPathLength is in use. Default: off.
+   */
+  vtkSetMacro(UseMaximumPathLength, bool);
+  vtkGetMacro(UseMaximumPathLength, bool);
+  vtkBooleanMacro(UseMaximumPathLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * No polyline is longer: it ends there, at order 0 at the last mesh point before. In the mesh's
+   * unit of length, not negative. Default: 1.
+   */
+  vtkSetMacro(MaximumPathLength, double);
+  vtkGetMacro(MaximumPathLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Raises the output along the normals by this length, so that it is seen over the surface. In the
+   * mesh's unit of length. Default: 0.
+   */
+  vtkSetMacro(HeightOffset, double);
+  vtkGetMacro(HeightOffset, double);
+  ///@}
+
+  /**
+   * The length of all paths of the last run, in the mesh's unit of length; 0 before the first.
+   */
+  vtkGetMacro(TotalLength, double);
+
+protected:
+  vtkSurfaceGeodesicPath();
+  ~vtkSurfaceGeodesicPath() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void Compute(vtkInformationVector** inputVector, vtkPolyData* output) override;
+  void Forget() override;
+
+  std::vector<double> WaypointCoordinates;
+  bool Closed = false;
+  int PathMode = THROUGH_WAYPOINTS;
+  std::vector<double> StartCoordinates;
+  int InterpolationOrder = 1;
+  int Straighten = STRAIGHTEN_AUTO;
+  bool UseMaximumPathLength = false;
+  double MaximumPathLength = 1.0;
+  double HeightOffset = 0.0;
+  double TotalLength = 0.0;
+
+private:
+  struct Internals;
+  struct Segment;
+  void CheckRequest() const;
+  /** The points of a source or of positions, of which one may be set. */
+  std::vector<geodesic::SurfacePoint> GatherPoints(vtkInformationVector* sourceVector,
+    const std::vector<double>& coordinates, const char* positions, const char* source) const;
+  std::vector<Segment> TraceThroughWaypoints(const geodesic::bridge::SolveSurface& surface,
+    const std::vector<geodesic::SurfacePoint>& waypoints);
+  std::vector<Segment> TraceToNearest(const geodesic::bridge::SolveSurface& surface,
+    const std::vector<geodesic::SurfacePoint>& waypoints,
+    const std::vector<geodesic::SurfacePoint>& starts);
+
+  /** One error for all missing segments. */
+  void ReportMissing(const std::string& missing);
+  void WriteOutput(vtkPolyData* input, vtkPolyData* output);
+
+  std::unique_ptr<Internals> Internal;
+
+  vtkSurfaceGeodesicPath(const vtkSurfaceGeodesicPath&) = delete;
+  void operator=(const vtkSurfaceGeodesicPath&) = delete;
+};
+
+#endif

@@ -1,0 +1,203 @@
+"""GeodesicPath: lengths, arrays, modes and mistakes; its closed path as a barrier.
+
+usage: GeodesicPath.py OUR_PLUGIN
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import testing
+
+testing.load(sys.argv[1])
+
+
+def total(path):
+    testing.output_of(path)
+    return testing.informed(path, "TotalLength")
+
+
+def cell_array(path, name):
+    return vtk_to_numpy(testing.output_of(path).GetCellData().GetArray(name))
+
+
+def polylines(path):
+    """Points of each segment."""
+    data = testing.output_of(path)
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    lines = data.GetLines()
+    offsets = vtk_to_numpy(lines.GetOffsetsArray())
+    ids = vtk_to_numpy(lines.GetConnectivityArray())
+    return [points[ids[a:b]] for a, b in zip(offsets[:-1], offsets[1:])]
+
+
+def length(points):
+    return np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+
+
+def message_of(path):
+    """What the run says; the output is what it is."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    path.UpdatePipeline()
+    vtkOutputWindow.SetInstance(None)
+    return window.GetOutput()
+
+
+def expect_near(value, truth, tolerance):
+    assert np.all(np.abs(np.asarray(value) - truth) <= tolerance), (value, truth)
+
+
+# A straight line on the plane, whichever way the triangles lie.
+plane = simple.Plane(XResolution=37, YResolution=23)
+path = simple.GeodesicPath(Input=plane, WaypointPositions=[-0.41, -0.33, 0, 0.47, 0.29, 0])
+exact = np.hypot(0.88, 0.62)
+expect_near(total(path), exact, 1e-7)
+[line] = polylines(path)
+expect_near(line[0], [-0.41, -0.33, 0], 1e-7)
+expect_near(line[-1], [0.47, 0.29, 0], 1e-7)
+assert np.allclose(testing.array_of(path, "ArcLength")[-1], total(path))
+assert testing.output_of(path).GetFieldData().GetArray("TotalLength").GetValue(0) == total(path)
+
+# Along edges: Manhattan, and Dijkstra's own distance.
+path.InterpolationOrder = 0
+path.Method = "Dijkstra"
+distance = simple.GeodesicDistance(
+    Input=plane, SeedPositions=[-0.41, -0.33, 0], Method="Dijkstra",
+    DestinationPositions=[0.47, 0.29, 0], DestinationMode="All")
+assert total(path) > exact * 1.01
+ids = testing.array_of(path, "OriginalPointIds")
+corners = testing.points_of(plane)[ids[1:-1]]
+expect_near(polylines(path)[0][1:-1], corners, 1e-12)
+path.InterpolationOrder = 1
+path.Method = "FastMarching"
+
+# Several waypoints, in order; closed; from a source.
+square = [-0.3, -0.2, 0, 0.3, -0.2, 0, 0.3, 0.2, 0, -0.3, 0.2, 0]
+path.WaypointPositions = square
+expect_near(cell_array(path, "Length"), [0.6, 0.4, 0.6], 1e-7)
+path.Closed = 1
+expect_near(cell_array(path, "Length"), [0.6, 0.4, 0.6, 0.4], 1e-7)
+expect_near(total(path), 2.0, 1e-7)
+assert list(cell_array(path, "Segment")) == [0, 1, 2, 3]
+expect_near(testing.array_of(path, "ArcLength")[-1], 2.0, 1e-7)
+path.WaypointPositions = []
+path.WaypointSource = testing.polyline(square)
+expect_near(total(path), 2.0, 1e-6)
+path.WaypointPositions = square
+testing.expect_error(path, "WaypointPositions has 12 numbers", "WaypointSource", "take one")
+path.WaypointSource = None
+expect_near(total(path), 2.0, 1e-7)
+
+# Equal waypoints: a segment of length 0, the others intact.
+path.Closed = 0
+path.WaypointPositions = square[:3] + square[:3] + square[3:6]
+expect_near(cell_array(path, "Length"), [0, 0.6], 1e-7)
+
+# Where it ends, and how high it is.
+path.WaypointPositions = square[:6]
+path.UseMaximumPathLength = 1
+path.MaximumPathLength = 0.25
+expect_near(total(path), 0.25, 1e-9)
+path.MaximumPathLength = -1
+testing.expect_error(path, "MaximumPathLength is -1", "at least 0")
+path.UseMaximumPathLength = 0
+path.HeightOffset = 0.125
+expect_near(polylines(path)[0][:, 2], 0.125, 1e-9)
+expect_near(total(path), 0.6, 1e-7)
+expect_near(vtk_to_numpy(testing.output_of(path).GetPointData().GetArray("Normals")), [0, 0, 1], 1e-9)
+path.HeightOffset = 0
+
+# Too few waypoints, an array that is not there.
+path.WaypointPositions = square[:3]
+testing.expect_error(path, "1 waypoints", "two at least")
+path.WaypointPositions = [0, 0]
+testing.expect_error(path, "2 numbers, which is no multiple of 3")
+path.WaypointPositions = square[:6]
+path.CostArray = ["POINTS", "missing"]
+testing.expect_error(path, 'CostArray "missing"')
+path.CostArray = ["POINTS", "None"]
+expect_near(total(path), 0.6, 1e-7)
+
+# A wall with a gap: round its end, in two straight lines. No way at all is an error that names both.
+wall = testing.polyline([[0.013, -0.5, 0], [0.013, 0.25, 0]])
+path.BarrierSource = wall
+end = np.array([0.013, 0.25])
+exact = np.linalg.norm(end - [-0.3, -0.2]) + np.linalg.norm(end - [0.3, -0.2])
+expect_near(total(path), exact, 1e-6)
+wall.Points = [0.013, -0.5, 0, 0.013, 0.5, 0]
+path.WaypointPositions = square
+message = message_of(path)
+assert "from waypoint 0 to waypoint 1, or from waypoint 2 to waypoint 3" in message, message
+assert list(cell_array(path, "Segment")) == [1]
+expect_near(total(path), 0.4, 1e-7)
+path.WaypointPositions = [0.013, 0.1, 0, 0.3, 0.2, 0]
+testing.expect_error(path, "Waypoint 0 lies on a line of BarrierSource")
+path.BarrierSource = None
+
+# From many starts to the nearest waypoint.
+path.PathMode = "ToNearestSeed"
+path.WaypointPositions = [-0.4, 0, 0, 0.4, 0, 0]
+testing.expect_error(path, "2 waypoints and 0 starts")
+path.StartPositions = [-0.2, 0.3, 0, 0.1, 0.1, 0, 0.4, 0, 0, -0.4, -0.41, 0]
+expect_near(cell_array(path, "Length"),
+            [np.hypot(0.2, 0.3), np.hypot(0.3, 0.1), 0, 0.41], 1e-6)
+assert list(cell_array(path, "NearestSeed")) == [0, 1, 1, 0]
+for line, start in zip(polylines(path), np.reshape(path.StartPositions, (-1, 3))):
+    expect_near(line[0], start, 1e-7)
+path.StartPositions = []
+path.StartSource = testing.polyline([[-0.2, 0.3, 0], [0.1, 0.1, 0]])
+expect_near(total(path), np.hypot(0.2, 0.3) + np.hypot(0.3, 0.1), 1e-6)
+
+# Bunny: no longer than along edges, and round a closed path nothing passes, from either side.
+bunny = testing.bunny()
+points = testing.points_of(bunny)
+size = np.ptp(points, axis=0).max()
+way = simple.GeodesicPath(Input=bunny, WaypointPositions=points[[100, 20000, 33000, 9000]].ravel().tolist())
+across = cell_array(way, "Length")
+way.InterpolationOrder, way.Method = 0, "Dijkstra"
+along = cell_array(way, "Length")
+assert np.all(across < along) and np.all(across > 0.8 * along), (across, along)
+way.InterpolationOrder, way.Method = 1, "FastMarching"
+
+head = points[points[:, 1].argmax()]
+for method, order in (("FastMarching", 1), ("FastMarching", 0), ("Dijkstra", 1), ("Dijkstra", 0)):
+    # A loop round the neck, from four points at the height of the chin.
+    height = points[:, 1].max() - 0.45 * np.ptp(points[:, 1])
+    middle = points[np.abs(points[:, 1] - height) < 0.02 * size].mean(axis=0)
+    corners = [middle + size * np.array(d) for d in ((-1, 0, 0), (0, 0, 1), (1, 0, 0), (0, 0, -1))]
+    loop = simple.GeodesicPath(Input=bunny, WaypointPositions=np.ravel(corners).tolist(), Closed=1,
+                               Method=method, InterpolationOrder=order)
+    assert total(loop) > 0
+    inside = simple.GeodesicDistance(Input=bunny, SeedPositions=list(head), BarrierSource=loop)
+    confined = ~np.isnan(testing.array_of(inside))
+    outside = simple.GeodesicDistance(
+        Input=bunny, SeedPositions=list(points[points[:, 1].argmin()]), BarrierSource=loop)
+    rest = ~np.isnan(testing.array_of(outside))
+    used = np.zeros(len(points), bool)
+    used[np.unique(testing.cells_of(bunny))] = True
+    on_loop = np.zeros(len(points), bool)
+    edge = vtk_to_numpy(testing.output_of(loop).GetPointData().GetArray("EdgePointIds"))
+    on_loop[edge[edge[:, 0] == edge[:, 1]].ravel()] = True
+    assert 500 < confined.sum() < 0.8 * len(points), confined.sum()
+    assert not np.any(confined & rest), (method, order, np.sum(confined & rest))
+    left_out = used & ~confined & ~rest & ~on_loop
+    assert not np.any(left_out), (method, order, left_out.sum())
+    for proxy in (inside, outside, loop):
+        simple.Delete(proxy)
+
+# A state file brings all of it back.
+before = total(way)
+state = os.path.join(tempfile.mkdtemp(), "path.pvsm")
+simple.SaveState(state)
+simple.ResetSession()
+testing.load(sys.argv[1])
+simple.LoadState(state)
+again = [p for (name, _), p in simple.GetSources().items() if p.SMProxy.GetXMLName() == "GeodesicPath"
+         and p.Input.SMProxy.GetXMLName() == "XMLPolyDataReader"]
+expect_near(total(again[0]), before, 1e-12 * before)
