@@ -116,7 +116,7 @@ std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
   while (way.back() != to)
   {
     const Index here = way.back();
-    const PlanePoint& target = this->Points[to];
+    const PlanePoint target = this->Points[to];
     const double left = distance(this->Points[here], target);
     Index next = NoIndex;
     Index crossed = NoIndex;
@@ -158,6 +158,10 @@ std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
       this->Points.push_back({ (1.0 - t) * this->Points[a].x + t * this->Points[b].x,
         (1.0 - t) * this->Points[a].y + t * this->Points[b].y });
       this->splitSide(crossed, c, next);
+    }
+    if (!(next == to || distance(this->Points[next], target) < left))
+    {
+      throw std::logic_error("A segment inside a face does not come nearer to its end.");
     }
     goTo(next);
   }

@@ -28,7 +28,7 @@ struct PlanePoint
 class FaceTriangulation
 {
 public:
-  /** Corners are points 0, 1 and 2, counterclockwise or of no area. */
+  /** Corners are points 0, 1 and 2, counterclockwise. */
   explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
 
   /**

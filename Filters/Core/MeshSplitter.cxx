@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace geodesic
@@ -19,18 +20,25 @@ PathPoint snappedPoint(const PathPoint& point)
   return { point.corners, snappedWeights.weights };
 }
 
-/** A triangle of a mesh laid in the plane. */
+/** Below this height over the longest side a triangle is drawn with another shape. */
+constexpr double ThinHeight = 1e-6;
+
+/**
+ * A triangle of a mesh laid in the plane; one without a height, to speak of, as an equilateral one.
+ * Straight lines stay straight, and points that are apart stay so.
+ */
 std::array<PlanePoint, 3> laidFlat(const TriangleMesh& mesh, const Triangle& corners)
 {
   const Vector3 side = mesh.position(corners[1]) - mesh.position(corners[0]);
   const Vector3 other = mesh.position(corners[2]) - mesh.position(corners[0]);
   const double length = norm(side);
-  if (!(length > 0.0))
+  const double longest = std::max({ length, norm(other), norm(other - side) });
+  const double doubleArea = norm(cross(side, other));
+  if (!(doubleArea > ThinHeight * longest * longest))
   {
-    return { { {}, {}, { norm(other), 0.0 } } };
+    return { { {}, { 1.0, 0.0 }, { 0.5, 0.5 * std::numbers::sqrt3 } } };
   }
-  return { { {}, { length, 0.0 },
-    { dot(other, side) / length, norm(cross(side, other)) / length } } };
+  return { { {}, { length, 0.0 }, { dot(other, side) / length, doubleArea / length } } };
 }
 
 PlanePoint placed(
@@ -50,9 +58,8 @@ PlanePoint placed(
 PathPoint originOf(
   const PlanePoint& place, const Triangle& corners, const std::array<PlanePoint, 3>& flat)
 {
-  const double second = flat[2].y > 0.0 ? place.y / flat[2].y : 0.0;
-  const double first =
-    flat[1].x > 0.0 ? std::clamp((place.x - second * flat[2].x) / flat[1].x, 0.0, 1.0) : 0.0;
+  const double second = std::clamp(place.y / flat[2].y, 0.0, 1.0);
+  const double first = std::clamp((place.x - second * flat[2].x) / flat[1].x, 0.0, 1.0);
   return { corners, { std::max(0.0, 1.0 - first - second), first, second } };
 }
 

@@ -6,43 +6,93 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace geodesic
 {
 
-std::vector<Triangle> targetsRound(const Terrain& terrain, const PathPoint& point)
+PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
+  const SolveOptions& options, const PathStyle& style)
+  : Solver(solver)
+  , Options(options)
+  , Surface(solver.mesh(), this->Options)
+  , Style(style)
+{
+  if (style.straighten && (style.order == PathOrder::Vertices || !options.cost.empty()))
+  {
+    throw std::invalid_argument(std::string("A path ") +
+      (options.cost.empty() ? "along edges" : "through varying cost") +
+      " is not straight; ask for it without straightening.");
+  }
+  for (const SurfacePoint& seed : seeds)
+  {
+    this->Seeds.push_back(Seed::atPoint(seed));
+    this->Ends.push_back(PathPoint::at(solver.mesh(), seed));
+  }
+}
+
+bool PathFinder::march(std::span<const SurfacePoint> points)
 {
   std::vector<Triangle> targets;
+  for (const SurfacePoint& point : points)
+  {
+    this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point), targets);
+  }
+  return this->solve(targets);
+}
+
+bool PathFinder::solve(std::span<const Triangle> targets)
+{
+  this->Options.targets = targets;
+  this->Options.targetMode = TargetMode::All;
+  this->Field = &this->Solver.solve(this->Seeds, this->Options);
+  this->Options.targets = {};
+  return this->Field->stopReason() != StopReason::Cancelled;
+}
+
+void PathFinder::addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const
+{
   const auto add = [&](Index vertex)
   {
-    if (!terrain.isExcluded(vertex))
+    if (!this->Surface.isExcluded(vertex))
     {
       targets.push_back({ vertex, vertex, vertex });
     }
   };
+  // A straight way from the point crosses the edges of the faces that it lies in.
   const Carriers carriers = point.carriers();
   std::for_each(carriers.begin(), carriers.end(), add);
-  visitFaces(
-    terrain, point, [&](const Triangle& face) { std::for_each(face.begin(), face.end(), add); });
-  return targets;
+  visitFaces(this->Surface, point,
+    [&](const Triangle& face) { std::for_each(face.begin(), face.end(), add); });
 }
 
-std::optional<SurfacePath> tracedPath(const Terrain& terrain, const DistanceField& field,
-  std::span<const PathPoint> seeds, const PathPoint& point, const PathStyle& style)
+std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
 {
-  if (style.straighten && (style.order == PathOrder::Vertices || terrain.hasCosts()))
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const PathPoint start = PathPoint::at(mesh, point);
+  const Carriers carriers = start.carriers();
+  if (std::all_of(carriers.begin(), carriers.end(),
+        [&](Index vertex) { return this->Surface.isExcluded(vertex); }))
   {
-    throw std::invalid_argument(std::string("A path ") +
-      (terrain.hasCosts() ? "through varying cost" : "along edges") +
-      " is not straight; ask for it without straightening.");
+    throw std::invalid_argument("The path begins at excluded point " +
+      std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
   }
-  auto path = PathTracer(terrain, field, seeds).trace(point, style.order);
-  if (path && style.straighten)
+  auto path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
+  if (!path && this->Field->stopReason() == StopReason::Targets)
   {
-    const PathStraightener straightener(terrain);
+    // Beside long edges a path can need distances beyond those of its own ends.
+    if (!this->solve({}))
+    {
+      return std::nullopt;
+    }
+    path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
+  }
+  if (path && this->Style.straighten)
+  {
+    const PathStraightener straightener(this->Surface);
     path = straightener.straightened(*path);
-    const double length = lengthOf(terrain.mesh(), *path);
-    if (auto other = shorterEdgePath(terrain, field, path->back(), point, length))
+    const double length = lengthOf(mesh, *path);
+    if (auto other = shorterEdgePath(this->Surface, *this->Field, path->back(), start, length))
     {
       std::reverse(other->begin(), other->end());
       path = straightener.straightened(*other);
@@ -52,22 +102,14 @@ std::optional<SurfacePath> tracedPath(const Terrain& terrain, const DistanceFiel
 }
 
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
-  const SurfacePoint& to, SolveOptions options, const PathStyle& style)
+  const SurfacePoint& to, const SolveOptions& options, const PathStyle& style)
 {
-  const TriangleMesh& mesh = solver.mesh();
-  const PathPoint start = PathPoint::at(mesh, from);
-  const PathPoint end = PathPoint::at(mesh, to);
-  const Terrain terrain(mesh, options);
-  const std::vector<Triangle> targets = targetsRound(terrain, end);
-  options.targets = targets;
-  options.targetMode = TargetMode::All;
-  const Seed seed = Seed::atPoint(from);
-  const DistanceField& field = solver.solve({ &seed, 1 }, options);
-  if (field.stopReason() == StopReason::Cancelled)
+  PathFinder finder(solver, { &from, 1 }, options, style);
+  if (!finder.march({ &to, 1 }))
   {
     return std::nullopt;
   }
-  auto path = tracedPath(terrain, field, { &start, 1 }, end, style);
+  auto path = finder.pathFrom(to);
   if (path)
   {
     std::reverse(path->begin(), path->end());

@@ -2,10 +2,12 @@
 #define geodesic_PathFinder_h
 
 #include "PathTracer.h"
+#include "Seed.h"
 #include "SolveOptions.h"
-#include "SurfacePoint.h"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace geodesic
 {
@@ -18,35 +20,64 @@ struct PathStyle
   PathOrder order = PathOrder::Edges;
   /** Makes the path locally shortest (see PathStraightener); needs constant cost. */
   bool straighten = true;
+
+  friend constexpr bool operator==(const PathStyle&, const PathStyle&) = default;
 };
 
 /**
- * What a march must reach (see SolveOptions::targets, all of them) before a path can be traced from
- * @p point: the open vertices of the faces that it lies in, for a straight way crosses their edges.
+ * Finds shortest paths to the nearest of some seeds: one march that stops where the paths' other
+ * ends are reached, and a trace back from each.
  */
-std::vector<Triangle> targetsRound(const Terrain& terrain, const PathPoint& point);
+class PathFinder
+{
+public:
+  /**
+   * @param solver  its field is overwritten; both must live as long as this
+   * @param seeds   where paths end
+   * @param options cost, barriers, maximum distance, progress; targets are set here
+   * @throws std::invalid_argument where paths of varying cost, or of PathOrder::Vertices, are to be
+   * straightened
+   */
+  PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
+    const SolveOptions& options, const PathStyle& style);
+
+  /**
+   * Marches as far as paths from these points need.
+   * @return false when cancelled
+   * @throws as DistanceSolver::solve
+   */
+  bool march(std::span<const SurfacePoint> points);
+
+  /** The field that the last march made. */
+  const DistanceField& field() const { return *this->Field; }
+
+  /**
+   * @param point one of those given to march()
+   * @return the path from there to a seed, both among its points; none where there is no way
+   * @throws std::invalid_argument for a point at an excluded vertex
+   */
+  std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
+
+private:
+  bool solve(std::span<const Triangle> targets);
+  void addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const;
+
+  DistanceSolver& Solver;
+  SolveOptions Options;
+  Terrain Surface;
+  PathStyle Style;
+  std::vector<Seed> Seeds;
+  std::vector<PathPoint> Ends;
+  const DistanceField* Field = nullptr;
+};
 
 /**
- * The way from a point back to the nearest seed, down a field that a march made.
- * @param terrain as it was for the march
- * @param field   with the targets round the point (see targetsRound)
- * @param seeds   the points it was measured from, in their order
- * @return none where the field does not reach the point
- * @throws std::invalid_argument where a path of varying cost, or one of PathOrder::Vertices, is to
- * be straightened
- */
-std::optional<SurfacePath> tracedPath(const Terrain& terrain, const DistanceField& field,
-  std::span<const PathPoint> seeds, const PathPoint& point, const PathStyle& style);
-
-/**
- * The shortest way from one point to another: a march from the first that stops at the second, and
- * a trace back.
- * @param options cost, barriers, maximum distance, progress; its targets are set here
+ * The shortest way from one point to another.
  * @return none where there is no way, or the march was cancelled
- * @throws as DistanceSolver::solve and tracedPath
+ * @throws as PathFinder
  */
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
-  const SurfacePoint& to, SolveOptions options, const PathStyle& style);
+  const SurfacePoint& to, const SolveOptions& options, const PathStyle& style);
 
 }
 

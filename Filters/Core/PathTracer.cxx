@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <queue>
 
 namespace geodesic
 {
@@ -65,10 +67,9 @@ std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, PathOrder o
 {
   SurfacePath path{ start };
   double left = DistanceField::Unreached;
-  std::vector<Index> plateau;
   while (true)
   {
-    const PathPoint& here = path.back();
+    const PathPoint here = path.back();
     if (const auto last = this->stepToSeed(here))
     {
       path.push_back(last->point);
@@ -81,19 +82,24 @@ std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, PathOrder o
     }
     if (!step || !(step->left < left))
     {
-      step = this->stepAlongEdges(here, plateau);
-      if (!step)
-      {
-        return std::nullopt;
-      }
-      plateau.push_back(step->point.corners[0]);
+      step = this->stepAlongEdges(here);
     }
-    if (step->left < left)
+    if (step)
     {
-      left = step->left;
-      plateau.clear();
+      left = std::min(left, step->left);
+      path.push_back(step->point);
+      continue;
     }
-    path.push_back(step->point);
+    const std::vector<Index> way =
+      isVertex(here) ? this->wayDown(here.carriers()[0]) : std::vector<Index>{};
+    if (way.empty())
+    {
+      return std::nullopt;
+    }
+    for (Index vertex : way)
+    {
+      path.push_back(PathPoint::atVertex(vertex));
+    }
   }
 }
 
@@ -146,17 +152,14 @@ std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(const PathPoint& poi
   return best;
 }
 
-std::optional<PathTracer::Step> PathTracer::stepAlongEdges(
-  const PathPoint& point, std::span<const Index> plateau) const
+std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& point) const
 {
   std::optional<Step> best;
   const Carriers carriers = point.carriers();
   const auto tryEnd = [&](Index vertex)
   {
-    const bool isLower = carriers.size() > 1 ||
-      this->Field.distance(vertex) < this->Field.distance(carriers[0]) ||
-      (this->Field.distance(vertex) == this->Field.distance(carriers[0]) &&
-        std::find(plateau.begin(), plateau.end(), vertex) == plateau.end());
+    const bool isLower =
+      carriers.size() > 1 || this->Field.distance(vertex) < this->Field.distance(carriers[0]);
     if (isLower)
     {
       const double cost = 0.5 * (costAt(this->Surface, point) + this->Surface.costOf(vertex));
@@ -180,6 +183,53 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(
       [&](const Triangle& face) { std::for_each(face.begin(), face.end(), tryEnd); });
   }
   return best;
+}
+
+std::vector<Index> PathTracer::wayDown(Index vertex) const
+{
+  const TriangleMesh& mesh = this->Surface.mesh();
+  struct Visit
+  {
+    double length;
+    Index previous;
+  };
+  std::map<Index, Visit> visits{ { vertex, { 0.0, NoIndex } } };
+  using Trial = std::pair<double, Index>;
+  std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;
+  queue.emplace(0.0, vertex);
+  while (!queue.empty())
+  {
+    const auto [length, here] = queue.top();
+    queue.pop();
+    const bool isLower = this->Field.distance(here) < this->Field.distance(vertex);
+    if (here != vertex && (isLower || this->stepToSeed(PathPoint::atVertex(here))))
+    {
+      std::vector<Index> way;
+      for (Index v = here; v != vertex; v = visits[v].previous)
+      {
+        way.push_back(v);
+      }
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    const std::span<const RingEntry> ring = mesh.ring(here);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const Index next = ring[i].neighbour();
+      if (!this->Surface.isOpenEdge(here, i) || !this->Field.isReached(next))
+      {
+        continue;
+      }
+      const double way = length + norm(mesh.position(next) - mesh.position(here));
+      const auto [known, isNew] = visits.emplace(next, Visit{ way, here });
+      if (isNew || way < known->second.length)
+      {
+        known->second = { way, here };
+        queue.emplace(way, next);
+      }
+    }
+  }
+  return {};
 }
 
 void PathTracer::tryEdge(

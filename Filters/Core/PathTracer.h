@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace geodesic
 {
@@ -63,8 +64,15 @@ private:
   /** A seed in a face with the point, and what is left to it. */
   std::optional<Step> stepToSeed(const PathPoint& point) const;
   std::optional<Step> stepAcrossFaces(const PathPoint& point) const;
-  /** @param plateau vertices that were passed since the distance last fell */
-  std::optional<Step> stepAlongEdges(const PathPoint& point, std::span<const Index> plateau) const;
+  /** To a vertex of a lower distance. */
+  std::optional<Step> stepAlongEdges(const PathPoint& point) const;
+  /**
+   * A vertex may be nearer to the seed than all its neighbours: where the front came through the
+   * middle of an edge, or neighbours lie on it.
+   * @return the shortest way along edges to a vertex of a lower distance, or one that shares a face
+   * with a seed, without @p vertex itself
+   */
+  std::vector<Index> wayDown(Index vertex) const;
   void tryEdge(const PathPoint& point, const Triangle& face, Index a, Index b,
     std::optional<Step>& best) const;
   void tryVertex(

@@ -40,7 +40,6 @@ public:
       !this->isExcluded(ring[i + 1].neighbour());
   }
 
-  bool hasCosts() const { return !this->Options.cost.empty(); }
   double costOf(Index vertex) const
   {
     return this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex];

@@ -57,7 +57,7 @@ struct vtkSurfaceGeodesicPath::Internals
     geodesic::bridge::SolveSurface ground, int method, const geodesic::PathStyle& style)
   {
     const bool isSame = this->Ground && this->Ground->isLike(ground) && this->Method == method &&
-      this->Style.order == style.order && this->Style.straighten == style.straighten;
+      this->Style == style;
     if (!isSame)
     {
       this->Segments.clear();
@@ -274,45 +274,37 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
       "StartPositions, or give a WaypointSource and a StartSource.");
   }
   const Internals& internal = *this->Internal;
-  const geodesic::TriangleMesh& mesh = *ground.mesh();
-  geodesic::SolveOptions options = ground.options();
-  const geodesic::Terrain terrain(mesh, options);
-  std::vector<geodesic::Seed> seeds;
-  std::vector<geodesic::PathPoint> ends;
+  std::vector<geodesic::SurfacePoint> ends;
   for (const geodesic::SurfacePoint& waypoint : waypoints)
   {
-    const auto point = ground.openPointOf(waypoint, "Waypoint " + std::to_string(seeds.size()));
-    seeds.push_back(geodesic::Seed::atPoint(point));
-    ends.push_back(geodesic::PathPoint::at(mesh, point));
+    ends.push_back(ground.openPointOf(waypoint, "Waypoint " + std::to_string(ends.size())));
   }
-  std::vector<geodesic::PathPoint> points;
-  std::vector<geodesic::Triangle> targets;
+  std::vector<geodesic::SurfacePoint> points;
   for (const geodesic::SurfacePoint& start : starts)
   {
-    points.push_back(geodesic::PathPoint::at(
-      mesh, ground.openPointOf(start, "Start " + std::to_string(points.size()))));
-    const auto round = geodesic::targetsRound(terrain, points.back());
-    targets.insert(targets.end(), round.begin(), round.end());
+    points.push_back(ground.openPointOf(start, "Start " + std::to_string(points.size())));
   }
-  options.targets = targets;
-  options.targetMode = geodesic::TargetMode::All;
-  geodesic::bridge::ProgressReporter reporter(*this, mesh.numberOfVertices());
+  geodesic::bridge::ProgressReporter reporter(*this, ground.mesh()->numberOfVertices());
+  geodesic::SolveOptions options = ground.options();
   options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
-  const geodesic::DistanceField& field = internal.Solver->solve(seeds, options);
+  geodesic::PathFinder finder(*internal.Solver, ends, options, internal.Style);
+  if (!finder.march(points))
+  {
+    return {};
+  }
 
   std::vector<Segment> segments;
   std::string missing;
   for (std::size_t i = 0; i < starts.size() && !this->GetAbortOutput(); ++i)
   {
-    const auto path = geodesic::tracedPath(terrain, field, ends, points[i], internal.Style);
+    const auto path = finder.pathFrom(points[i]);
     Segment& segment = segments.emplace_back();
     if (path)
     {
-      const auto end = std::find(ends.begin(), ends.end(), path->back());
-      segment.From = starts[i];
-      segment.To = waypoints[end - ends.begin()];
-      segment.Path = ground.basePathOf(*path);
-      segment.NearestSeed = end - ends.begin();
+      const auto isEnd = [&](const geodesic::SurfacePoint& end)
+      { return geodesic::PathPoint::at(*ground.mesh(), end) == path->back(); };
+      const auto end = std::find_if(ends.begin(), ends.end(), isEnd) - ends.begin();
+      segment = { starts[i], waypoints[end], ground.basePathOf(*path), end };
     }
     else
     {
