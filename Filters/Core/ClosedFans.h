@@ -22,7 +22,12 @@ public:
   /** Whether entry @p i of the ring of @p vertex opens a triangle that may be crossed. */
   bool isOpen(Index vertex, std::size_t i) const
   {
-    return this->Mesh.ring(vertex)[i].opensTriangle() &&
+    return this->isOpen(this->Mesh.ring(vertex)[i], vertex, i);
+  }
+  /** The same where @p entry i is at hand. */
+  bool isOpen(const RingEntry& entry, Index vertex, std::size_t i) const
+  {
+    return entry.opensTriangle() &&
       (this->Closed.empty() || !this->Closed[this->Mesh.rings().firstEntry(vertex) + i]);
   }
 

@@ -3,6 +3,7 @@
 
 #include "SeedFront.h"
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -21,43 +22,40 @@ namespace geodesic
  * dropped is too high; that fades by about a digit an edge. 4 longest edges left 6e-9 at points of
  * a regular grid, 5 less than 1e-10, so the margin is MarginInEdges times the longest edge round
  * the vertex.
+ *
+ * Most vertices have one value. Each has its first entry in place, numbered like the vertex, and a
+ * chain of further ones behind all vertices' first.
  */
 class LabelSets
 {
 public:
   static constexpr double MarginInEdges = 5.0;
 
-  /** One value of one vertex, without the value of the seed itself. */
-  struct Entry
+  /** To be called before each use. Memory 17 bytes a vertex. */
+  void start(Index numberOfVertices)
   {
-    double value;
-    Index vertex;
-    Index label;
-    /** Next entry of the same vertex. */
-    Index next;
-    bool isQueued;
-    bool isPinned;
-  };
-
-  /** To be called before each use. Memory 4 bytes a vertex. */
-  void start(Index numberOfVertices) { this->Heads.resize(numberOfVertices, NoIndex); }
+    this->NumberOfVertices = numberOfVertices;
+    this->Entries.resize(numberOfVertices);
+    this->Flags.resize(numberOfVertices, 0);
+  }
 
   /** Forgets everything; @p vertices are all those that have entries. */
   void clear(std::span<const Index> vertices)
   {
     for (Index vertex : vertices)
     {
-      this->Heads[vertex] = NoIndex;
+      this->Entries[vertex] = Entry();
+      this->Flags[vertex] = 0;
     }
-    this->Entries.clear();
+    this->Entries.resize(this->NumberOfVertices);
+    this->Flags.resize(this->NumberOfVertices);
+    this->VertexOfFurther.clear();
   }
-
-  Entry& operator[](Index entry) { return this->Entries[entry]; }
 
   /** The entry of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {
-    Index entry = this->Heads[vertex];
+    Index entry = vertex;
     while (entry != NoIndex && this->Entries[entry].label != label)
     {
       entry = this->Entries[entry].next;
@@ -75,19 +73,36 @@ public:
   /** Adds an entry without a value to a vertex that has none for the label. */
   Index add(Index vertex, Index label)
   {
+    if (this->Entries[vertex].label == NoIndex)
+    {
+      this->Entries[vertex].label = label;
+      return vertex;
+    }
     const Index entry = static_cast<Index>(this->Entries.size());
-    constexpr double none = std::numeric_limits<double>::infinity();
-    this->Entries.push_back({ none, vertex, label, this->Heads[vertex], false, false });
-    this->Heads[vertex] = entry;
+    this->Entries.push_back({ .label = label, .next = this->Entries[vertex].next });
+    this->Entries[vertex].next = entry;
+    this->Flags.push_back(0);
+    this->VertexOfFurther.push_back(vertex);
     return entry;
   }
+
+  Index vertexOf(Index entry) const
+  {
+    return entry < this->NumberOfVertices ? entry
+                                          : this->VertexOfFurther[entry - this->NumberOfVertices];
+  }
+  Index labelOf(Index entry) const { return this->Entries[entry].label; }
+  /** Without the value of the seed itself. */
+  double& valueOf(Index entry) { return this->Entries[entry].value; }
+  /** Free for the march; 0 at first. */
+  std::uint8_t& flagsOf(Index entry) { return this->Flags[entry]; }
 
   /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
   Index nearestSeed(Index vertex, double best, std::span<const Label> labels) const
   {
     constexpr double rounding = 1.0 + 1e-10;
     Index seed = NoIndex;
-    for (Index e = this->Heads[vertex]; e != NoIndex; e = this->Entries[e].next)
+    for (Index e = vertex; e != NoIndex; e = this->Entries[e].next)
     {
       const Label& label = labels[this->Entries[e].label];
       if (label.seed < seed && this->Entries[e].value + label.value <= best * rounding)
@@ -99,8 +114,18 @@ public:
   }
 
 private:
-  std::vector<Index> Heads;
+  struct Entry
+  {
+    double value = std::numeric_limits<double>::infinity();
+    Index label = NoIndex;
+    /** Next entry of the same vertex. */
+    Index next = NoIndex;
+  };
+
+  Index NumberOfVertices = 0;
   std::vector<Entry> Entries;
+  std::vector<std::uint8_t> Flags;
+  std::vector<Index> VertexOfFurther;
 };
 
 }

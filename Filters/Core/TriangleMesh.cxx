@@ -75,7 +75,7 @@ TriangleMesh::TriangleMesh(
   }
   this->numberVertices(points, triangles, coincident);
   this->orderTriangles(triangles);
-  this->Rings = VertexRings(this->numberOfVertices(), this->Triangles);
+  this->Rings = VertexRings(this->Positions, this->Triangles);
   if (this->Triangles.size() < triangles.size())
   {
     this->forgetBareVertices();

@@ -1,6 +1,7 @@
 #include "VertexRings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -18,12 +19,23 @@ struct OppositeSide
   Index second;
 };
 
+float slackOf(const Vector3& v, const Vector3& p, const Vector3& q)
+{
+  const double area = norm(cross(p - v, q - v));
+  const auto over = [area](double c) { return c > 0.0 ? 2.0 * area / c - c : 0.0; };
+  const double slack = std::min(over(norm(p - v)), over(norm(q - v)));
+  const float rounded = static_cast<float>(slack);
+  return rounded > slack ? std::nextafter(rounded, -std::numeric_limits<float>::infinity())
+                         : rounded;
+}
+
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
 class FanChainer
 {
 public:
   /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
-  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
+  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries,
+    std::span<const Vector3> positions, Index v)
   {
     this->Sides = sides;
     this->Left = sides.size();
@@ -44,7 +56,11 @@ public:
       this->Backward.insert(this->Backward.end(), this->Forward.begin(), this->Forward.end());
       for (std::size_t i = 0; i < this->Backward.size(); ++i)
       {
-        entries.emplace_back(this->Backward[i], i + 1 < this->Backward.size());
+        const bool opens = i + 1 < this->Backward.size();
+        entries.emplace_back(this->Backward[i], opens,
+          opens
+            ? slackOf(positions[v], positions[this->Backward[i]], positions[this->Backward[i + 1]])
+            : 0.0f);
       }
     }
   }
@@ -159,8 +175,9 @@ private:
 
 }
 
-VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> triangles)
+VertexRings::VertexRings(std::span<const Vector3> positions, std::span<const Triangle> triangles)
 {
+  const Index numberOfVertices = static_cast<Index>(positions.size());
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
   {
@@ -196,7 +213,8 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   for (Index v = 0; v < numberOfVertices; ++v)
   {
     this->Starts[v] = static_cast<std::uint32_t>(this->Entries.size());
-    chainer.chain({ sides.data() + first, sides.data() + sideStarts[v] }, this->Entries);
+    chainer.chain(
+      { sides.data() + first, sides.data() + sideStarts[v] }, this->Entries, positions, v);
     first = sideStarts[v];
   }
   this->Starts[numberOfVertices] = static_cast<std::uint32_t>(this->Entries.size());

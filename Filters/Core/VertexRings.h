@@ -2,6 +2,7 @@
 #define geodesic_VertexRings_h
 
 #include "Index.h"
+#include "Vector3.h"
 
 #include <cstdint>
 #include <span>
@@ -18,12 +19,22 @@ class RingEntry
 {
 public:
   constexpr RingEntry() = default;
-  constexpr RingEntry(Index neighbour, bool opensTriangle)
+  /** @param slack of the triangle that the entry opens */
+  constexpr RingEntry(Index neighbour, bool opensTriangle, float slack = 0.0f)
     : Bits(neighbour | (opensTriangle ? TriangleBit : 0u))
+    , Slack(slack)
   {
   }
   constexpr Index neighbour() const { return this->Bits & ~TriangleBit; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
+
+  /**
+   * Tells from three values that no update of the triangle can gain anything. Of the edges from the
+   * vertex to the two neighbours, the least of 2 h - c, with c the length of the edge and h the
+   * height over it, rounded down. A distance is 1-Lipschitz, so nowhere on the edge less than (a +
+   * b - c) / 2 with a and b at its ends; over it a neighbour gets no less than (a + b + slack) / 2.
+   */
+  constexpr float slack() const { return this->Slack; }
 
   /** Largest number of vertices that the entry can tell apart. */
   static constexpr Index MaximumVertices = 0x7fffffffu;
@@ -31,6 +42,7 @@ public:
 private:
   static constexpr Index TriangleBit = 0x80000000u;
   Index Bits = 0;
+  float Slack = 0.0f;
 };
 
 /**
@@ -43,8 +55,12 @@ class VertexRings
 {
 public:
   VertexRings() = default;
-  /** @param triangles corners below @p numberOfVertices, three different ones each. Time O(n). */
-  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles);
+  /**
+   * @param positions  of all vertices
+   * @param triangles  three different vertices each
+   * Time O(n).
+   */
+  VertexRings(std::span<const Vector3> positions, std::span<const Triangle> triangles);
 
   std::span<const RingEntry> operator[](Index vertex) const
   {
