@@ -21,6 +21,9 @@ constexpr std::uint8_t Pinned = 2;
 /** Width of the queue's buckets; 0.1 to 0.5 serve about equally well. */
 constexpr double BucketWidthInMeanEdges = 0.25;
 
+/** How far ahead in the queue the mesh is fetched: the time that memory takes to answer. */
+constexpr std::size_t Lookahead = 3;
+
 double smallestValue(std::span<const Label> labels)
 {
   return std::min_element(
@@ -274,6 +277,10 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index vertex = this->Queue.pop();
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(ahead);
+    }
     this->State[vertex] &= ~Queued;
     ringSweep.sweep(vertex, values.value(vertex));
   }
@@ -312,6 +319,10 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   {
     const Index entry = this->Queue.pop();
     sets.flagsOf(entry) &= ~Queued;
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(sets.vertexOf(ahead));
+    }
     const Index vertex = sets.vertexOf(entry);
     const Index label = sets.labelOf(entry);
     const double value = sets.valueOf(entry);
