@@ -19,15 +19,13 @@ public:
    * vertex. */
   ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
 
+  /** Whether every triangle may be crossed. */
+  bool isEmpty() const { return this->Closed.empty(); }
+
   /** Whether entry @p i of the ring of @p vertex opens a triangle that may be crossed. */
   bool isOpen(Index vertex, std::size_t i) const
   {
-    return this->isOpen(this->Mesh.ring(vertex)[i], vertex, i);
-  }
-  /** The same where @p entry i is at hand. */
-  bool isOpen(const RingEntry& entry, Index vertex, std::size_t i) const
-  {
-    return entry.opensTriangle() &&
+    return this->Mesh.ring(vertex)[i].opensTriangle() &&
       (this->Closed.empty() || !this->Closed[this->Mesh.rings().firstEntry(vertex) + i]);
   }
 

@@ -155,12 +155,13 @@ public:
 
   FrontValue look(Index vertex) const
   {
-    const Index entry = this->Sets.find(vertex, this->Current);
-    if (entry == NoIndex)
+    const Index known = this->Sets.find(vertex, this->Current);
+    if (known == NoIndex)
     {
       return { DistanceField::Unreached, false };
     }
-    return { this->Sets.valueOf(entry), (this->Sets.flagsOf(entry) & Queued) != 0 };
+    const LabelSets::Entry& entry = this->Sets[known];
+    return { entry.value, entry.isQueued != 0 };
   }
 
   /** The largest value of the current label that a vertex keeps beside its best one. */
@@ -180,31 +181,32 @@ public:
   FrontValue propose(Index vertex, double value)
   {
     const Index known = this->Sets.find(vertex, this->Current);
-    const double old = known == NoIndex ? DistanceField::Unreached : this->Sets.valueOf(known);
+    const bool isNew = known == NoIndex;
+    const double old = isNew ? DistanceField::Unreached : this->Sets[known].value;
     value = this->LeastOf[this->Current].raised(value, this->Context.mesh.position(vertex));
     if (!(value < this->ceiling(vertex, old)) || this->Context.options.isExcluded(vertex) ||
-      (known != NoIndex && (this->Sets.flagsOf(known) & Pinned)))
+      (!isNew && this->Sets[known].isPinned))
     {
-      return this->look(vertex);
+      return { old, !isNew && this->Sets[known].isQueued };
     }
-    this->set(known == NoIndex ? this->Sets.add(vertex, this->Current) : known, value);
+    this->set(isNew ? this->Sets.add(vertex, this->Current) : known, value);
     return { value, true };
   }
 
-  void set(Index entry, double value)
+  void set(Index number, double value)
   {
-    this->Sets.valueOf(entry) = value;
-    const Index vertex = this->Sets.vertexOf(entry);
+    LabelSets::Entry& entry = this->Sets[number];
+    entry.value = value;
+    const Index vertex = this->Sets.vertexOf(number);
     const double distance = value + this->Offset;
     if (distance < this->Context.field.distance(vertex))
     {
       this->Context.field.setDistance(vertex, distance);
     }
-    std::uint8_t& flags = this->Sets.flagsOf(entry);
-    if (!(flags & Queued))
+    if (!entry.isQueued)
     {
-      flags |= Queued;
-      this->Context.queue.push(entry, distance - this->First);
+      entry.isQueued = true;
+      this->Context.queue.push(number, distance - this->First);
     }
   }
 
@@ -313,31 +315,30 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     values.setCurrent(start.label);
     const Index entry = sets.add(start.vertex, start.label);
     values.set(entry, start.value);
-    sets.flagsOf(entry) |= start.isFinal ? Pinned : 0;
+    sets[entry].isPinned = start.isFinal;
   }
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
-    const Index entry = this->Queue.pop();
-    sets.flagsOf(entry) &= ~Queued;
+    const Index popped = this->Queue.pop();
     if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
     {
       mesh.prefetch(sets.vertexOf(ahead));
     }
-    const Index vertex = sets.vertexOf(entry);
-    const Index label = sets.labelOf(entry);
-    const double value = sets.valueOf(entry);
-    values.setCurrent(label);
-    if (value > values.keptUpTo(vertex))
+    sets[popped].isQueued = false;
+    const LabelSets::Entry entry = sets[popped];
+    const Index vertex = sets.vertexOf(popped);
+    values.setCurrent(entry.label);
+    if (entry.value > values.keptUpTo(vertex))
     {
       continue;
     }
-    if (labels[label].shape == FrontShape::Round)
+    if (labels[entry.label].shape == FrontShape::Round)
     {
-      round.sweep(vertex, value);
+      round.sweep(vertex, entry.value);
     }
     else
     {
-      straight.sweep(vertex, value);
+      straight.sweep(vertex, entry.value);
     }
   }
   for (Index vertex : field.reached())

@@ -3,7 +3,6 @@
 
 #include "SeedFront.h"
 
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -31,12 +30,24 @@ class LabelSets
 public:
   static constexpr double MarginInEdges = 5.0;
 
-  /** To be called before each use. Memory 17 bytes a vertex. */
+  /** One value of one vertex. */
+  struct Entry
+  {
+    /** Without the value of the seed itself. */
+    double value = std::numeric_limits<double>::infinity();
+    Index label : 30 = NoLabel;
+    Index isQueued : 1 = 0;
+    Index isPinned : 1 = 0;
+    /** Next entry of the same vertex. */
+    Index next = NoIndex;
+  };
+  static constexpr Index NoLabel = 0x3fffffffu;
+
+  /** To be called before each use. Memory 16 bytes a vertex. */
   void start(Index numberOfVertices)
   {
     this->NumberOfVertices = numberOfVertices;
     this->Entries.resize(numberOfVertices);
-    this->Flags.resize(numberOfVertices, 0);
   }
 
   /** Forgets everything; @p vertices are all those that have entries. */
@@ -45,10 +56,8 @@ public:
     for (Index vertex : vertices)
     {
       this->Entries[vertex] = Entry();
-      this->Flags[vertex] = 0;
     }
     this->Entries.resize(this->NumberOfVertices);
-    this->Flags.resize(this->NumberOfVertices);
     this->VertexOfFurther.clear();
   }
 
@@ -63,17 +72,13 @@ public:
     return entry;
   }
 
-  /** +infinity where the vertex has no value for the label. */
-  double value(Index vertex, Index label) const
-  {
-    const Index entry = this->find(vertex, label);
-    return entry == NoIndex ? std::numeric_limits<double>::infinity() : this->Entries[entry].value;
-  }
+  Entry& operator[](Index entry) { return this->Entries[entry]; }
+  const Entry& operator[](Index entry) const { return this->Entries[entry]; }
 
   /** Adds an entry without a value to a vertex that has none for the label. */
   Index add(Index vertex, Index label)
   {
-    if (this->Entries[vertex].label == NoIndex)
+    if (this->Entries[vertex].label == NoLabel)
     {
       this->Entries[vertex].label = label;
       return vertex;
@@ -81,22 +86,16 @@ public:
     const Index entry = static_cast<Index>(this->Entries.size());
     this->Entries.push_back({ .label = label, .next = this->Entries[vertex].next });
     this->Entries[vertex].next = entry;
-    this->Flags.push_back(0);
     this->VertexOfFurther.push_back(vertex);
     return entry;
   }
 
+  /** The vertex that an entry belongs to. */
   Index vertexOf(Index entry) const
   {
     return entry < this->NumberOfVertices ? entry
                                           : this->VertexOfFurther[entry - this->NumberOfVertices];
   }
-  Index labelOf(Index entry) const { return this->Entries[entry].label; }
-  /** Without the value of the seed itself. */
-  double& valueOf(Index entry) { return this->Entries[entry].value; }
-  /** Free for the march; 0 at first. */
-  std::uint8_t& flagsOf(Index entry) { return this->Flags[entry]; }
-
   /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
   Index nearestSeed(Index vertex, double best, std::span<const Label> labels) const
   {
@@ -114,17 +113,8 @@ public:
   }
 
 private:
-  struct Entry
-  {
-    double value = std::numeric_limits<double>::infinity();
-    Index label = NoIndex;
-    /** Next entry of the same vertex. */
-    Index next = NoIndex;
-  };
-
   Index NumberOfVertices = 0;
   std::vector<Entry> Entries;
-  std::vector<std::uint8_t> Flags;
   std::vector<Index> VertexOfFurther;
 };
 

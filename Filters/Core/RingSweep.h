@@ -107,9 +107,13 @@ private:
       window.squaredLengths[i] = dot(offset, offset);
       window.isQueued |= bit(known.isQueued, i);
       isHigher |= bit(known.value > value, i);
-      isOpen |= bit(this->Closed.isOpen(ring[i], vertex, first + i), i);
+      isOpen |= bit(ring[i].opensTriangle(), i);
     }
     isOpen &= bit(true, ring.size() - 1) - 1;
+    for (std::size_t i = 0; !this->Closed.isEmpty() && i < ring.size(); ++i)
+    {
+      isOpen &= ~bit(!this->Closed.isOpen(vertex, first + i), i);
+    }
 
     for (Mask edges = isHigher & (isOpen | isOpen << 1); edges != 0; edges &= edges - 1)
     {
