@@ -3,9 +3,11 @@
 
 #include "Index.h"
 #include "SurfacePoint.h"
+#include "ThreadTeam.h"
 #include "Vector3.h"
 #include "VertexRings.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -37,13 +39,15 @@ public:
   /**
    * @param points     coordinates, in any length unit
    * @param triangles  point ids
+   * @param team       threads to build it on; the mesh does not depend on their number
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
    *         coordinates are not finite
    * @throws std::length_error for more than 2^31 - 1 vertices or 700 million triangles
    * Time O(n).
    */
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    CoincidentPoints coincident = CoincidentPoints::Separate);
+    CoincidentPoints coincident = CoincidentPoints::Separate,
+    const ThreadTeam& team = ThreadTeam());
 
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
@@ -86,11 +90,12 @@ public:
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    CoincidentPoints coincident);
-  void orderTriangles(std::span<const Triangle> triangles);
+    CoincidentPoints coincident, const ThreadTeam& team);
+  void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();
-  void measureEdges();
+  /** Measures the edges; returns the slacks of each triangle, see RingEntry::slack. */
+  std::vector<std::array<float, 3>> measureTriangles(const ThreadTeam& team);
 
   std::vector<Vector3> Positions;
   std::vector<Triangle> Triangles;

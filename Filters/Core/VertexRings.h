@@ -2,8 +2,9 @@
 #define geodesic_VertexRings_h
 
 #include "Index.h"
-#include "Vector3.h"
+#include "ThreadTeam.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,6 +37,8 @@ public:
    */
   constexpr float slack() const { return this->Slack; }
 
+  friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
+
   /** Largest number of vertices that the entry can tell apart. */
   static constexpr Index MaximumVertices = 0x7fffffffu;
 
@@ -56,11 +59,13 @@ class VertexRings
 public:
   VertexRings() = default;
   /**
-   * @param positions  of all vertices
-   * @param triangles  three different vertices each
+   * @param triangles  three different ones of @p numberOfVertices vertices each
+   * @param slacks     see RingEntry::slack; at the corners of each triangle
+   * @param team       threads to work on; the rings do not depend on their number
    * Time O(n).
    */
-  VertexRings(std::span<const Vector3> positions, std::span<const Triangle> triangles);
+  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
+    std::span<const std::array<float, 3>> slacks, const ThreadTeam& team);
 
   std::span<const RingEntry> operator[](Index vertex) const
   {
