@@ -83,29 +83,23 @@ float roundedDown(double x)
   return static_cast<float>(std::min(x - roundingOf(x), largest));
 }
 
-struct TriangleMeasure
-{
-  /** Of the sides opposite to the corners. */
-  std::array<double, 3> lengths;
-  /** See RingEntry::slack; at the corners. */
-  std::array<float, 3> slacks;
-};
+/** Lengths of the sides, each opposite to the corner of the same number. */
+using SideLengths = std::array<double, 3>;
 
-TriangleMeasure measured(const Vector3& a, const Vector3& b, const Vector3& c)
+SideLengths sideLengths(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  TriangleMeasure measure{ { norm(c - b), norm(a - c), norm(b - a) }, {} };
-  const double area = norm(cross(b - a, c - a));
-  std::array<double, 3> over{};
-  for (int side = 0; side < 3; ++side)
-  {
-    const double length = measure.lengths[side];
-    over[side] = length > 0.0 ? 2.0 * area / length - length : 0.0;
-  }
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    measure.slacks[corner] = roundedDown(std::min(over[(corner + 1) % 3], over[(corner + 2) % 3]));
-  }
-  return measure;
+  return { norm(c - b), norm(a - c), norm(b - a) };
+}
+
+TriangleMeasure measured(const SideLengths& sides, double longest, double doubleArea)
+{
+  const auto slackOver = [&](double side)
+  { return side > 0.0 ? 2.0 * doubleArea / side - side : 0.0; };
+  const SideLengths slacks{ slackOver(sides[0]), slackOver(sides[1]), slackOver(sides[2]) };
+  return { { roundedDown(std::min(slacks[1], slacks[2])),
+             roundedDown(std::min(slacks[2], slacks[0])),
+             roundedDown(std::min(slacks[0], slacks[1])) },
+    roundedUp(longest) };
 }
 
 }
@@ -227,10 +221,8 @@ void TriangleMesh::forgetBareVertices()
   }
 }
 
-std::vector<std::array<float, 3>> TriangleMesh::measureTriangles(const ThreadTeam& team)
+std::vector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
 {
-  std::vector<std::array<float, 3>> slacks(this->Triangles.size());
-  std::vector<float> longest(this->Triangles.size());
   // Sums over blocks of one size, so that their sum does not depend on the threads.
   constexpr std::size_t blockSize = 64;
   struct Block
@@ -239,37 +231,26 @@ std::vector<std::array<float, 3>> TriangleMesh::measureTriangles(const ThreadTea
     double longest = 0.0;
   };
   std::vector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
+  std::vector<TriangleMeasure> measures(this->Triangles.size());
   team.run(blocks.size(),
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t, std::size_t firstBlock, std::size_t lastBlock)
     {
-      const std::size_t end = std::min(last * blockSize, this->Triangles.size());
-      for (std::size_t t = first * blockSize; t < end; ++t)
+      for (std::size_t number = firstBlock; number < lastBlock; ++number)
       {
-        const auto [a, b, c] = this->Triangles[t];
-        const TriangleMeasure measure =
-          measured(this->Positions[a], this->Positions[b], this->Positions[c]);
-        const auto& [x, y, z] = measure.lengths;
-        const double longestSide = std::max({ x, y, z });
-        slacks[t] = measure.slacks;
-        longest[t] = roundedUp(longestSide);
-        Block& block = blocks[t / blockSize];
-        block.sum += x + y + z;
-        block.longest = std::max(block.longest, longestSide);
-      }
-    });
-  this->LongestEdgeAround.assign(this->numberOfVertices(), 0.0f);
-  team.run(this->LongestEdgeAround.size(),
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-      {
-        for (Index v : this->Triangles[t])
+        Block block;
+        const std::size_t end = std::min((number + 1) * blockSize, this->Triangles.size());
+        for (std::size_t t = number * blockSize; t < end; ++t)
         {
-          if (v >= first && v < last)
-          {
-            this->LongestEdgeAround[v] = std::max(this->LongestEdgeAround[v], longest[t]);
-          }
+          const Vector3& a = this->Positions[this->Triangles[t][0]];
+          const Vector3& b = this->Positions[this->Triangles[t][1]];
+          const Vector3& c = this->Positions[this->Triangles[t][2]];
+          const SideLengths sides = sideLengths(a, b, c);
+          const double longest = std::max(sides[0], std::max(sides[1], sides[2]));
+          measures[t] = measured(sides, longest, norm(cross(b - a, c - a)));
+          block.sum += sides[0] + sides[1] + sides[2];
+          block.longest = std::max(block.longest, longest);
         }
+        blocks[number] = block;
       }
     });
   double sum = 0.0;
@@ -282,7 +263,7 @@ std::vector<std::array<float, 3>> TriangleMesh::measureTriangles(const ThreadTea
   {
     this->MeanEdgeLength = sum / (3.0 * static_cast<double>(this->Triangles.size()));
   }
-  return slacks;
+  return measures;
 }
 
 SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const

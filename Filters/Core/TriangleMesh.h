@@ -7,7 +7,6 @@
 #include "Vector3.h"
 #include "VertexRings.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -30,7 +29,7 @@ enum class CoincidentPoints
  * boundaries, several parts, mixed orientation, edges with more than two triangles, triangles of
  * zero area. A triangle that repeats a corner has no area and no interior and is left out.
  *
- * Holds about 100 bytes a vertex. Lengths are computed from the coordinates where they are used:
+ * Holds about 130 bytes a vertex. Lengths are computed from the coordinates where they are used:
  * on current machines that is cheaper than reading them from memory.
  */
 class TriangleMesh
@@ -86,7 +85,7 @@ public:
   /** Length of the longest side of any triangle. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
-  double longestEdgeAround(Index vertex) const { return this->LongestEdgeAround[vertex]; }
+  double longestEdgeAround(Index vertex) const { return this->Rings.longestSideAround(vertex); }
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const Triangle> triangles,
@@ -94,8 +93,7 @@ private:
   void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();
-  /** Measures the edges; returns the slacks of each triangle, see RingEntry::slack. */
-  std::vector<std::array<float, 3>> measureTriangles(const ThreadTeam& team);
+  std::vector<TriangleMeasure> measureTriangles(const ThreadTeam& team);
 
   std::vector<Vector3> Positions;
   std::vector<Triangle> Triangles;
@@ -103,7 +101,6 @@ private:
   VertexRings Rings;
   std::vector<Index> VertexOfPoint;
   std::vector<Index> PointOfVertex;
-  std::vector<float> LongestEdgeAround;
   double MeanEdgeLength = 0.0;
   double LongestEdgeLength = 0.0;
 };

@@ -25,44 +25,49 @@ struct OppositeSide
 class FanChainer
 {
 public:
-  /** Appends the fans made of @p sides to @p entries. */
-  void chain(std::span<const OppositeSide> sides, std::vector<RingEntry>& entries)
+  /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
+  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
   {
     this->Sides = sides;
     this->Left = sides.size();
-    this->start();
+    if (this->isIndexed())
+    {
+      this->indexSides();
+    }
     this->Fan.resize(2 * sides.size() + 2);
     while (this->Left > 0)
     {
       // The fan grows from the middle, to its end and then, unless it closed, to its front.
       std::size_t front = sides.size();
       std::size_t back = front + 1;
-      const OppositeSide& side = sides[this->takeAny()];
+      const OppositeSide side = this->takeAny();
       this->Fan[front] = RingEntry(side.first, true, side.slack);
       this->Fan[back] = RingEntry(side.second, false);
       bool isClosed = false;
       while (!isClosed)
       {
         const Index end = this->Fan[back].neighbour();
-        const std::size_t next = this->takeAt(end);
-        if (next == None)
+        const std::size_t place = this->find(end);
+        if (place == None)
         {
           break;
         }
-        const Index other = this->otherEnd(next, end);
-        this->Fan[back] = RingEntry(end, true, sides[next].slack);
+        const OppositeSide next = this->take(place);
+        const Index other = otherEnd(next, end);
+        this->Fan[back] = RingEntry(end, true, next.slack);
         this->Fan[++back] = RingEntry(other, false);
         isClosed = other == this->Fan[front].neighbour();
       }
       while (!isClosed)
       {
         const Index end = this->Fan[front].neighbour();
-        const std::size_t next = this->takeAt(end);
-        if (next == None)
+        const std::size_t place = this->find(end);
+        if (place == None)
         {
           break;
         }
-        this->Fan[--front] = RingEntry(this->otherEnd(next, end), true, sides[next].slack);
+        const OppositeSide next = this->take(place);
+        this->Fan[--front] = RingEntry(otherEnd(next, end), true, next.slack);
         isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
       }
       entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
@@ -77,21 +82,9 @@ private:
 
   bool isIndexed() const { return this->Sides.size() > LinearLimit; }
 
-  Index otherEnd(std::size_t side, Index end) const
+  static Index otherEnd(const OppositeSide& side, Index end)
   {
-    return this->Sides[side].first ^ this->Sides[side].second ^ end;
-  }
-
-  void start()
-  {
-    if (this->isIndexed())
-    {
-      this->indexSides();
-    }
-    else
-    {
-      this->IsLeft = static_cast<Mask>((std::uint64_t{ 1 } << this->Sides.size()) - 1);
-    }
+    return side.first ^ side.second ^ end;
   }
 
   void indexSides()
@@ -112,50 +105,50 @@ private:
     }
   }
 
-  /** Takes the first side that is left. */
-  std::size_t takeAny()
+  OppositeSide takeAny()
   {
-    --this->Left;
     if (!this->isIndexed())
     {
-      const int side = std::countr_zero(this->IsLeft);
-      this->IsLeft &= this->IsLeft - 1;
-      return side;
+      return this->take(0);
     }
     while (this->Taken[this->NextStart])
     {
       ++this->NextStart;
     }
-    this->Taken[this->NextStart] = 1;
-    return this->NextStart;
+    return this->take(this->NextStart);
   }
 
-  /** Takes the first side left that ends in @p vertex, None if there is none. */
-  std::size_t takeAt(Index vertex)
+  /** Takes the side at a place; the places of others may change. */
+  OppositeSide take(std::size_t place)
   {
-    return this->isIndexed() ? this->takeIndexed(vertex) : this->takeLinear(vertex);
+    --this->Left;
+    if (this->isIndexed())
+    {
+      this->Taken[place] = 1;
+      return this->Sides[place];
+    }
+    return std::exchange(this->Sides[place], this->Sides[this->Left]);
   }
 
-  std::size_t takeLinear(Index vertex)
+  /** The place of a side left that ends in @p vertex, None if there is none. */
+  std::size_t find(Index vertex)
+  {
+    return this->isIndexed() ? this->findIndexed(vertex) : this->findLinear(vertex);
+  }
+
+  std::size_t findLinear(Index vertex) const
   {
     // No branch on what is found: which side follows is not to be guessed.
     Mask found = 0;
-    for (std::size_t i = 0; i < this->Sides.size(); ++i)
+    for (std::size_t i = 0; i < this->Left; ++i)
     {
       const OppositeSide& side = this->Sides[i];
       found |= static_cast<Mask>((side.first == vertex) | (side.second == vertex)) << i;
     }
-    found &= this->IsLeft;
-    if (found == 0)
-    {
-      return None;
-    }
-    --this->Left;
-    this->IsLeft &= ~(found & -found);
-    return std::countr_zero(found);
+    return found == 0 ? None : std::countr_zero(found);
   }
 
-  std::size_t takeIndexed(Index vertex)
+  std::size_t findIndexed(Index vertex)
   {
     const auto first = std::lower_bound(
       this->Ends.begin(), this->Ends.end(), std::pair<Index, std::size_t>{ vertex, 0 });
@@ -170,18 +163,15 @@ private:
       const std::size_t side = this->Ends[cursor].second;
       if (!this->Taken[side])
       {
-        this->Taken[side] = 1;
-        --this->Left;
         return side;
       }
     }
     return None;
   }
 
-  std::span<const OppositeSide> Sides;
+  std::span<OppositeSide> Sides;
   std::size_t Left = 0;
   std::vector<RingEntry> Fan;
-  Mask IsLeft = 0;
   std::vector<std::pair<Index, std::size_t>> Ends;
   std::vector<std::size_t> Cursors;
   std::vector<std::uint8_t> Taken;
@@ -194,10 +184,11 @@ struct RingsOfRange
   std::vector<RingEntry> entries;
   /** Where the rings end among them. */
   std::vector<std::uint32_t> ends;
+  std::vector<float> longestSides;
 };
 
 RingsOfRange ringsOfRange(Index first, Index last, std::span<const Triangle> triangles,
-  std::span<const std::array<float, 3>> slacks)
+  std::span<const TriangleMeasure> measures)
 {
   const auto visitCorners = [&](auto&& visit)
   {
@@ -223,19 +214,24 @@ RingsOfRange ringsOfRange(Index first, Index last, std::span<const Triangle> tri
   RingsOfRange rings;
   rings.entries.reserve(corners + corners / 6 + corners / 64);
   rings.ends.reserve(last - first);
+  rings.longestSides.reserve(last - first);
   FanChainer chainer;
   std::vector<OppositeSide> sides;
   std::uint32_t begin = 0;
   for (std::uint32_t end : places)
   {
     sides.clear();
+    float longest = 0.0f;
     for (std::uint32_t i = begin; i < end; ++i)
     {
       const std::uint32_t t = numbers[i] / 3;
       const std::uint32_t c = numbers[i] % 3;
-      sides.push_back({ triangles[t][(c + 1) % 3], triangles[t][(c + 2) % 3], slacks[t][c] });
+      sides.push_back(
+        { triangles[t][(c + 1) % 3], triangles[t][(c + 2) % 3], measures[t].slacks[c] });
+      longest = std::max(longest, measures[t].longestSide);
     }
     chainer.chain(sides, rings.entries);
+    rings.longestSides.push_back(longest);
     rings.ends.push_back(static_cast<std::uint32_t>(rings.entries.size()));
     begin = end;
   }
@@ -245,7 +241,7 @@ RingsOfRange ringsOfRange(Index first, Index last, std::span<const Triangle> tri
 }
 
 VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
-  std::span<const std::array<float, 3>> slacks, const ThreadTeam& team)
+  std::span<const TriangleMeasure> measures, const ThreadTeam& team)
 {
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
@@ -259,7 +255,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       parts[range] =
-        ringsOfRange(static_cast<Index>(first), static_cast<Index>(last), triangles, slacks);
+        ringsOfRange(static_cast<Index>(first), static_cast<Index>(last), triangles, measures);
     });
 
   std::vector<std::size_t> starts;
@@ -269,6 +265,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   }
   const std::size_t total = startsOf(starts);
   this->Starts.resize(std::size_t{ numberOfVertices } + 1, 0);
+  this->LongestSides.resize(numberOfVertices);
   if (parts.size() == 1)
   {
     this->Entries = std::move(parts[0].entries);
@@ -280,6 +277,8 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
       RingsOfRange& part = parts[range];
       std::transform(part.ends.begin(), part.ends.end(), this->Starts.begin() + first + 1,
         [&](std::uint32_t end) { return static_cast<std::uint32_t>(starts[range] + end); });
+      std::copy(
+        part.longestSides.begin(), part.longestSides.end(), this->LongestSides.begin() + first);
       std::copy(part.entries.begin(), part.entries.end(), this->Entries.begin() + starts[range]);
       part = RingsOfRange();
     });

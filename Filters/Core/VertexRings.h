@@ -48,6 +48,15 @@ private:
   float Slack = 0.0f;
 };
 
+/** What rings tell of the size of a triangle. */
+struct TriangleMeasure
+{
+  /** RingEntry::slack in the ring of each corner. */
+  std::array<float, 3> slacks;
+  /** Rounded up. */
+  float longestSide;
+};
+
 /**
  * The triangles round every vertex, as fans of neighbours. A fan of k triangles has k + 1 entries;
  * one that closes round the vertex ends with its first neighbour again. A boundary or manifold
@@ -60,12 +69,12 @@ public:
   VertexRings() = default;
   /**
    * @param triangles  three different ones of @p numberOfVertices vertices each
-   * @param slacks     see RingEntry::slack; at the corners of each triangle
+   * @param measures   one a triangle
    * @param team       threads to work on; the rings do not depend on their number
    * Time O(n).
    */
   VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
-    std::span<const std::array<float, 3>> slacks, const ThreadTeam& team);
+    std::span<const TriangleMeasure> measures, const ThreadTeam& team);
 
   std::span<const RingEntry> operator[](Index vertex) const
   {
@@ -85,11 +94,14 @@ public:
 
   /** Number of a vertex's first entry, counted over the rings of all vertices. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
+  /** The longest side of the triangles round a vertex. */
+  float longestSideAround(Index vertex) const { return this->LongestSides[vertex]; }
   std::size_t numberOfEntries() const { return this->Entries.size(); }
 
 private:
   std::vector<std::uint32_t> Starts;
   std::vector<RingEntry> Entries;
+  std::vector<float> LongestSides;
 };
 
 }
