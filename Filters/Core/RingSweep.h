@@ -81,6 +81,12 @@ private:
   using Mask = std::uint32_t;
   static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
 
+  /** Whether the height over an edge, 2 h - c of which is given, is less than a quarter of it. */
+  static bool isThinAt(double slack, double squaredLength)
+  {
+    return slack * std::abs(slack) < -0.25 * squaredLength;
+  }
+
   /** The neighbours in a window of a ring. */
   struct Window
   {
@@ -97,6 +103,7 @@ private:
     Window window;
     Mask isOpen = 0;
     Mask isHigher = 0;
+    Mask isThin = 0;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index neighbour = ring[i].neighbour();
@@ -108,6 +115,7 @@ private:
       window.isQueued |= bit(known.isQueued, i);
       isHigher |= bit(known.value > value, i);
       isOpen |= bit(ring[i].opensTriangle(), i);
+      isThin |= bit(isThinAt(ring[i].slack(), window.squaredLengths[i]), i);
     }
     isOpen &= bit(true, ring.size() - 1) - 1;
     for (std::size_t i = 0; !this->Closed.isEmpty() && i < ring.size(); ++i)
@@ -136,10 +144,11 @@ private:
       gainsFirst |= bit(bound + q < 2.0 * p, i);
       gainsSecond |= bit(bound + p < 2.0 * q, i);
     }
-    // The edge to a vertex that waits and comes later is crossed from there.
-    const Mask isCrossed = ~(window.isQueued & isHigher);
-    gainsFirst &= isOpen & isCrossed >> 1;
-    gainsSecond &= isOpen & isCrossed;
+    // The edge to a vertex that waits and comes later is crossed from there; not so in a thin
+    // triangle, where what lies behind the edge may come before it.
+    const Mask isLater = window.isQueued & isHigher;
+    gainsFirst &= isOpen & (isThin | ~(isLater >> 1));
+    gainsSecond &= isOpen & (isThin | ~isLater);
     for (Mask triangles = gainsFirst | gainsSecond; triangles != 0; triangles &= triangles - 1)
     {
       const int i = std::countr_zero(triangles);
