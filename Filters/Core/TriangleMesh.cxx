@@ -136,10 +136,12 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
   team.run(order.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
+      std::size_t count = 0;
       for (std::size_t i = first; i < last; ++i)
       {
-        starts[range] += isFirstOfItsKind(i);
+        count += isFirstOfItsKind(i);
       }
+      starts[range] = count;
     });
   const std::size_t vertices = startsOf(starts);
   this->VertexOfPoint.assign(points.size(), NoIndex);
