@@ -259,6 +259,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
     });
 
   std::vector<std::size_t> starts;
+  starts.reserve(parts.size());
   for (const RingsOfRange& part : parts)
   {
     starts.push_back(part.entries.size());
