@@ -68,11 +68,16 @@ public:
     return this->bucket(this->Current)[this->Next++];
   }
 
-private:
-  std::vector<Index>& bucket(std::uint64_t number)
+  /** The item @p places behind the next one, NoIndex where the order is not known that far. */
+  Index ahead(std::size_t places) const
   {
-    return this->Buckets[number & (this->Buckets.size() - 1)];
+    const std::vector<Index>& items = this->Buckets[this->indexOf(this->Current)];
+    return this->Next + places < items.size() ? items[this->Next + places] : NoIndex;
   }
+
+private:
+  std::size_t indexOf(std::uint64_t number) const { return number & (this->Buckets.size() - 1); }
+  std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 
   std::vector<std::vector<Index>> Buckets;
   double PerWidth = 1.0;

@@ -19,6 +19,9 @@ public:
    * vertex. */
   ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
 
+  /** Whether every triangle may be crossed. */
+  bool isEmpty() const { return this->Closed.empty(); }
+
   /** Whether entry @p i of the ring of @p vertex opens a triangle that may be crossed. */
   bool isOpen(Index vertex, std::size_t i) const
   {

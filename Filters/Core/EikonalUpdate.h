@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geodesic
 {
@@ -19,17 +20,13 @@ struct FlatTriangle
   double x;
   /** Height of v over the edge, at least 0. */
   double h;
-  /** Length from a to v. */
-  double av;
-  /** Length from b to v. */
-  double bv;
-};
 
-/** The same triangle with the ends of the edge the other way round. */
-inline FlatTriangle turned(const FlatTriangle& t)
-{
-  return { t.c, t.c - t.x, t.h, t.bv, t.av };
-}
+  double lengthFromA() const { return std::sqrt(this->x * this->x + this->h * this->h); }
+  double lengthFromB() const
+  {
+    return std::sqrt((this->c - this->x) * (this->c - this->x) + this->h * this->h);
+  }
+};
 
 /**
  * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on
@@ -41,6 +38,41 @@ inline double updateLowerBound(const FlatTriangle& t, double a, double b, double
   const double low = std::min(a, b);
   const double high = std::min(std::max(a, b), low + w * t.c);
   return 0.5 * (low + high - w * t.c) + w * t.h;
+}
+
+/**
+ * The least distance at v over the inside of the edge, where the distances @p a and @p b at its
+ * ends define a flat point source whose straight line to v crosses the edge, or that lies on the
+ * edge; +infinity where they don't. A part of pointSourceUpdate, which see.
+ */
+inline double pointSourceCrossing(const FlatTriangle& t, double a, double b)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const bool isTurned = b < a;
+  const double x = isTurned ? t.c - t.x : t.x;
+  const double u = isTurned ? a - b : b - a;
+  if (!(u < t.c))
+  {
+    return none;
+  }
+  const double perEdge = 1.0 / t.c;
+  const double sum = a + b;
+  // The source is at (sourceX, -sourceY), seen from the lower end.
+  const double sourceX = 0.5 * (t.c - u * sum * perEdge);
+  const double s = sum - t.c;
+  const double square = (sum + t.c) * s * (t.c + u) * (t.c - u);
+  if (s <= 0.0)
+  {
+    // The two discs overlap: the source lies on the edge, somewhere within them.
+    const double halfWidth = 0.5 * std::sqrt(std::max(0.0, -square)) * perEdge;
+    const double p = std::clamp(std::clamp(x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
+    return std::sqrt((x - p) * (x - p) + t.h * t.h);
+  }
+  const double sourceY = 0.5 * std::sqrt(square) * perEdge;
+  const double rise = sourceY + t.h;
+  const double run = x - sourceX;
+  const double crossing = sourceX * rise + run * sourceY;
+  return crossing > 0.0 && crossing < t.c * rise ? std::sqrt(run * run + rise * rise) : none;
 }
 
 /**
@@ -56,63 +88,38 @@ inline double updateLowerBound(const FlatTriangle& t, double a, double b, double
  */
 inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
 {
-  if (a > b)
-  {
-    return pointSourceUpdate(turned(t), b, a);
-  }
-  const double u = b - a;
-  if (!(u < t.c))
-  {
-    return std::min(a + t.av, b + t.bv);
-  }
-  const double alongEdge = std::min(a + t.av, b + t.bv);
-  // The source is at (sourceX, -sourceY).
-  const double sourceX = 0.5 * (t.c - u * (a + b) / t.c);
-  const double s = a + b - t.c;
-  const double square = (a + b + t.c) * s * (t.c + u) * (t.c - u);
-  if (s <= 0.0)
-  {
-    // The two discs overlap: the source lies on the edge, somewhere within them.
-    const double halfWidth = std::sqrt(std::max(0.0, -square)) / (2.0 * t.c);
-    const double p =
-      std::clamp(std::clamp(t.x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
-    return std::min(alongEdge, std::sqrt((t.x - p) * (t.x - p) + t.h * t.h));
-  }
-  const double sourceY = std::sqrt(square) / (2.0 * t.c);
-  const double rise = sourceY + t.h;
-  const double run = t.x - sourceX;
-  const double crossing = sourceX * rise + run * sourceY;
-  if (crossing <= 0.0 || crossing >= t.c * rise)
-  {
-    return alongEdge;
-  }
-  return std::min(alongEdge, std::sqrt(run * run + rise * rise));
+  return std::min({ a + t.lengthFromA(), b + t.lengthFromB(), pointSourceCrossing(t, a, b) });
 }
 
 /**
- * The same for a straight front, whose distance is linear along the edge: right beside a line of
+ * Like pointSourceCrossing for a straight front: over the inside of the edge, +infinity where none
+ * of the front's straight ways to v crosses it.
+ */
+inline double straightFrontCrossing(const FlatTriangle& t, double a, double b, double w = 1.0)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const bool isTurned = b < a;
+  const double low = isTurned ? b : a;
+  const double x = isTurned ? t.c - t.x : t.x;
+  const double sine = (isTurned ? a - b : b - a) / (w * t.c);
+  if (!(sine < 1.0))
+  {
+    return none;
+  }
+  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+  const double crossing = x * cosine - sine * t.h;
+  return crossing > 0.0 && crossing < t.c * cosine ? low + w * (sine * x + cosine * t.h) : none;
+}
+
+/**
+ * The update for a straight front, whose distance is linear along the edge: right beside a line of
  * sources, and nondecreasing in both values as well. @p w is the cost of a unit of length.
  * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
  */
 inline double straightFrontUpdate(const FlatTriangle& t, double a, double b, double w = 1.0)
 {
-  if (a > b)
-  {
-    return straightFrontUpdate(turned(t), b, a, w);
-  }
-  const double alongEdge = std::min(a + w * t.av, b + w * t.bv);
-  const double sine = (b - a) / (w * t.c);
-  if (!(sine < 1.0))
-  {
-    return alongEdge;
-  }
-  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  const double crossing = t.x * cosine - sine * t.h;
-  if (crossing <= 0.0 || crossing >= t.c * cosine)
-  {
-    return alongEdge;
-  }
-  return std::min(alongEdge, a + w * (sine * t.x + cosine * t.h));
+  return std::min(
+    { a + w * t.lengthFromA(), b + w * t.lengthFromB(), straightFrontCrossing(t, a, b, w) });
 }
 
 }

@@ -8,6 +8,7 @@
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace geodesic
 {
@@ -17,8 +18,11 @@ namespace
 constexpr std::uint8_t Queued = 1;
 constexpr std::uint8_t Pinned = 2;
 
-/** Width of the queue's buckets; 0.25 to 1 serve about equally well. */
-constexpr double BucketWidthInMeanEdges = 0.5;
+/** Width of the queue's buckets; 0.1 to 0.5 serve about equally well. */
+constexpr double BucketWidthInMeanEdges = 0.25;
+
+/** How far ahead in the queue the mesh is fetched: the time that memory takes to answer. */
+constexpr std::size_t Lookahead = 3;
 
 double smallestValue(std::span<const Label> labels)
 {
@@ -36,21 +40,184 @@ class StraightLineBound
 {
 public:
   StraightLineBound(const TriangleMesh& mesh, const Label& label, double smallestCost)
-    : Mesh(mesh)
-    , Origin(label.shape == FrontShape::Round ? mesh.positionOf(label.origin) : Vector3{})
-    , Cost(label.shape == FrontShape::Round ? smallestCost : 0.0)
+    : Origin(label.shape == FrontShape::Round ? mesh.positionOf(label.origin) : Vector3{})
+    , SquaredCost(label.shape == FrontShape::Round ? smallestCost * smallestCost : 0.0)
   {
   }
 
-  double operator()(Index vertex) const
+  /** @p value, or the bound at @p position where that is more. */
+  double raised(double value, const Vector3& position) const
   {
-    return this->Cost * norm(this->Mesh.position(vertex) - this->Origin);
+    const Vector3 away = position - this->Origin;
+    const double square = this->SquaredCost * dot(away, away);
+    return value * value < square ? std::sqrt(square) : value;
   }
 
 private:
-  const TriangleMesh& Mesh;
   Vector3 Origin;
-  double Cost;
+  double SquaredCost;
+};
+
+/** What the values of every label have in common; see RingSweep. */
+template <class Cost>
+struct MarchContext
+{
+  const TriangleMesh& mesh;
+  const Cost& cost;
+  const SolveOptions& options;
+  const StopLimit& limit;
+  const MarchControl& control;
+  DistanceField& field;
+  BucketQueue& queue;
+};
+
+/** The values of the only label: the field itself, but for the value of the seed. */
+template <class Cost>
+class OneLabelValues
+{
+public:
+  OneLabelValues(
+    const MarchContext<Cost>& context, const Label& label, std::span<std::uint8_t> state)
+    : Context(context)
+    , LeastOf(context.mesh, label, context.cost.smallest())
+    , Offset(label.value)
+    , State(state)
+  {
+  }
+
+  double value(Index vertex) const { return this->Context.field.distance(vertex) - this->Offset; }
+
+  FrontValue look(Index vertex) const
+  {
+    return { this->value(vertex), (this->State[vertex] & Queued) != 0 };
+  }
+
+  double ceiling(Index vertex, double value) const
+  {
+    const double reach = this->Context.cost.reach(vertex);
+    return std::min(
+      value * this->Context.control.keptFraction(), this->Context.limit.with(reach) - this->Offset);
+  }
+
+  FrontValue propose(Index vertex, double value)
+  {
+    const double old = this->value(vertex);
+    value = this->LeastOf.raised(value, this->Context.mesh.position(vertex));
+    if (!(value < this->ceiling(vertex, old)) || (this->State[vertex] & Pinned) ||
+      this->Context.options.isExcluded(vertex))
+    {
+      return this->look(vertex);
+    }
+    this->set(vertex, value);
+    return { value, true };
+  }
+
+  void set(Index vertex, double value)
+  {
+    this->Context.field.setDistance(vertex, value + this->Offset);
+    if (!(this->State[vertex] & Queued))
+    {
+      this->State[vertex] |= Queued;
+      this->Context.queue.push(vertex, value);
+    }
+  }
+
+private:
+  const MarchContext<Cost>& Context;
+  StraightLineBound LeastOf;
+  double Offset;
+  std::span<std::uint8_t> State;
+};
+
+/** The values of one of several labels, the current one. */
+template <class Cost>
+class LabelValues
+{
+public:
+  LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels, LabelSets& sets)
+    : Context(context)
+    , Labels(labels)
+    , Sets(sets)
+    , First(smallestValue(labels))
+  {
+    this->LeastOf.reserve(labels.size());
+    for (const Label& label : labels)
+    {
+      this->LeastOf.emplace_back(context.mesh, label, context.cost.smallest());
+    }
+  }
+
+  void setCurrent(Index label)
+  {
+    this->Current = label;
+    this->Offset = this->Labels[label].value;
+  }
+
+  FrontValue look(Index vertex) const
+  {
+    const Index known = this->Sets.find(vertex, this->Current);
+    if (known == NoIndex)
+    {
+      return { DistanceField::Unreached, false };
+    }
+    const LabelSets::Entry& entry = this->Sets[known];
+    return { entry.value, entry.isQueued != 0 };
+  }
+
+  /** The largest value of the current label that a vertex keeps beside its best one. */
+  double keptUpTo(Index vertex) const
+  {
+    return this->Context.field.distance(vertex) +
+      LabelSets::MarginInEdges * this->Context.cost.reach(vertex) - this->Offset;
+  }
+
+  double ceiling(Index vertex, double value) const
+  {
+    const double reach = this->Context.cost.reach(vertex);
+    return std::min({ value * this->Context.control.keptFraction(), this->keptUpTo(vertex),
+      this->Context.limit.with(reach) - this->Offset });
+  }
+
+  FrontValue propose(Index vertex, double value)
+  {
+    const Index known = this->Sets.find(vertex, this->Current);
+    const bool isNew = known == NoIndex;
+    const double old = isNew ? DistanceField::Unreached : this->Sets[known].value;
+    value = this->LeastOf[this->Current].raised(value, this->Context.mesh.position(vertex));
+    if (!(value < this->ceiling(vertex, old)) || this->Context.options.isExcluded(vertex) ||
+      (!isNew && this->Sets[known].isPinned))
+    {
+      return { old, !isNew && this->Sets[known].isQueued };
+    }
+    this->set(isNew ? this->Sets.add(vertex, this->Current) : known, value);
+    return { value, true };
+  }
+
+  void set(Index number, double value)
+  {
+    LabelSets::Entry& entry = this->Sets[number];
+    entry.value = value;
+    const Index vertex = this->Sets.vertexOf(number);
+    const double distance = value + this->Offset;
+    if (distance < this->Context.field.distance(vertex))
+    {
+      this->Context.field.setDistance(vertex, distance);
+    }
+    if (!entry.isQueued)
+    {
+      entry.isQueued = true;
+      this->Context.queue.push(number, distance - this->First);
+    }
+  }
+
+private:
+  const MarchContext<Cost>& Context;
+  std::span<const Label> Labels;
+  LabelSets& Sets;
+  std::vector<StraightLineBound> LeastOf;
+  double First;
+  Index Current = 0;
+  double Offset = 0.0;
 };
 
 }
@@ -97,47 +264,32 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   const Request& request, StopLimit& limit, DistanceField& field)
 {
   const TriangleMesh& mesh = this->mesh();
-  const double offset = request.front.labels[0].value;
   MarchControl control(request.options, limit, mesh.numberOfVertices());
-  const StraightLineBound leastOf(mesh, request.front.labels[0], cost.smallest());
-  const auto valueOf = [&](Index vertex) { return field.distance(vertex) - offset; };
-  const auto ceilingOf = [&](Index vertex, double value)
-  { return std::min(value * control.keptFraction(), limit.with(cost.reach(vertex)) - offset); };
-  const auto propose = [&](Index vertex, double value)
-  {
-    const double old = valueOf(vertex);
-    std::uint8_t& state = this->State[vertex];
-    value = std::max(value, leastOf(vertex));
-    if (!(value < ceilingOf(vertex, old)) || (state & Pinned) || request.options.isExcluded(vertex))
-    {
-      return old;
-    }
-    field.setDistance(vertex, value + offset);
-    if (!(state & Queued))
-    {
-      state |= Queued;
-      this->Queue.push(vertex, value);
-    }
-    return value;
-  };
+  const MarchContext<Cost> context{ mesh, cost, request.options, limit, control, field,
+    this->Queue };
+  const Label& label = request.front.labels[0];
+  OneLabelValues<Cost> values(context, label, this->State);
+  RingSweep<Shape, Cost, OneLabelValues<Cost>> ringSweep(mesh, request.closed, cost, values);
 
   for (const StartValue& start : starts)
   {
-    field.setDistance(start.vertex, start.value + offset);
-    this->State[start.vertex] = start.isFinal ? Pinned | Queued : Queued;
-    this->Queue.push(start.vertex, start.value);
+    values.set(start.vertex, start.value);
+    this->State[start.vertex] |= start.isFinal ? Pinned : 0;
   }
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index vertex = this->Queue.pop();
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(ahead);
+    }
     this->State[vertex] &= ~Queued;
-    sweepRing<Shape>(
-      mesh, request.closed, cost, vertex, valueOf(vertex), valueOf, ceilingOf, propose);
+    ringSweep.sweep(vertex, values.value(vertex));
   }
   for (Index vertex : field.reached())
   {
     this->State[vertex] = 0;
-    field.setNearestSeed(vertex, request.front.labels[0].seed);
+    field.setNearestSeed(vertex, label.seed);
   }
   return !control.isCancelled();
 }
@@ -150,71 +302,43 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   const std::vector<Label>& labels = request.front.labels;
   LabelSets& sets = this->Labels;
   sets.start(mesh.numberOfVertices());
-  const double first = smallestValue(labels);
   MarchControl control(request.options, limit, mesh.numberOfVertices());
-  const auto lower = [&](Index entry, double value)
-  {
-    const Index vertex = sets[entry].vertex;
-    sets[entry].value = value;
-    const double distance = value + labels[sets[entry].label].value;
-    if (distance < field.distance(vertex))
-    {
-      field.setDistance(vertex, distance);
-    }
-    if (!sets[entry].isQueued)
-    {
-      sets[entry].isQueued = true;
-      this->Queue.push(entry, distance - first);
-    }
-  };
-  const auto keptUpTo = [&](Index vertex)
-  { return field.distance(vertex) + LabelSets::MarginInEdges * cost.reach(vertex); };
+  const MarchContext<Cost> context{ mesh, cost, request.options, limit, control, field,
+    this->Queue };
+  using Values = LabelValues<Cost>;
+  Values values(context, labels, sets);
+  RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
+  RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
 
   for (const StartValue& start : starts)
   {
+    values.setCurrent(start.label);
     const Index entry = sets.add(start.vertex, start.label);
+    values.set(entry, start.value);
     sets[entry].isPinned = start.isFinal;
-    lower(entry, start.value);
   }
   while (!this->Queue.isEmpty() && control.mayGoOn())
   {
     const Index popped = this->Queue.pop();
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(sets.vertexOf(ahead));
+    }
     sets[popped].isQueued = false;
-    const LabelSets::Entry current = sets[popped];
-    const double offset = labels[current.label].value;
-    const StraightLineBound leastOf(mesh, labels[current.label], cost.smallest());
-    if (current.value + offset > keptUpTo(current.vertex))
+    const LabelSets::Entry entry = sets[popped];
+    const Index vertex = sets.vertexOf(popped);
+    values.setCurrent(entry.label);
+    if (entry.value > values.keptUpTo(vertex))
     {
       continue;
     }
-    const auto valueOf = [&](Index vertex) { return sets.value(vertex, current.label); };
-    const auto ceilingOf = [&](Index vertex, double value)
+    if (labels[entry.label].shape == FrontShape::Round)
     {
-      return std::min(value * control.keptFraction(),
-        std::min(keptUpTo(vertex), limit.with(cost.reach(vertex))) - offset);
-    };
-    const auto propose = [&](Index vertex, double value)
-    {
-      const Index known = sets.find(vertex, current.label);
-      const double old = known == NoIndex ? DistanceField::Unreached : sets[known].value;
-      value = std::max(value, leastOf(vertex));
-      if (!(value < ceilingOf(vertex, old)) || request.options.isExcluded(vertex) ||
-        (known != NoIndex && sets[known].isPinned))
-      {
-        return old;
-      }
-      lower(known == NoIndex ? sets.add(vertex, current.label) : known, value);
-      return value;
-    };
-    if (labels[current.label].shape == FrontShape::Round)
-    {
-      sweepRing<FrontShape::Round>(
-        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
+      round.sweep(vertex, entry.value);
     }
     else
     {
-      sweepRing<FrontShape::Straight>(
-        mesh, request.closed, cost, current.vertex, current.value, valueOf, ceilingOf, propose);
+      straight.sweep(vertex, entry.value);
     }
   }
   for (Index vertex : field.reached())

@@ -27,7 +27,7 @@ namespace geodesic
  * own near the border between them (LabelSets), so that no update mixes two sources.
  *
  * Time O(n) on meshes whose edges do not vary wildly, memory 20 bytes a vertex beside the mesh for
- * one label, with several 4 more and 24 for each value kept.
+ * one label, with several 16 more and 20 for each value beyond a vertex's first.
  */
 class FastMarchingSolver : public DistanceSolver
 {

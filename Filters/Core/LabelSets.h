@@ -21,43 +21,50 @@ namespace geodesic
  * dropped is too high; that fades by about a digit an edge. 4 longest edges left 6e-9 at points of
  * a regular grid, 5 less than 1e-10, so the margin is MarginInEdges times the longest edge round
  * the vertex.
+ *
+ * Most vertices have one value. Each has its first entry in place, numbered like the vertex, and a
+ * chain of further ones behind all vertices' first.
  */
 class LabelSets
 {
 public:
   static constexpr double MarginInEdges = 5.0;
 
-  /** One value of one vertex, without the value of the seed itself. */
+  /** One value of one vertex. */
   struct Entry
   {
-    double value;
-    Index vertex;
-    Index label;
+    /** Without the value of the seed itself. */
+    double value = std::numeric_limits<double>::infinity();
+    Index label : 30 = NoLabel;
+    Index isQueued : 1 = 0;
+    Index isPinned : 1 = 0;
     /** Next entry of the same vertex. */
-    Index next;
-    bool isQueued;
-    bool isPinned;
+    Index next = NoIndex;
   };
+  static constexpr Index NoLabel = 0x3fffffffu;
 
-  /** To be called before each use. Memory 4 bytes a vertex. */
-  void start(Index numberOfVertices) { this->Heads.resize(numberOfVertices, NoIndex); }
+  /** To be called before each use. Memory 16 bytes a vertex. */
+  void start(Index numberOfVertices)
+  {
+    this->NumberOfVertices = numberOfVertices;
+    this->Entries.resize(numberOfVertices);
+  }
 
   /** Forgets everything; @p vertices are all those that have entries. */
   void clear(std::span<const Index> vertices)
   {
     for (Index vertex : vertices)
     {
-      this->Heads[vertex] = NoIndex;
+      this->Entries[vertex] = Entry();
     }
-    this->Entries.clear();
+    this->Entries.resize(this->NumberOfVertices);
+    this->VertexOfFurther.clear();
   }
-
-  Entry& operator[](Index entry) { return this->Entries[entry]; }
 
   /** The entry of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {
-    Index entry = this->Heads[vertex];
+    Index entry = vertex;
     while (entry != NoIndex && this->Entries[entry].label != label)
     {
       entry = this->Entries[entry].next;
@@ -65,29 +72,36 @@ public:
     return entry;
   }
 
-  /** +infinity where the vertex has no value for the label. */
-  double value(Index vertex, Index label) const
-  {
-    const Index entry = this->find(vertex, label);
-    return entry == NoIndex ? std::numeric_limits<double>::infinity() : this->Entries[entry].value;
-  }
+  Entry& operator[](Index entry) { return this->Entries[entry]; }
+  const Entry& operator[](Index entry) const { return this->Entries[entry]; }
 
   /** Adds an entry without a value to a vertex that has none for the label. */
   Index add(Index vertex, Index label)
   {
+    if (this->Entries[vertex].label == NoLabel)
+    {
+      this->Entries[vertex].label = label;
+      return vertex;
+    }
     const Index entry = static_cast<Index>(this->Entries.size());
-    constexpr double none = std::numeric_limits<double>::infinity();
-    this->Entries.push_back({ none, vertex, label, this->Heads[vertex], false, false });
-    this->Heads[vertex] = entry;
+    this->Entries.push_back({ .label = label, .next = this->Entries[vertex].next });
+    this->Entries[vertex].next = entry;
+    this->VertexOfFurther.push_back(vertex);
     return entry;
   }
 
+  /** The vertex that an entry belongs to. */
+  Index vertexOf(Index entry) const
+  {
+    return entry < this->NumberOfVertices ? entry
+                                          : this->VertexOfFurther[entry - this->NumberOfVertices];
+  }
   /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
   Index nearestSeed(Index vertex, double best, std::span<const Label> labels) const
   {
     constexpr double rounding = 1.0 + 1e-10;
     Index seed = NoIndex;
-    for (Index e = this->Heads[vertex]; e != NoIndex; e = this->Entries[e].next)
+    for (Index e = vertex; e != NoIndex; e = this->Entries[e].next)
     {
       const Label& label = labels[this->Entries[e].label];
       if (label.seed < seed && this->Entries[e].value + label.value <= best * rounding)
@@ -99,8 +113,9 @@ public:
   }
 
 private:
-  std::vector<Index> Heads;
+  Index NumberOfVertices = 0;
   std::vector<Entry> Entries;
+  std::vector<Index> VertexOfFurther;
 };
 
 }

@@ -5,6 +5,7 @@
 #include "StopLimit.h"
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +27,8 @@ public:
     : Options(options)
     , Limit(limit)
     , Patience(400 * (std::size_t{ numberOfVertices } + 100))
+    , NextRelaxation(this->Patience)
+    , NextReport(options.onProgress ? options.progressInterval : Never)
   {
   }
 
@@ -44,13 +47,13 @@ public:
     {
       this->Limit.update();
     }
-    if (this->Count % this->Patience == 0)
+    if (this->Count == this->NextRelaxation)
     {
       this->relax();
     }
-    if (this->Options.onProgress && this->Count % this->Options.progressInterval == 0)
+    if (this->Count == this->NextReport)
     {
-      this->Cancelled = !this->Options.onProgress(this->Count);
+      this->report();
     }
     return !this->Cancelled;
   }
@@ -58,8 +61,17 @@ public:
   bool isCancelled() const { return this->Cancelled; }
 
 private:
+  static constexpr std::size_t Never = std::numeric_limits<std::size_t>::max();
+
+  void report()
+  {
+    this->NextReport += this->Options.progressInterval;
+    this->Cancelled = !this->Options.onProgress(this->Count);
+  }
+
   void relax()
   {
+    this->NextRelaxation += this->Patience;
     constexpr double largestGain = 1e-6;
     this->LeastGain *= 10.0;
     this->KeptFraction = 1.0 - this->LeastGain;
@@ -75,6 +87,8 @@ private:
   const SolveOptions& Options;
   StopLimit& Limit;
   std::size_t Patience;
+  std::size_t NextRelaxation;
+  std::size_t NextReport;
   double LeastGain = 1e-12;
   double KeptFraction = 1.0 - 1e-12;
   std::size_t Count = 0;

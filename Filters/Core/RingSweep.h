@@ -6,94 +6,216 @@
 #include "SeedFront.h"
 #include "TriangleMesh.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace geodesic
 {
 
-/** The update for a front of a shape at cost @p w, which is constant in a triangle. */
-template <FrontShape Shape>
-inline double update(const FlatTriangle& t, double a, double b, double w)
+/** What a front knows of a vertex. */
+struct FrontValue
 {
-  return Shape == FrontShape::Round ? w * pointSourceUpdate(t, a / w, b / w)
-                                    : straightFrontUpdate(t, a, b, w);
+  /** +infinity where the front has not been. */
+  double value;
+  /** The vertex waits to be swept with this value. */
+  bool isQueued;
+};
+
+/** The way of a front of a shape over the inside of an edge, at cost @p w. */
+template <FrontShape Shape>
+inline double crossing(const FlatTriangle& t, double a, double b, double w)
+{
+  return Shape == FrontShape::Round ? w * pointSourceCrossing(t, a / w, b / w)
+                                    : straightFrontCrossing(t, a, b, w);
 }
 
 /**
- * Updates the neighbours of @p vertex over the edges round it, after its own value fell to
- * @p value.
- * @param cost     of a triangle: UnitCost or VertexCost
- * @param valueOf  Index -> double: a neighbour's value, +infinity where it has none
- * @param propose  (Index, double) -> double: takes a new value if it counts; returns the value that
- *                 then holds
- * @param ceilingOf Index -> double: nothing at or above it is of interest to a neighbour
+ * Updates the neighbours of a vertex over the edges round it, after its own value fell.
+ *
+ * An update is the least of three ways: along either edge to the neighbour, and over the inside of
+ * the edge opposite to it. Along an edge the front comes when the edge's other end is swept, over
+ * an edge when the last of its ends is. Few triangles of a march need their shape: most corners can
+ * gain nothing by RingEntry::slack.
+ *
+ * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
+ * waits. So the ring is looked at without branches first, in windows, and what is found noted in
+ * the bits of a mask.
+ *
+ * @tparam Cost    of a triangle: UnitCost or VertexCost
+ * @tparam Values  of the neighbours, for the front that is swept:
+ *                 look(Index) -> FrontValue;
+ *                 ceiling(Index, double value) -> double, nothing at or above it is of interest;
+ *                 propose(Index, double) -> FrontValue, queues the vertex with the value if that
+ *                 counts, and returns what then holds
  */
-template <FrontShape Shape, class Cost, class ValueOf, class CeilingOf, class Propose>
-inline void sweepRing(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost,
-  Index vertex, double value, ValueOf&& valueOf, CeilingOf&& ceilingOf, Propose&& propose)
+template <FrontShape Shape, class Cost, class Values>
+class RingSweep
 {
-  struct Neighbour
+public:
+  RingSweep(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, Values& values)
+    : Mesh(mesh)
+    , Closed(closed)
+    , TriangleCost(cost)
+    , FrontValues(values)
   {
-    Index index;
-    Vector3 offset;
-    double squaredLength;
-    double length;
-    double value;
-  };
-  const Vector3 centre = mesh.position(vertex);
-  const auto look = [&](const RingEntry& entry) -> Neighbour
+  }
+
+  /** Sweeps over the triangles round @p vertex, whose value is now @p value. */
+  void sweep(Index vertex, double value)
   {
-    const Index index = entry.neighbour();
-    const Vector3 offset = mesh.position(index) - centre;
-    const double squared = dot(offset, offset);
-    return { index, offset, squared, std::sqrt(squared), valueOf(index) };
+    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+    for (std::size_t first = 0; first + 1 < ring.size(); first += WindowSize - 1)
+    {
+      const std::size_t size = std::min(WindowSize, ring.size() - first);
+      this->sweepWindow(vertex, value, ring.subspan(first, size), first);
+    }
+  }
+
+private:
+  static constexpr std::size_t WindowSize = 16;
+  /** One bit a neighbour, or the triangle that it opens. */
+  using Mask = std::uint32_t;
+  static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
+
+  /** Whether the height over an edge, 2 h - c of which is given, is less than a quarter of it. */
+  static bool isThinAt(double slack, double squaredLength)
+  {
+    return slack * std::abs(slack) < -0.25 * squaredLength;
+  }
+
+  /** The neighbours in a window of a ring. */
+  struct Window
+  {
+    std::array<Index, WindowSize> vertices;
+    std::array<double, WindowSize> values;
+    std::array<double, WindowSize> squaredLengths;
+    /** Waits to be swept with its value. */
+    Mask isQueued = 0;
   };
 
-  const std::span<const RingEntry> ring = mesh.ring(vertex);
-  Neighbour p{};
-  bool follows = false;
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  void sweepWindow(Index vertex, double value, std::span<const RingEntry> ring, std::size_t first)
   {
-    Neighbour q = look(ring[i]);
-    if (follows)
+    const Vector3 centre = this->Mesh.position(vertex);
+    Window window;
+    Mask isOpen = 0;
+    Mask isHigher = 0;
+    Mask isThin = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Vector3 side = q.offset - p.offset;
-      const double squaredSide = dot(side, side);
-      // A corner at or below both others, at an angle that is not obtuse, can gain nothing.
-      const bool skipsP =
-        p.value <= value && p.value <= q.value && p.squaredLength + squaredSide >= q.squaredLength;
-      const bool skipsQ =
-        q.value <= value && q.value <= p.value && q.squaredLength + squaredSide >= p.squaredLength;
-      if (!skipsP || !skipsQ)
+      const Index neighbour = ring[i].neighbour();
+      const FrontValue known = this->FrontValues.look(neighbour);
+      const Vector3 offset = this->Mesh.position(neighbour) - centre;
+      window.vertices[i] = neighbour;
+      window.values[i] = known.value;
+      window.squaredLengths[i] = dot(offset, offset);
+      window.isQueued |= bit(known.isQueued, i);
+      isHigher |= bit(known.value > value, i);
+      isOpen |= bit(ring[i].opensTriangle(), i);
+      isThin |= bit(isThinAt(ring[i].slack(), window.squaredLengths[i]), i);
+    }
+    isOpen &= bit(true, ring.size() - 1) - 1;
+    for (std::size_t i = 0; !this->Closed.isEmpty() && i < ring.size(); ++i)
+    {
+      isOpen &= ~bit(!this->Closed.isOpen(vertex, first + i), i);
+    }
+
+    for (Mask edges = isHigher & (isOpen | isOpen << 1); edges != 0; edges &= edges - 1)
+    {
+      const int i = std::countr_zero(edges);
+      const double w = this->edgeCost(vertex, window, isOpen, i);
+      const double along = value + w * std::sqrt(window.squaredLengths[i]);
+      if (along < window.values[i])
       {
-        const double w = cost.ofTriangle(vertex, p.index, q.index);
-        const double sideLength = std::sqrt(squaredSide);
-        const double projection = dot(p.offset, q.offset);
-        const double area = norm(cross(p.offset, q.offset));
-        if (!skipsP)
-        {
-          const FlatTriangle flat{ q.length, projection / q.length, area / q.length, p.length,
-            sideLength };
-          if (updateLowerBound(flat, value, q.value, w) < ceilingOf(p.index, p.value))
-          {
-            p.value = propose(p.index, update<Shape>(flat, value, q.value, w));
-          }
-        }
-        if (!skipsQ)
-        {
-          const FlatTriangle flat{ p.length, projection / p.length, area / p.length, q.length,
-            sideLength };
-          if (updateLowerBound(flat, value, p.value, w) < ceilingOf(q.index, q.value))
-          {
-            q.value = propose(q.index, update<Shape>(flat, value, p.value, w));
-          }
-        }
+        this->propose(window, i, along);
       }
     }
-    p = q;
-    follows = closed.isOpen(vertex, i);
+
+    Mask gainsFirst = 0;
+    Mask gainsSecond = 0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    {
+      const double bound = value + this->triangleCost(vertex, window, i) * ring[i].slack();
+      const double p = window.values[i];
+      const double q = window.values[i + 1];
+      gainsFirst |= bit(bound + q < 2.0 * p, i);
+      gainsSecond |= bit(bound + p < 2.0 * q, i);
+    }
+    // The edge to a vertex that waits and comes later is crossed from there; not so in a thin
+    // triangle, where what lies behind the edge may come before it.
+    const Mask isLater = window.isQueued & isHigher;
+    gainsFirst &= isOpen & (isThin | ~(isLater >> 1));
+    gainsSecond &= isOpen & (isThin | ~isLater);
+    for (Mask triangles = gainsFirst | gainsSecond; triangles != 0; triangles &= triangles - 1)
+    {
+      const int i = std::countr_zero(triangles);
+      const double w = this->triangleCost(vertex, window, i);
+      if (gainsFirst >> i & 1)
+      {
+        this->cross(window, centre, value, i + 1, i, w);
+      }
+      if (gainsSecond >> i & 1)
+      {
+        this->cross(window, centre, value, i, i + 1, w);
+      }
+    }
   }
-}
+
+  double triangleCost(Index vertex, const Window& window, std::size_t i) const
+  {
+    return this->TriangleCost.ofTriangle(vertex, window.vertices[i], window.vertices[i + 1]);
+  }
+
+  /** That of the cheaper open triangle beside the edge to neighbour @p i. */
+  double edgeCost(Index vertex, const Window& window, Mask isOpen, int i) const
+  {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double after = isOpen >> i & 1 ? this->triangleCost(vertex, window, i) : none;
+    const double before = isOpen << 1 >> i & 1 ? this->triangleCost(vertex, window, i - 1) : none;
+    return Cost::isUnit ? 1.0 : std::min(before, after);
+  }
+
+  /** From the vertex at @p centre and neighbour @p over, over the edge between, to @p target. */
+  void cross(Window& window, const Vector3& centre, double value, int over, int target, double w)
+  {
+    const double other = window.values[over];
+    const double old = window.values[target];
+    const Vector3 toOver = this->Mesh.position(window.vertices[over]) - centre;
+    const Vector3 toTarget = this->Mesh.position(window.vertices[target]) - centre;
+    const double projection = dot(toOver, toTarget);
+    // A corner at or below both others, at an angle that is not obtuse, can gain nothing.
+    if (old <= value && old <= other && projection <= window.squaredLengths[target])
+    {
+      return;
+    }
+    const double length = std::sqrt(window.squaredLengths[over]);
+    const double area = norm(geodesic::cross(toOver, toTarget));
+    const FlatTriangle flat{ length, projection / length, area / length };
+    if (updateLowerBound(flat, value, other, w) < old)
+    {
+      this->propose(window, target, crossing<Shape>(flat, value, other, w));
+    }
+  }
+
+  void propose(Window& window, int target, double value)
+  {
+    const Index vertex = window.vertices[target];
+    if (value < this->FrontValues.ceiling(vertex, window.values[target]))
+    {
+      const FrontValue held = this->FrontValues.propose(vertex, value);
+      window.values[target] = held.value;
+      window.isQueued |= bit(held.isQueued, target);
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const ClosedFans& Closed;
+  const Cost& TriangleCost;
+  Values& FrontValues;
+};
 
 }
 

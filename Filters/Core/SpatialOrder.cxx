@@ -32,71 +32,115 @@ std::uint64_t spread(std::uint64_t value)
   return value;
 }
 
-std::vector<Keyed> mortonCodes(std::span<const Vector3> points, std::span<const std::uint8_t> used)
+struct Bounds
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector3 low{ infinity, infinity, infinity };
   Vector3 high{ -infinity, -infinity, -infinity };
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
+
+  void add(const Vector3& lowest, const Vector3& highest)
   {
-    if (used[i])
-    {
-      const Vector3& p = points[i];
-      low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-      high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-      ++count;
-    }
+    const auto [lx, ly, lz] = lowest;
+    const auto [hx, hy, hz] = highest;
+    this->low = { std::min(this->low.x, lx), std::min(this->low.y, ly), std::min(this->low.z, lz) };
+    this->high = { std::max(this->high.x, hx), std::max(this->high.y, hy),
+      std::max(this->high.z, hz) };
   }
-  const Vector3 size = high - low;
+};
+
+std::vector<Keyed> mortonCodes(
+  std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
+{
+  std::vector<Bounds> boundsOfRange(team.numberOfRanges(points.size()));
+  std::vector<std::size_t> starts(boundsOfRange.size());
+  team.run(points.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      Bounds bounds;
+      std::size_t count = 0;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (used[i])
+        {
+          bounds.add(points[i], points[i]);
+          ++count;
+        }
+      }
+      boundsOfRange[range] = bounds;
+      starts[range] = count;
+    });
+  Bounds bounds;
+  for (const Bounds& other : boundsOfRange)
+  {
+    bounds.add(other.low, other.high);
+  }
+  const Vector3 size = bounds.high - bounds.low;
   const double extent = std::max({ size.x, size.y, size.z });
   const double scale = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
 
-  std::vector<Keyed> keyed;
-  keyed.reserve(count);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (used[i])
+  std::vector<Keyed> keyed(startsOf(starts));
+  team.run(points.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      const Vector3 cell = scale * (points[i] - low);
-      const std::uint64_t code = spread(static_cast<std::uint64_t>(cell.x)) |
-        spread(static_cast<std::uint64_t>(cell.y)) << 1 |
-        spread(static_cast<std::uint64_t>(cell.z)) << 2;
-      keyed.push_back({ code, static_cast<Index>(i) });
-    }
-  }
+      std::size_t next = starts[range];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (used[i])
+        {
+          const Vector3 cell = scale * (points[i] - bounds.low);
+          const std::uint64_t code = spread(static_cast<std::uint64_t>(cell.x)) |
+            spread(static_cast<std::uint64_t>(cell.y)) << 1 |
+            spread(static_cast<std::uint64_t>(cell.z)) << 2;
+          keyed[next++] = { code, static_cast<Index>(i) };
+        }
+      }
+    });
   return keyed;
 }
 
 constexpr int lowestSortedBit = 3 * BitsPerAxis - RadixBits * RadixPasses;
 
 /** Stable sort by the leading RadixBits * RadixPasses bits of the code. */
-void radixSort(std::vector<Keyed>& keyed)
+void radixSort(std::vector<Keyed>& keyed, const ThreadTeam& team)
 {
   constexpr std::size_t digits = std::size_t{ 1 } << RadixBits;
   std::vector<Keyed> other(keyed.size());
+  std::vector<std::array<std::size_t, digits>> startsOfRange(team.numberOfRanges(keyed.size()));
   for (int pass = 0; pass < RadixPasses; ++pass)
   {
-    const int shift = lowestSortedBit + pass * RadixBits;
-    std::array<std::size_t, digits + 1> start{};
-    for (const Keyed& k : keyed)
-    {
-      ++start[(k.code >> shift & (digits - 1)) + 1];
-    }
+    const auto digitOf = [shift = lowestSortedBit + pass * RadixBits](const Keyed& k)
+    { return k.code >> shift & (digits - 1); };
+    team.run(keyed.size(),
+      [&](std::size_t range, std::size_t first, std::size_t last)
+      {
+        startsOfRange[range].fill(0);
+        for (std::size_t i = first; i < last; ++i)
+        {
+          ++startsOfRange[range][digitOf(keyed[i])];
+        }
+      });
+    std::size_t sum = 0;
     for (std::size_t d = 0; d < digits; ++d)
     {
-      start[d + 1] += start[d];
+      for (auto& starts : startsOfRange)
+      {
+        sum += std::exchange(starts[d], sum);
+      }
     }
-    for (const Keyed& k : keyed)
-    {
-      other[start[k.code >> shift & (digits - 1)]++] = k;
-    }
+    team.run(keyed.size(),
+      [&](std::size_t range, std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          other[startsOfRange[range][digitOf(keyed[i])]++] = keyed[i];
+        }
+      });
     keyed.swap(other);
   }
 }
 
 /** Orders the runs that the leading bits leave equal, down to the coordinates themselves. */
-void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points)
+void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const ThreadTeam& team)
 {
   const auto before = [&](const Keyed& a, const Keyed& b)
   {
@@ -104,30 +148,53 @@ void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points)
     const Vector3& q = points[b.id];
     return std::tie(a.code, p.x, p.y, p.z, a.id) < std::tie(b.code, q.x, q.y, q.z, b.id);
   };
-  for (auto first = keyed.begin(); first != keyed.end();)
+  const auto isSameRun = [&](std::size_t i, std::size_t j)
+  { return keyed[i].code >> lowestSortedBit == keyed[j].code >> lowestSortedBit; };
+  // A run belongs to the range that it starts in.
+  std::vector<std::size_t> starts;
+  for (std::size_t range = 0; range <= team.numberOfRanges(keyed.size()); ++range)
   {
-    auto last = first + 1;
-    while (last != keyed.end() && last->code >> lowestSortedBit == first->code >> lowestSortedBit)
+    std::size_t start = team.startOf(range, keyed.size());
+    while (start > 0 && start < keyed.size() && isSameRun(start - 1, start))
     {
-      ++last;
+      ++start;
     }
-    if (last - first > 1)
-    {
-      std::sort(first, last, before);
-    }
-    first = last;
+    starts.push_back(start);
   }
+  team.run(keyed.size(),
+    [&](std::size_t range, std::size_t, std::size_t)
+    {
+      for (std::size_t first = starts[range]; first < starts[range + 1];)
+      {
+        std::size_t last = first + 1;
+        while (last < starts[range + 1] && isSameRun(first, last))
+        {
+          ++last;
+        }
+        if (last - first > 1)
+        {
+          std::sort(keyed.begin() + first, keyed.begin() + last, before);
+        }
+        first = last;
+      }
+    });
 }
 
 }
 
-std::vector<Index> spatialOrder(std::span<const Vector3> points, std::span<const std::uint8_t> used)
+std::vector<Index> spatialOrder(
+  std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
-  std::vector<Keyed> keyed = mortonCodes(points, used);
-  radixSort(keyed);
-  sortRuns(keyed, points);
+  std::vector<Keyed> keyed = mortonCodes(points, used, team);
+  radixSort(keyed, team);
+  sortRuns(keyed, points, team);
   std::vector<Index> order(keyed.size());
-  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& k) { return k.id; });
+  team.run(order.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::transform(keyed.begin() + first, keyed.begin() + last, order.begin() + first,
+        [](const Keyed& k) { return k.id; });
+    });
   return order;
 }
 

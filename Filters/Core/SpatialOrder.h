@@ -2,6 +2,7 @@
 #define geodesic_SpatialOrder_h
 
 #include "Index.h"
+#include "ThreadTeam.h"
 #include "Vector3.h"
 
 #include <cstdint>
@@ -16,13 +17,14 @@ namespace geodesic
  * surface are neighbours in memory.
  * @param points  coordinates; those taken part must be finite
  * @param used    one flag a point: 0 leaves the point out
+ * @param team    threads to work on; the order does not depend on their number
  * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
  *         increasing id; otherwise the order depends on coordinates alone, not on ids.
  * Time O(n), memory 32 bytes a point while it runs.
  * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
  */
 std::vector<Index> spatialOrder(
-  std::span<const Vector3> points, std::span<const std::uint8_t> used);
+  std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team);
 
 }
 

@@ -3,7 +3,9 @@
 #include "SpatialOrder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,33 +17,41 @@ namespace
 
 /** Flags the points that triangles use, after checking that they can be used. */
 std::vector<std::uint8_t> usedPoints(
-  std::span<const Vector3> points, std::span<const Triangle> triangles)
+  std::span<const Vector3> points, std::span<const Triangle> triangles, const ThreadTeam& team)
 {
   std::vector<std::uint8_t> used(points.size(), 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (Index point : triangles[t])
+  team.run(triangles.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      if (point >= points.size())
+      for (std::size_t t = first; t < last; ++t)
       {
-        throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
-          std::to_string(point) + ", but the surface has " + std::to_string(points.size()) +
-          " points. Clean the surface.");
+        for (Index point : triangles[t])
+        {
+          if (point >= points.size())
+          {
+            throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
+              std::to_string(point) + ", but the surface has " + std::to_string(points.size()) +
+              " points. Clean the surface.");
+          }
+          std::atomic_ref(used[point]).store(1, std::memory_order_relaxed);
+        }
       }
-      used[point] = 1;
-    }
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (used[i] && !isFinite(points[i]))
+    });
+  team.run(points.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      std::ostringstream message;
-      message << "Point " << i << " is at (" << points[i].x << ", " << points[i].y << ", "
-              << points[i].z << "), which is no finite position, and cells use it. Remove it, for "
-              << "example with Threshold.";
-      throw std::invalid_argument(message.str());
-    }
-  }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (used[i] && !isFinite(points[i]))
+        {
+          std::ostringstream message;
+          message << "Point " << i << " is at (" << points[i].x << ", " << points[i].y << ", "
+                  << points[i].z << "), which is no finite position, and cells use it. Remove it, "
+                  << "for example with Threshold.";
+          throw std::invalid_argument(message.str());
+        }
+      }
+    });
   return used;
 }
 
@@ -55,17 +65,47 @@ bool repeatsCorner(const Triangle& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-float roundedUp(double length)
+/** More than what rounding to a float can change. */
+double roundingOf(double x)
 {
-  const float rounded = static_cast<float>(length);
-  return rounded < length ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
-                          : rounded;
+  return std::abs(x) * std::numeric_limits<float>::epsilon() +
+    std::numeric_limits<float>::denorm_min();
+}
+
+float roundedUp(double x)
+{
+  return static_cast<float>(x + roundingOf(x));
+}
+
+float roundedDown(double x)
+{
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(x - roundingOf(x), largest));
+}
+
+/** Lengths of the sides, each opposite to the corner of the same number. */
+using SideLengths = std::array<double, 3>;
+
+SideLengths sideLengths(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return { norm(c - b), norm(a - c), norm(b - a) };
+}
+
+TriangleMeasure measured(const SideLengths& sides, double longest, double doubleArea)
+{
+  const auto slackOver = [&](double side)
+  { return side > 0.0 ? 2.0 * doubleArea / side - side : 0.0; };
+  const SideLengths slacks{ slackOver(sides[0]), slackOver(sides[1]), slackOver(sides[2]) };
+  return { { roundedDown(std::min(slacks[1], slacks[2])),
+             roundedDown(std::min(slacks[2], slacks[0])),
+             roundedDown(std::min(slacks[0], slacks[1])) },
+    roundedUp(longest) };
 }
 
 }
 
-TriangleMesh::TriangleMesh(
-  std::span<const Vector3> points, std::span<const Triangle> triangles, CoincidentPoints coincident)
+TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+  CoincidentPoints coincident, const ThreadTeam& team)
 {
   if (points.size() > RingEntry::MaximumVertices)
   {
@@ -73,66 +113,106 @@ TriangleMesh::TriangleMesh(
       " points; one process holds at most " + std::to_string(RingEntry::MaximumVertices) +
       ". Spread it over more ranks.");
   }
-  this->numberVertices(points, triangles, coincident);
-  this->orderTriangles(triangles);
-  this->Rings = VertexRings(this->numberOfVertices(), this->Triangles);
+  this->numberVertices(points, triangles, coincident, team);
+  this->orderTriangles(triangles, team);
+  this->Rings =
+    VertexRings(this->numberOfVertices(), this->Triangles, this->measureTriangles(team), team);
   if (this->Triangles.size() < triangles.size())
   {
     this->forgetBareVertices();
   }
-  this->measureEdges();
 }
 
-void TriangleMesh::numberVertices(
-  std::span<const Vector3> points, std::span<const Triangle> triangles, CoincidentPoints coincident)
+void TriangleMesh::numberVertices(std::span<const Vector3> points,
+  std::span<const Triangle> triangles, CoincidentPoints coincident, const ThreadTeam& team)
 {
-  const std::vector<Index> order = spatialOrder(points, usedPoints(points, triangles));
-  this->VertexOfPoint.assign(points.size(), NoIndex);
-  this->Positions.reserve(order.size());
-  this->PointOfVertex.reserve(order.size());
-  for (Index point : order)
+  const std::vector<Index> order = spatialOrder(points, usedPoints(points, triangles, team), team);
+  const auto isFirstOfItsKind = [&](std::size_t i)
   {
-    const bool isSame = coincident == CoincidentPoints::Merge && !this->Positions.empty() &&
-      this->Positions.back() == points[point];
-    if (!isSame)
-    {
-      this->Positions.push_back(points[point]);
-      this->PointOfVertex.push_back(point);
-    }
-    this->VertexOfPoint[point] = this->numberOfVertices() - 1;
-  }
-}
-
-void TriangleMesh::orderTriangles(std::span<const Triangle> triangles)
-{
-  const auto asVertices = [this](const Triangle& t) -> Triangle {
-    return { this->VertexOfPoint[t[0]], this->VertexOfPoint[t[1]], this->VertexOfPoint[t[2]] };
+    return coincident == CoincidentPoints::Separate || i == 0 ||
+      !(points[order[i]] == points[order[i - 1]]);
   };
-  std::vector<Index> starts(std::size_t{ this->numberOfVertices() } + 1, 0);
-  for (const Triangle& input : triangles)
-  {
-    const Triangle t = asVertices(input);
-    if (!repeatsCorner(t))
+  std::vector<std::size_t> starts(team.numberOfRanges(order.size()));
+  team.run(order.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      ++starts[lowestCorner(t) + 1];
-    }
-  }
-  for (std::size_t v = 1; v < starts.size(); ++v)
-  {
-    starts[v] += starts[v - 1];
-  }
-  this->Triangles.resize(starts.back());
-  this->SourceOfTriangle.resize(starts.back());
-  for (Index source = 0; source < triangles.size(); ++source)
-  {
-    const Triangle t = asVertices(triangles[source]);
-    if (!repeatsCorner(t))
+      std::size_t count = 0;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        count += isFirstOfItsKind(i);
+      }
+      starts[range] = count;
+    });
+  const std::size_t vertices = startsOf(starts);
+  this->VertexOfPoint.assign(points.size(), NoIndex);
+  this->Positions.resize(vertices);
+  this->PointOfVertex.resize(vertices);
+  team.run(order.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      const Index place = starts[lowestCorner(t)]++;
-      this->Triangles[place] = t;
-      this->SourceOfTriangle[place] = source;
+      std::size_t next = starts[range];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (isFirstOfItsKind(i))
+        {
+          this->Positions[next] = points[order[i]];
+          this->PointOfVertex[next] = order[i];
+          ++next;
+        }
+        this->VertexOfPoint[order[i]] = static_cast<Index>(next - 1);
+      }
+    });
+}
+
+void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team)
+{
+  std::vector<Triangle> corners(triangles.size());
+  team.run(triangles.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Triangle& input = triangles[t];
+        corners[t] = { this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
+          this->VertexOfPoint[input[2]] };
+      }
+    });
+  // Each thread takes the triangles whose lowest corner is in its range.
+  std::vector<Index> places(this->numberOfVertices(), 0);
+  std::vector<std::size_t> starts(team.numberOfRanges(places.size()));
+  const auto visit = [&](std::size_t firstVertex, std::size_t lastVertex, auto&& take)
+  {
+    for (Index source = 0; source < corners.size(); ++source)
+    {
+      const Index lowest = lowestCorner(corners[source]);
+      if (lowest >= firstVertex && lowest < lastVertex && !repeatsCorner(corners[source]))
+      {
+        take(source, lowest);
+      }
     }
-  }
+  };
+  team.run(places.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      visit(first, last, [&](Index, Index lowest) { ++places[lowest]; });
+      starts[range] = std::accumulate(places.begin() + first, places.begin() + last, Index{ 0 });
+    });
+  const std::size_t total = startsOf(starts);
+  this->Triangles.resize(total);
+  this->SourceOfTriangle.resize(total);
+  team.run(places.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      std::exclusive_scan(places.begin() + first, places.begin() + last, places.begin() + first,
+        static_cast<Index>(starts[range]));
+      visit(first, last,
+        [&](Index source, Index lowest)
+        {
+          const Index place = places[lowest]++;
+          this->Triangles[place] = corners[source];
+          this->SourceOfTriangle[place] = source;
+        });
+    });
 }
 
 void TriangleMesh::forgetBareVertices()
@@ -143,29 +223,49 @@ void TriangleMesh::forgetBareVertices()
   }
 }
 
-void TriangleMesh::measureEdges()
+std::vector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
 {
-  this->LongestEdgeAround.assign(this->numberOfVertices(), 0.0f);
-  double sum = 0.0;
-  for (const Triangle& t : this->Triangles)
+  // Sums over blocks of one size, so that their sum does not depend on the threads.
+  constexpr std::size_t blockSize = 64;
+  struct Block
   {
+    double sum = 0.0;
     double longest = 0.0;
-    for (int c = 0; c < 3; ++c)
+  };
+  std::vector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
+  std::vector<TriangleMeasure> measures(this->Triangles.size());
+  team.run(blocks.size(),
+    [&](std::size_t, std::size_t firstBlock, std::size_t lastBlock)
     {
-      const double length = norm(this->Positions[t[c]] - this->Positions[t[(c + 1) % 3]]);
-      sum += length;
-      longest = std::max(longest, length);
-    }
-    for (Index v : t)
-    {
-      this->LongestEdgeAround[v] = std::max(this->LongestEdgeAround[v], roundedUp(longest));
-    }
-    this->LongestEdgeLength = std::max(this->LongestEdgeLength, longest);
+      for (std::size_t number = firstBlock; number < lastBlock; ++number)
+      {
+        Block block;
+        const std::size_t end = std::min((number + 1) * blockSize, this->Triangles.size());
+        for (std::size_t t = number * blockSize; t < end; ++t)
+        {
+          const Vector3& a = this->Positions[this->Triangles[t][0]];
+          const Vector3& b = this->Positions[this->Triangles[t][1]];
+          const Vector3& c = this->Positions[this->Triangles[t][2]];
+          const SideLengths sides = sideLengths(a, b, c);
+          const double longest = std::max(sides[0], std::max(sides[1], sides[2]));
+          measures[t] = measured(sides, longest, norm(cross(b - a, c - a)));
+          block.sum += sides[0] + sides[1] + sides[2];
+          block.longest = std::max(block.longest, longest);
+        }
+        blocks[number] = block;
+      }
+    });
+  double sum = 0.0;
+  for (const Block& block : blocks)
+  {
+    sum += block.sum;
+    this->LongestEdgeLength = std::max(this->LongestEdgeLength, block.longest);
   }
   if (!this->Triangles.empty())
   {
     this->MeanEdgeLength = sum / (3.0 * static_cast<double>(this->Triangles.size()));
   }
+  return measures;
 }
 
 SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const

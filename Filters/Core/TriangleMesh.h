@@ -3,6 +3,7 @@
 
 #include "Index.h"
 #include "SurfacePoint.h"
+#include "ThreadTeam.h"
 #include "Vector3.h"
 #include "VertexRings.h"
 
@@ -28,7 +29,7 @@ enum class CoincidentPoints
  * boundaries, several parts, mixed orientation, edges with more than two triangles, triangles of
  * zero area. A triangle that repeats a corner has no area and no interior and is left out.
  *
- * Holds about 100 bytes a vertex. Lengths are computed from the coordinates where they are used:
+ * Holds about 130 bytes a vertex. Lengths are computed from the coordinates where they are used:
  * on current machines that is cheaper than reading them from memory.
  */
 class TriangleMesh
@@ -37,13 +38,15 @@ public:
   /**
    * @param points     coordinates, in any length unit
    * @param triangles  point ids
+   * @param team       threads to build it on; the mesh does not depend on their number
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
    *         coordinates are not finite
    * @throws std::length_error for more than 2^31 - 1 vertices or 700 million triangles
    * Time O(n).
    */
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    CoincidentPoints coincident = CoincidentPoints::Separate);
+    CoincidentPoints coincident = CoincidentPoints::Separate,
+    const ThreadTeam& team = ThreadTeam());
 
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
@@ -63,6 +66,12 @@ public:
   /** The triangles round a vertex. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
   const VertexRings& rings() const { return this->Rings; }
+  /** Has the processor fetch a vertex's position and ring, which are soon to be read. */
+  [[gnu::always_inline]] void prefetch(Index vertex) const
+  {
+    this->Rings.prefetch(vertex);
+    __builtin_prefetch(&this->Positions[vertex]);
+  }
 
   /** The vertex as a point of the surface. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;
@@ -76,15 +85,15 @@ public:
   /** Length of the longest side of any triangle. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
-  double longestEdgeAround(Index vertex) const { return this->LongestEdgeAround[vertex]; }
+  double longestEdgeAround(Index vertex) const { return this->Rings.longestSideAround(vertex); }
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    CoincidentPoints coincident);
-  void orderTriangles(std::span<const Triangle> triangles);
+    CoincidentPoints coincident, const ThreadTeam& team);
+  void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();
-  void measureEdges();
+  std::vector<TriangleMeasure> measureTriangles(const ThreadTeam& team);
 
   std::vector<Vector3> Positions;
   std::vector<Triangle> Triangles;
@@ -92,7 +101,6 @@ private:
   VertexRings Rings;
   std::vector<Index> VertexOfPoint;
   std::vector<Index> PointOfVertex;
-  std::vector<float> LongestEdgeAround;
   double MeanEdgeLength = 0.0;
   double LongestEdgeLength = 0.0;
 };

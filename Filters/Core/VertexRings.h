@@ -2,7 +2,9 @@
 #define geodesic_VertexRings_h
 
 #include "Index.h"
+#include "ThreadTeam.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,12 +20,24 @@ class RingEntry
 {
 public:
   constexpr RingEntry() = default;
-  constexpr RingEntry(Index neighbour, bool opensTriangle)
+  /** @param slack of the triangle that the entry opens */
+  constexpr RingEntry(Index neighbour, bool opensTriangle, float slack = 0.0f)
     : Bits(neighbour | (opensTriangle ? TriangleBit : 0u))
+    , Slack(slack)
   {
   }
   constexpr Index neighbour() const { return this->Bits & ~TriangleBit; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
+
+  /**
+   * Tells from three values that no update of the triangle can gain anything. Of the edges from the
+   * vertex to the two neighbours, the least of 2 h - c, with c the length of the edge and h the
+   * height over it, rounded down. A distance is 1-Lipschitz, so nowhere on the edge less than (a +
+   * b - c) / 2 with a and b at its ends; over it a neighbour gets no less than (a + b + slack) / 2.
+   */
+  constexpr float slack() const { return this->Slack; }
+
+  friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
 
   /** Largest number of vertices that the entry can tell apart. */
   static constexpr Index MaximumVertices = 0x7fffffffu;
@@ -31,6 +45,16 @@ public:
 private:
   static constexpr Index TriangleBit = 0x80000000u;
   Index Bits = 0;
+  float Slack = 0.0f;
+};
+
+/** What rings tell of the size of a triangle. */
+struct TriangleMeasure
+{
+  /** RingEntry::slack in the ring of each corner. */
+  std::array<float, 3> slacks;
+  /** Rounded up. */
+  float longestSide;
 };
 
 /**
@@ -43,8 +67,14 @@ class VertexRings
 {
 public:
   VertexRings() = default;
-  /** @param triangles corners below @p numberOfVertices, three different ones each. Time O(n). */
-  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles);
+  /**
+   * @param triangles  three different ones of @p numberOfVertices vertices each
+   * @param measures   one a triangle
+   * @param team       threads to work on; the rings do not depend on their number
+   * Time O(n).
+   */
+  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
+    std::span<const TriangleMeasure> measures, const ThreadTeam& team);
 
   std::span<const RingEntry> operator[](Index vertex) const
   {
@@ -52,13 +82,26 @@ public:
       this->Entries.data() + this->Starts[vertex + 1] };
   }
 
+  /** Has the processor fetch a ring that is soon to be read, the whole of most. GCC drops
+   * the call unless it is inlined. */
+  [[gnu::always_inline]] void prefetch(Index vertex) const
+  {
+    const RingEntry* const entries = this->Entries.data() + this->Starts[vertex];
+    constexpr std::size_t cacheLine = 64;
+    __builtin_prefetch(entries);
+    __builtin_prefetch(entries + cacheLine / sizeof(RingEntry));
+  }
+
   /** Number of a vertex's first entry, counted over the rings of all vertices. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
+  /** The longest side of the triangles round a vertex. */
+  float longestSideAround(Index vertex) const { return this->LongestSides[vertex]; }
   std::size_t numberOfEntries() const { return this->Entries.size(); }
 
 private:
   std::vector<std::uint32_t> Starts;
   std::vector<RingEntry> Entries;
+  std::vector<float> LongestSides;
 };
 
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -133,4 +135,66 @@ TEST(TriangleMesh, EdgeLengthsAreMeasured)
   EXPECT_DOUBLE_EQ(mesh->meanEdgeLength(), 4.0);
   EXPECT_DOUBLE_EQ(mesh->longestEdgeLength(), 5.0);
   EXPECT_GE(mesh->longestEdgeAround(mesh->vertexOfPoint(0)), 5.0);
+}
+
+// What is found side by side must not depend on where the work was cut: 1, 2 and 3 threads.
+TEST(TriangleMesh, ThreadsChangeNothing)
+{
+  std::vector<Index> newId;
+  // Points in no order, some of them twice, a part on top of another and a bare triangle.
+  Surface surface =
+    shuffled(joined(icosphere(5), joined(icosphere(5), torus(80, 60, 2.0, 0.5))), 1, newId);
+  surface.triangles.push_back({ 0, 0, 1 });
+  for (CoincidentPoints coincident : { CoincidentPoints::Separate, CoincidentPoints::Merge })
+  {
+    const TriangleMesh one(surface.points, surface.triangles, coincident, ThreadTeam(1));
+    for (unsigned threads : { 2u, 3u })
+    {
+      ASSERT_EQ(ThreadTeam(threads).numberOfRanges(one.numberOfVertices()), threads);
+      const TriangleMesh other(surface.points, surface.triangles, coincident, ThreadTeam(threads));
+      ASSERT_EQ(other.numberOfVertices(), one.numberOfVertices());
+      ASSERT_EQ(other.numberOfTriangles(), one.numberOfTriangles());
+      EXPECT_EQ(other.meanEdgeLength(), one.meanEdgeLength());
+      EXPECT_EQ(other.longestEdgeLength(), one.longestEdgeLength());
+      for (Index i = 0; i < one.numberOfPoints(); ++i)
+      {
+        ASSERT_EQ(other.vertexOfPoint(i), one.vertexOfPoint(i));
+      }
+      for (Index t = 0; t < one.numberOfTriangles(); ++t)
+      {
+        ASSERT_EQ(other.triangle(t), one.triangle(t));
+        ASSERT_EQ(other.sourceOfTriangle(t), one.sourceOfTriangle(t));
+      }
+      for (Index v = 0; v < one.numberOfVertices(); ++v)
+      {
+        ASSERT_EQ(other.position(v), one.position(v));
+        ASSERT_EQ(other.pointOfVertex(v), one.pointOfVertex(v));
+        ASSERT_EQ(other.longestEdgeAround(v), one.longestEdgeAround(v));
+        ASSERT_TRUE(std::ranges::equal(other.ring(v), one.ring(v)));
+      }
+    }
+  }
+}
+
+// Of several mistakes the first is named, whichever thread finds one.
+TEST(TriangleMesh, TheFirstMistakeIsNamedOnAnyNumberOfThreads)
+{
+  Surface sphere = icosphere(5);
+  sphere.triangles[20000] = { 0, 1, 900001 };
+  sphere.triangles[15000] = { 0, 1, 900000 };
+  sphere.triangles[100] = { 0, 1, 900002 };
+  for (unsigned threads : { 1u, 2u, 3u })
+  {
+    try
+    {
+      TriangleMesh(
+        sphere.points, sphere.triangles, CoincidentPoints::Separate, ThreadTeam(threads));
+      FAIL() << "a point that does not exist was accepted";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_NE(
+        std::string(error.what()).find("Triangle 100 uses point 900002"), std::string::npos);
+    }
+  }
 }
