@@ -82,7 +82,9 @@ surface = testing.with_arrays(
     },
     cells={"cells": np.ones(32), "no cells": np.zeros(32), "cell pairs": np.ones((32, 2))})
 through_seed = testing.polyline([(0, 0, 0), (0.25, 0, 0)])
-across = testing.polyline([(-0.5, -0.4, 0), (0.5, 0.3, 0)])
+across = testing.polyline([(-0.5, -0.4, 0), (0.5, 0.4, 0)])
+crossing = testing.polyline([(-0.3, 0.2, 0), (0.3, -0.2, 0)])
+apart = testing.polyline([(0, 0.1, 0), (0, 0, 5)])
 no_number = testing.polyline([(0, 0, 0), (0, float("nan"), 0)])
 blocks = simple.GroupDatasets(Input=[simple.Sphere(), simple.Plane()])
 nothing = servermanager.sources.IDSelectionSource(FieldType="POINT", IDs=[0, 25])
@@ -115,8 +117,6 @@ MISTAKES = [
     (dict(DestinationPointIds=[25]), "Destination point id 25", "25 points", "numbered from 0"),
     (dict(DestinationPositions=[0, 0]), "DestinationPositions", "2 numbers", "multiple of 3"),
     (dict(DestinationPositions=[0, float("inf"), 0]), "Point 0 of DestinationPositions", "inf"),
-    (dict(SeedSource=across), "Seed 1", "segment 0", "neither in one face nor along one edge",
-     "Give it a point on each edge"),
     (dict(SeedSource=no_number), "Point 1 of SeedSource", "nan", "finite"),
     (dict(SeedSource=blocks), "SeedSource", "blocks", "Merge Blocks"),
     (dict(SeedSelection=nothing), "SeedSelection", "no point of the surface", "Select others"),
@@ -125,15 +125,16 @@ MISTAKES = [
     (dict(BarrierArray=["CELLS", "cells"]), "Seed 0", "point 12", "off the barrier"),
     (dict(BarrierArray=["POINTS", "all"]), "Seed 0", "point 12", "off the barrier"),
     (dict(BarrierSource=through_seed), "Seed 0", "point 12", "off the barrier"),
-    (dict(BarrierSource=across), "BarrierSource", "line 0", "segment, number 0",
-     "neither in one face nor along one edge", "Give it a point on each edge"),
+    (dict(BarrierSource=across), "Seed 0", "on a line of BarrierSource", "off the line"),
+    (dict(BarrierSource=across, SeedPositions=[0.1, 0.2, 0], SeedSource=crossing), "Seed 1",
+     "on a line of BarrierSource"),
     (dict(BarrierSource=blocks), "BarrierSource", "blocks", "Merge Blocks"),
     # Stops.
     (dict(UseMaximumDistance=1, MaximumDistance=-1e-12), "maximum distance is -1e-12", "at least 0"),
     (dict(UseMaximumDistance=1, MaximumDistance=float("nan")), "maximum distance is nan", "at least 0"),
 ]
 RIGHT = dict(
-    SeedPointIds=[], SeedSource=None, SeedArray=["POINTS", "None"], SeedSelection=None,
+    SeedPositions=[0, 0, 0], SeedPointIds=[], SeedSource=None, SeedArray=["POINTS", "None"], SeedSelection=None,
     UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
     CostArray=["POINTS", "None"], CostMode="Cost", BarrierArray=["POINTS", "None"], BarrierSource=None)
 
@@ -146,5 +147,14 @@ def change(properties):
 for mistake, *named in MISTAKES:
     change(mistake)
     expect_error(*named)
+    change(RIGHT)
+    expect_well()
+
+# A line between parts that do not hang together.
+distance.Input = simple.AppendGeometry(Input=[plane, simple.Plane(
+    Origin=[-0.5, -0.5, 5], Point1=[0.5, -0.5, 5], Point2=[-0.5, 0.5, 5])])
+for source in ("SeedSource", "BarrierSource"):
+    change({source: apart})
+    expect_error(f"{source}'s line 0", "point 0 to its point 1", "no way over the surface")
     change(RIGHT)
     expect_well()

@@ -1,4 +1,4 @@
-"""What ParaView's bundled plugin GeodesicMeasurement gets wrong about distances, each named by what
+"""What ParaView's bundled plugin GeodesicMeasurement gets wrong about distances and paths, each named by what
 should be right, and right here.
 
 usage: PeerFailures.py OUR_PLUGIN
@@ -195,6 +195,46 @@ def a_seed_that_does_not_exist_is_an_error():  # 19
         testing.expect_error(distance, f"id {id} ", "441 points")
 
 
+def path_length(**options):
+    path = simple.GeodesicPath(**options)
+    path.UpdatePipeline()
+    return testing.informed(path, "TotalLength")
+
+
+def no_route_is_an_error():  # 3
+    parts = simple.AppendGeometry(Input=[plane(), plane(Origin=[2, 0, 0], Point1=[3, 0, 0], Point2=[2, 1, 0])])
+    path = simple.GeodesicPath(Input=parts, WaypointPositions=[0, 0, 0, 2.5, 0.5, 0])
+    testing.expect_error(path, "from waypoint 0 to waypoint 1")
+
+
+def equal_endpoints_leave_the_next_segment():  # 5
+    points = [0, 0, 0, 0, 0, 0, 0.3, 0.4, 0]
+    assert np.isclose(path_length(Input=plane(), WaypointPositions=points), 0.5, rtol=1e-6)
+
+
+def a_path_is_straight_at_any_scale():  # 8
+    for scale in (1e-6, 0.1, 50, 1e6):
+        ends = scale * np.array([-0.43, -0.31, 0, 0.37, 0.44, 0])
+        surface = plane(Origin=[-scale / 2, -scale / 2, 0], Point1=[scale / 2, -scale / 2, 0],
+                        Point2=[-scale / 2, scale / 2, 0])
+        exact = scale * np.hypot(0.8, 0.75)
+        found = path_length(Input=surface, WaypointPositions=ends.tolist())
+        assert np.isclose(found, exact, rtol=1e-6, atol=0), (scale, found, exact)
+
+
+def paths_cross_edges_of_three_faces_and_odd_cells():  # 10
+    points, cells = triangles_of_plane()
+    odd = surface_of(points, [(4, 4, 9), *cells, *cells[::2], (30, 31, 31)])
+    exact = np.hypot(0.8, 0.75)
+    ends = [-0.43, -0.31, 0, 0.37, 0.44, 0]
+    assert np.isclose(path_length(Input=odd, WaypointPositions=ends), exact, rtol=1e-6)
+    corner = [(-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 2, 0), (0, -2, 0)]
+    sheets = surface_of(corner, [(3, 4, 0), (3, 4, 1), (3, 4, 2)])
+    for first, second in ((0, 1), (1, 2), (2, 0)):
+        ends = [0.5 * x for i in (first, second) for x in corner[i]]
+        assert np.isclose(path_length(Input=sheets, WaypointPositions=ends), 1.0, rtol=1e-6)
+
+
 for failure in [
         costs_count_on_the_first_run,
         costs_can_be_taken_back,
@@ -212,6 +252,10 @@ for failure in [
         the_unit_of_length_does_not_matter,
         the_first_of_two_stops_counts,
         a_seed_outside_is_moved_to_the_surface,
-        a_seed_that_does_not_exist_is_an_error]:
+        a_seed_that_does_not_exist_is_an_error,
+        no_route_is_an_error,
+        equal_endpoints_leave_the_next_segment,
+        a_path_is_straight_at_any_scale,
+        paths_cross_edges_of_three_faces_and_odd_cells]:
     print(failure.__name__, flush=True)
     failure()
