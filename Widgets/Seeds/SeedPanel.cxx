@@ -70,7 +70,7 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   column->addWidget(this->Toggle);
   column->addWidget(this->Hint);
   column->addWidget(this->Table);
-  column->addWidget(this->buildButtons());
+  column->addLayout(this->buildButtons());
 
   this->connect(this->Toggle, &QPushButton::toggled, this,
     [this](bool isOn)
@@ -92,7 +92,7 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
 
 QToolButton* SeedPanel::addButton(QHBoxLayout* row, const char* name, const QString& tip)
 {
-  auto* button = new QToolButton;
+  auto* button = new QToolButton(this);
   button->setObjectName(name);
   button->setToolTip(tip);
   button->setAutoRaise(true);
@@ -100,11 +100,9 @@ QToolButton* SeedPanel::addButton(QHBoxLayout* row, const char* name, const QStr
   return button;
 }
 
-QWidget* SeedPanel::buildButtons()
+QLayout* SeedPanel::buildButtons()
 {
-  auto* buttons = new QWidget(this);
-  auto* row = new QHBoxLayout(buttons);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
   row->setSpacing(1);
   QToolButton* add =
     this->addButton(row, "Add", tr("Add a row, at the middle of the input, and edit it"));
@@ -128,7 +126,7 @@ QWidget* SeedPanel::buildButtons()
   this->connect(this->Up, &QToolButton::clicked, this->Table, &SeedTableView::moveUp);
   this->connect(this->Down, &QToolButton::clicked, this->Table, &SeedTableView::moveDown);
   this->connect(this->Clear, &QToolButton::clicked, this->Model, &SeedTableModel::clear);
-  return buttons;
+  return row;
 }
 
 QAction* SeedPanel::addAction(QMenu* menu, const char* name, const QString& text)

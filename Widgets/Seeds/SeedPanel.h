@@ -12,6 +12,7 @@
 class QAction;
 class QHBoxLayout;
 class QLabel;
+class QLayout;
 class QMenu;
 class QPushButton;
 class QToolButton;
@@ -49,7 +50,7 @@ Q_SIGNALS:
   void addRequested();
 
 private:
-  QWidget* buildButtons();
+  QLayout* buildButtons();
   QToolButton* addButton(QHBoxLayout* row, const char* name, const QString& tip);
   QMenu* buildMenu();
   QAction* addAction(QMenu* menu, const char* name, const QString& text);

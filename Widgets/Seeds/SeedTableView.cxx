@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -20,6 +21,30 @@ namespace
 constexpr int FewestRows = 3;
 constexpr int MostRows = 8;
 
+/** Shows a number with as many of its digits as there is room for: an ellipsis says nothing. */
+class NumberDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+  {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const QVariant value = index.data(Qt::EditRole);
+    const int margin = option->widget->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
+    const int room = option->rect.width() - 2 * margin;
+    for (int digits = MostDigits;
+         digits > 1 && option->fontMetrics.horizontalAdvance(option->text) > room; --digits)
+    {
+      option->text = QString::number(value.toDouble(), 'g', digits);
+    }
+  }
+
+private:
+  static constexpr int MostDigits = 5;
+};
+
 }
 
 SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
@@ -27,6 +52,7 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
   , Model(model)
 {
   this->setModel(model);
+  this->setItemDelegate(new NumberDelegate(this));
   this->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->setDragDropMode(QAbstractItemView::InternalMove);
   this->setDragDropOverwriteMode(false);
