@@ -23,6 +23,9 @@ for line in server.stdout:
         break
 result = subprocess.run(
     [argument.replace("URL", f"cs://localhost:{port}") for argument in COMMAND], check=False)
-server.terminate()
-server.wait()
+try:
+    # It ends when its client has gone.
+    server.wait(timeout=30)
+except subprocess.TimeoutExpired:
+    server.kill()
 sys.exit(result.returncode)

@@ -26,6 +26,7 @@ constexpr double Radius = 5.5;
 constexpr double ChosenRadius = 7.5;
 constexpr double Reach = 9.0;
 constexpr double PreviewRadius = 8.0;
+constexpr double CoveredOpacity = 0.35;
 
 const QColor Dark(20, 20, 20);
 const QColor Light(255, 255, 255);
@@ -73,9 +74,10 @@ SeedOverlay::SeedOverlay(pqRenderView* view, const SeedRole& role)
   this->show();
 }
 
-void SeedOverlay::setPoints(const QVector<Position>& points)
+void SeedOverlay::setPoints(const QVector<Position>& points, double thickness)
 {
   this->Points = points;
+  this->Thickness = thickness;
   this->DoomedRow = -1;
   this->place();
 }
@@ -87,10 +89,10 @@ void SeedOverlay::place()
     return;
   }
   const ViewGeometry geometry(this->View);
-  this->Places.clear();
+  this->Markers.clear();
   for (const Position& point : this->Points)
   {
-    this->Places.append(geometry.toWidget(point));
+    this->Markers.append({ geometry.toWidget(point), geometry.isCovered(point, this->Thickness) });
   }
   this->update();
 }
@@ -155,13 +157,14 @@ int SeedOverlay::rowAt(const QPointF& place) const
   camera->GetDirectionOfProjection(ahead.data());
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
-  for (int row = 0; row < this->Places.size(); ++row)
+  for (int row = 0; row < this->Markers.size(); ++row)
   {
-    if (!this->Places[row])
+    const Marker& marker = this->Markers[row];
+    if (!marker.place || marker.isCovered)
     {
       continue;
     }
-    const QPointF away = *this->Places[row] - place;
+    const QPointF away = *marker.place - place;
     const double depth = dot(this->Points[row], ahead);
     if (QPointF::dotProduct(away, away) <= Reach * Reach && depth < least)
     {
@@ -192,9 +195,9 @@ void SeedOverlay::paintEvent(QPaintEvent*)
   // The chosen ones last, so that nothing hides them.
   for (const bool isChosen : { false, true })
   {
-    for (int row = 0; row < this->Places.size(); ++row)
+    for (int row = 0; row < this->Markers.size(); ++row)
     {
-      if (this->Places[row] && this->ChosenRows.contains(row) == isChosen)
+      if (this->Markers[row].place && this->ChosenRows.contains(row) == isChosen)
       {
         this->drawMarker(painter, row);
       }
@@ -209,12 +212,12 @@ void SeedOverlay::paintEvent(QPaintEvent*)
 void SeedOverlay::drawLines(QPainter& painter) const
 {
   QPainterPath path;
-  for (int row = 1; row < this->Places.size(); ++row)
+  for (int row = 1; row < this->Markers.size(); ++row)
   {
-    if (this->Places[row - 1] && this->Places[row])
+    if (this->Markers[row - 1].place && this->Markers[row].place)
     {
-      path.moveTo(*this->Places[row - 1]);
-      path.lineTo(*this->Places[row]);
+      path.moveTo(*this->Markers[row - 1].place);
+      path.lineTo(*this->Markers[row].place);
     }
   }
   drawTwice(painter, path, this->Role.color);
@@ -222,8 +225,9 @@ void SeedOverlay::drawLines(QPainter& painter) const
 
 void SeedOverlay::drawMarker(QPainter& painter, int row) const
 {
-  const QPointF center = *this->Places[row];
+  const QPointF center = *this->Markers[row].place;
   const bool isChosen = this->ChosenRows.contains(row);
+  painter.setOpacity(this->Markers[row].isCovered ? CoveredOpacity : 1.0);
   if (isChosen)
   {
     painter.setPen(QPen(Dark, 1.0));
@@ -244,6 +248,7 @@ void SeedOverlay::drawMarker(QPainter& painter, int row) const
   {
     drawOutlined(painter, center + QPointF(ChosenRadius + 4.0, -4.0), QString::number(row));
   }
+  painter.setOpacity(1.0);
 }
 
 void SeedOverlay::drawPreview(QPainter& painter) const

@@ -48,8 +48,11 @@ class SeedOverlay : public QWidget
 public:
   SeedOverlay(pqRenderView* view, const SeedRole& role);
 
-  /** @param points  in the space of the view, by rows */
-  void setPoints(const QVector<Position>& points);
+  /**
+   * @param points     in the space of the view, by rows
+   * @param thickness  how far behind what is drawn a point is still seen
+   */
+  void setPoints(const QVector<Position>& points, double thickness);
   void setChosenRows(const QVector<int>& rows);
   void setNumbered(bool isNumbered);
   void setJoined(bool isJoined);
@@ -57,7 +60,10 @@ public:
   /** The row that a click would remove, -1 for none. */
   void setDoomedRow(int row);
 
-  /** The row of the marker at a place of the widget, the nearest to the camera; -1 for none. */
+  /**
+   * The row of the marker at a place of the widget, the nearest to the camera; -1 for none. One
+   * that is behind something is seen faintly, but not there to be taken.
+   */
   int rowAt(const QPointF& place) const;
 
 protected:
@@ -65,7 +71,14 @@ protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-  /** Where the points are now, nothing behind the camera. */
+  /** A point as the camera now sees it. */
+  struct Marker
+  {
+    /** Nothing behind the camera. */
+    std::optional<QPointF> place;
+    bool isCovered = false;
+  };
+
   void place();
   QRectF rectOf(const Preview& preview) const;
   void drawLines(QPainter& painter) const;
@@ -75,7 +88,8 @@ private:
   QPointer<pqRenderView> View;
   SeedRole Role;
   QVector<Position> Points;
-  QVector<std::optional<QPointF>> Places;
+  double Thickness = 0.0;
+  QVector<Marker> Markers;
   QVector<int> ChosenRows;
   bool IsNumbered = false;
   bool IsJoined = false;

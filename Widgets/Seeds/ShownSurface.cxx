@@ -106,10 +106,10 @@ vtkSmartPointer<vtkMatrix4x4> ShownSurface::placementIn(pqRenderView* view) cons
   return matrix;
 }
 
-double ShownSurface::diagonal() const
+double ShownSurface::thickness() const
 {
   const vtkBoundingBox box = boundsOf(this->inputPort());
-  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  return box.IsValid() ? 2e-3 * box.GetDiagonalLength() : 0.0;
 }
 
 Position ShownSurface::center() const

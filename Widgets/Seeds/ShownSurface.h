@@ -38,8 +38,8 @@ public:
   bool isShownBy(vtkSMProxy* representation) const;
   /** From the data's coordinates to those of a view; representations can be moved and turned. */
   vtkSmartPointer<vtkMatrix4x4> placementIn(pqRenderView* view) const;
-  /** The length of the diagonal of the input's bounding box; 0 where there is none. */
-  double diagonal() const;
+  /** What is nearer to the surface than this counts as lying on it; a small part of its size. */
+  double thickness() const;
   /** The middle of the input's bounding box; 0 where there is none. */
   Position center() const;
 

@@ -5,10 +5,8 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
-#include "pqServer.h"
 #include "pqUndoStack.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPVRenderView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
@@ -17,15 +15,10 @@
 
 #include <QCoreApplication>
 
-#include <cmath>
-
 namespace seeds
 {
 namespace
 {
-
-/** What is nearer than the surface by less than this part of its size is taken to lie on it. */
-constexpr double LyingOnIt = 2e-3;
 
 QString tr(const char* text)
 {
@@ -36,12 +29,6 @@ Ray transformedRay(vtkMatrix4x4* matrix, const Ray& ray)
 {
   const Position origin = transformed(matrix, ray.origin);
   return { origin, transformed(matrix, ray.origin + ray.direction) - origin };
-}
-
-bool isDrawnByServer(pqRenderView* view)
-{
-  auto* client = vtkPVRenderView::SafeDownCast(view->getRenderViewProxy()->GetClientSideObject());
-  return view->getServer()->isRemote() && client->GetUseDistributedRenderingForRender();
 }
 
 }
@@ -75,11 +62,7 @@ Probed SurfaceProbe::at(pqRenderView* view, const QPointF& place, Snap snap, Car
   {
     return { {}, tr("The surface is not here"), true };
   }
-  const Position world = transformed(placement, *met);
-  const double length2 = dot(ray.direction, ray.direction);
-  const double along = dot(world - ray.origin, ray.direction) / length2;
-  const double tolerance = LyingOnIt * this->Surface.diagonal() / std::sqrt(length2);
-  if (this->isCovered(view, place, along, tolerance, care))
+  if (this->isCovered(view, place, transformed(placement, *met), care))
   {
     return { {}, tr("Another surface is in front") };
   }
@@ -113,18 +96,18 @@ std::optional<Position> SurfaceProbe::ask(const Ray& ray, Snap snap)
 }
 
 bool SurfaceProbe::isCovered(
-  pqRenderView* view, const QPointF& place, double hitAlongRay, double tolerance, Care care) const
+  pqRenderView* view, const QPointF& place, const Position& point, Care care) const
 {
-  if (!isDrawnByServer(view))
+  const ViewGeometry geometry(view);
+  if (geometry.isDrawnHere())
   {
-    const auto drawn = ViewGeometry(view).drawnAt(place);
-    return drawn && *drawn < hitAlongRay - tolerance;
+    return geometry.isCovered(point, this->Surface.thickness());
   }
   if (care == Care::Preview)
   {
     return false;
   }
-  const auto [x, y] = ViewGeometry(view).pixelAt(place);
+  const auto [x, y] = geometry.pixelAt(place);
   vtkSMRepresentationProxy* drawn = view->getRenderViewProxy()->Pick(x, y);
   return drawn && !this->Surface.isShownBy(drawn);
 }

@@ -56,8 +56,7 @@ public:
 
 private:
   std::optional<Position> ask(const Ray& ray, Snap snap);
-  bool isCovered(pqRenderView* view, const QPointF& place, double hitAlongRay, double tolerance,
-    Care care) const;
+  bool isCovered(pqRenderView* view, const QPointF& place, const Position& point, Care care) const;
 
   ShownSurface Surface;
   /** The proxy SurfacePointPicker. */

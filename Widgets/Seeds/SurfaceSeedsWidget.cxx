@@ -186,7 +186,8 @@ void SurfaceSeedsWidget::setView(pqView* view)
   Internals& my = *this->Internal;
   auto* renderView = qobject_cast<pqRenderView*>(view);
   my.Panel->setPickable(renderView);
-  if (renderView != my.View)
+  // A view that was closed leaves none, as well as no view does.
+  if (renderView != my.View || !renderView)
   {
     this->detach();
     if (this->isVisible())
@@ -342,7 +343,7 @@ void SurfaceSeedsWidget::showPoints()
   {
     point = transformed(placement, point);
   }
-  my.Overlay->setPoints(points);
+  my.Overlay->setPoints(points, my.Surface.thickness());
   my.Overlay->setChosenRows(my.Panel->table()->chosenRows());
   my.Overlay->setNumbered(my.Panel->isNumbered());
   this->showLines();

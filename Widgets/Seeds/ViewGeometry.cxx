@@ -4,7 +4,9 @@
 
 #include "pqQVTKWidget.h"
 #include "pqRenderView.h"
+#include "pqServer.h"
 #include "vtkCamera.h"
+#include "vtkPVRenderView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSMRenderViewProxy.h"
@@ -93,6 +95,27 @@ std::optional<double> ViewGeometry::drawnAt(const QPointF& place) const
   const Ray ray = this->rayThrough(place);
   const Position drawn = this->toSpace(x + 0.5, y + 0.5, depth);
   return dot(drawn - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+}
+
+bool ViewGeometry::isDrawnHere() const
+{
+  auto* view =
+    vtkPVRenderView::SafeDownCast(this->View->getRenderViewProxy()->GetClientSideObject());
+  return !this->View->getServer()->isRemote() || !view->GetUseDistributedRenderingForRender();
+}
+
+bool ViewGeometry::isCovered(const Position& point, double tolerance) const
+{
+  const auto place = this->isDrawnHere() ? this->toWidget(point) : std::nullopt;
+  const auto drawn = place ? this->drawnAt(*place) : std::nullopt;
+  if (!drawn)
+  {
+    return false;
+  }
+  const Ray ray = this->rayThrough(*place);
+  const double length2 = dot(ray.direction, ray.direction);
+  const double along = dot(point - ray.origin, ray.direction) / length2;
+  return *drawn < along - tolerance / std::sqrt(length2);
 }
 
 QWidget* drawingWidgetOf(pqRenderView* view)

@@ -39,6 +39,13 @@ public:
    * as something in front of it. Nothing on the background.
    */
   std::optional<double> drawnAt(const QPointF& place) const;
+  /** Whether what the view draws is known here; otherwise a server draws it. */
+  bool isDrawnHere() const;
+  /**
+   * Whether a point in space is behind what was drawn over it, by more than a tolerance; never
+   * where a server draws.
+   */
+  bool isCovered(const Position& point, double tolerance) const;
   /** The pixel of the render window at a place of the widget, counted from its lower left corner.
    */
   std::array<int, 2> pixelAt(const QPointF& place) const;
