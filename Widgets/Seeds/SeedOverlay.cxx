@@ -52,10 +52,13 @@ void drawDisc(QPainter& painter, const QPointF& center, double radius, const QCo
 }
 
 /** Lines that are legible on any background. */
-void drawTwice(QPainter& painter, const QPainterPath& path, const QColor& color)
+void drawRimmed(QPainter& painter, const QPainterPath& path, const QColor& color)
 {
-  painter.strokePath(path, QPen(Light, 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.strokePath(path, QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const std::pair<QColor, double> strokes[] = { { Dark, 6.0 }, { Light, 5.0 }, { color, 2.5 } };
+  for (const auto& [stroke, width] : strokes)
+  {
+    painter.strokePath(path, QPen(stroke, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  }
 }
 
 }
@@ -139,7 +142,7 @@ void SeedOverlay::setPreview(const std::optional<Preview>& preview)
 
 QRectF SeedOverlay::rectOf(const Preview& preview) const
 {
-  const double size = PreviewRadius + 3.0;
+  const double size = PreviewRadius + 4.0;
   QRectF rect(preview.place - QPointF(size, size), QSizeF(2.0 * size, 2.0 * size));
   if (preview.kind == Preview::Refused)
   {
@@ -220,7 +223,7 @@ void SeedOverlay::drawLines(QPainter& painter) const
       path.lineTo(*this->Markers[row].place);
     }
   }
-  drawTwice(painter, path, this->Role.color);
+  drawRimmed(painter, path, this->Role.color);
 }
 
 void SeedOverlay::drawMarker(QPainter& painter, int row) const
@@ -242,7 +245,7 @@ void SeedOverlay::drawMarker(QPainter& painter, int row) const
     cross.lineTo(center + QPointF(Reach, Reach));
     cross.moveTo(center + QPointF(-Reach, Reach));
     cross.lineTo(center + QPointF(Reach, -Reach));
-    drawTwice(painter, cross, Refusal);
+    drawRimmed(painter, cross, Refusal);
   }
   if (this->IsNumbered)
   {
@@ -268,14 +271,14 @@ void SeedOverlay::drawPreview(QPainter& painter) const
       path.addEllipse(center, PreviewRadius, PreviewRadius);
       path.moveTo(center + QPointF(-0.7, 0.7) * PreviewRadius);
       path.lineTo(center + QPointF(0.7, -0.7) * PreviewRadius);
-      drawTwice(painter, path, Refusal);
+      drawRimmed(painter, path, Refusal);
       const double width = this->fontMetrics().horizontalAdvance(this->Shown->reason);
       const bool hasRoom = center.x() + 16.0 + width < this->width();
       const double x = hasRoom ? center.x() + 16.0 : center.x() - 16.0 - width;
       drawOutlined(painter, { x, center.y() + 5.0 }, this->Shown->reason);
       return;
   }
-  drawTwice(painter, path, this->Role.color);
+  drawRimmed(painter, path, this->Role.color);
   painter.setPen(Qt::NoPen);
   painter.setBrush(this->Role.color);
   painter.drawEllipse(center, 2.0, 2.0);
