@@ -57,6 +57,96 @@ OnTriangle onTriangle(const std::array<Vector3, 3>& corners, const Vector3& quer
     [](const OnTriangle& a, const OnTriangle& b) { return a.squaredDistance < b.squaredDistance; });
 }
 
+/** A ray in its own coordinates: sheared so that it runs from 0 along its steepest axis. */
+class ShearedRay
+{
+public:
+  ShearedRay(const Vector3& origin, const Vector3& direction)
+    : Origin(origin)
+  {
+    const std::array<double, 3> d = componentsOf(direction);
+    this->Along = static_cast<int>(std::max_element(d.begin(), d.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      d.begin());
+    this->ShearX = d[(this->Along + 1) % 3] / d[this->Along];
+    this->ShearY = d[(this->Along + 2) % 3] / d[this->Along];
+    this->Scale = 1.0 / d[this->Along];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Inverse[axis] = 1.0 / d[axis];
+    }
+  }
+
+  struct Crossing
+  {
+    std::array<double, 3> weights;
+    /** In lengths of the direction. */
+    double along;
+  };
+
+  std::optional<Crossing> crossing(const std::array<Vector3, 3>& corners) const
+  {
+    const Vector3 a = this->sheared(corners[0]);
+    const Vector3 b = this->sheared(corners[1]);
+    const Vector3 c = this->sheared(corners[2]);
+    // Exactly opposite for the two triangles of an edge, so that one of them is always hit.
+    const double u = c.x * b.y - c.y * b.x;
+    const double v = a.x * c.y - a.y * c.x;
+    const double w = b.x * a.y - b.y * a.x;
+    const double sum = u + v + w;
+    const bool isBeside = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
+    if (isBeside || sum == 0.0)
+    {
+      return {};
+    }
+    const std::array<double, 3> weights{ u / sum, v / sum, w / sum };
+    return Crossing{ weights, weights[0] * a.z + weights[1] * b.z + weights[2] * c.z };
+  }
+
+  /** Where the ray enters a box, infinity where it misses. */
+  double entry(const std::array<double, 3>& low, const std::array<double, 3>& high) const
+  {
+    // The least factor by which rounding cannot lose a box that is touched, with room to spare.
+    constexpr double wider = 1.0 + 1e-15;
+    const std::array<double, 3> origin = componentsOf(this->Origin);
+    double first = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (std::isinf(this->Inverse[axis]))
+      {
+        if (origin[axis] < low[axis] || origin[axis] > high[axis])
+        {
+          return std::numeric_limits<double>::infinity();
+        }
+        continue;
+      }
+      const double a = (low[axis] - origin[axis]) * this->Inverse[axis];
+      const double b = (high[axis] - origin[axis]) * this->Inverse[axis];
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b) * wider);
+    }
+    return first <= last ? first : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  static std::array<double, 3> componentsOf(const Vector3& a) { return { a.x, a.y, a.z }; }
+
+  Vector3 sheared(const Vector3& point) const
+  {
+    const std::array<double, 3> p = componentsOf(point - this->Origin);
+    return { p[(this->Along + 1) % 3] - this->ShearX * p[this->Along],
+      p[(this->Along + 2) % 3] - this->ShearY * p[this->Along], this->Scale * p[this->Along] };
+  }
+
+  Vector3 Origin;
+  std::array<double, 3> Inverse;
+  int Along;
+  double ShearX;
+  double ShearY;
+  double Scale;
+};
+
 float roundedDown(double x)
 {
   const float rounded = static_cast<float>(x);
@@ -117,6 +207,13 @@ ClosestPointTree::Box ClosestPointTree::boxOfTriangles(Index first, Index last) 
     { -roundedDown(-high.x), -roundedDown(-high.y), -roundedDown(-high.z) } };
 }
 
+std::array<Vector3, 3> ClosestPointTree::cornersOf(Index triangle) const
+{
+  const Triangle& corners = this->Mesh->triangle(triangle);
+  return { this->Mesh->position(corners[0]), this->Mesh->position(corners[1]),
+    this->Mesh->position(corners[2]) };
+}
+
 double ClosestPointTree::squaredDistance(const Box& box, const Vector3& query) const
 {
   const Vector3 p = query - this->Origin;
@@ -160,11 +257,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       const Index last = std::min(first + TrianglesPerLeaf, this->Mesh->numberOfTriangles());
       for (Index t = first; t < last; ++t)
       {
-        const Triangle& corners = this->Mesh->triangle(t);
-        const OnTriangle candidate =
-          onTriangle({ this->Mesh->position(corners[0]), this->Mesh->position(corners[1]),
-                       this->Mesh->position(corners[2]) },
-            query);
+        const OnTriangle candidate = onTriangle(this->cornersOf(t), query);
         if (candidate.squaredDistance < best.squaredDistance)
         {
           best = candidate;
@@ -197,6 +290,79 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
   result.point = snapped({ nearest, best.weights });
   result.position = this->Mesh->positionOf(result.point);
   result.distance = norm(query - result.position);
+  return result;
+}
+
+std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
+  const Vector3& origin, const Vector3& direction) const
+{
+  if (this->Levels.empty())
+  {
+    return {};
+  }
+  // The boxes are relative to Origin, the triangles are not.
+  const ShearedRay toBoxes(origin - this->Origin, direction);
+  const ShearedRay toTriangles(origin, direction);
+  struct Pending
+  {
+    double entry;
+    std::size_t level;
+    Index box;
+  };
+  const auto farther = [](const Pending& a, const Pending& b) { return a.entry > b.entry; };
+
+  Index nearest = NoIndex;
+  ShearedRay::Crossing best{ {}, std::numeric_limits<double>::infinity() };
+  std::vector<Pending> pending{ { 0.0, this->Levels.size() - 1, 0 } };
+  while (!pending.empty())
+  {
+    const Pending next = pending.back();
+    pending.pop_back();
+    if (next.entry > best.along)
+    {
+      continue;
+    }
+    if (next.level == 0)
+    {
+      const Index first = next.box * TrianglesPerLeaf;
+      const Index last = std::min(first + TrianglesPerLeaf, this->Mesh->numberOfTriangles());
+      for (Index t = first; t < last; ++t)
+      {
+        const auto crossing = toTriangles.crossing(this->cornersOf(t));
+        if (crossing && crossing->along >= 0.0 && crossing->along < best.along)
+        {
+          best = *crossing;
+          nearest = t;
+        }
+      }
+      continue;
+    }
+    // Nearest child last, so that it is looked at first.
+    const std::vector<Box>& children = this->Levels[next.level - 1];
+    const Index first = next.box * ChildrenPerNode;
+    const Index last = std::min<Index>(first + ChildrenPerNode, children.size());
+    const std::size_t start = pending.size();
+    for (Index child = first; child < last; ++child)
+    {
+      const Box& box = children[child];
+      const double entry = toBoxes.entry(
+        { box.low[0], box.low[1], box.low[2] }, { box.high[0], box.high[1], box.high[2] });
+      if (entry <= best.along && entry < std::numeric_limits<double>::infinity())
+      {
+        pending.push_back({ entry, next.level - 1, child });
+      }
+    }
+    std::sort(pending.begin() + start, pending.end(), farther);
+  }
+
+  if (nearest == NoIndex)
+  {
+    return {};
+  }
+  Result result;
+  result.point = snapped({ nearest, best.weights });
+  result.position = this->Mesh->positionOf(result.point);
+  result.distance = norm(result.position - origin);
   return result;
 }
 

@@ -4,7 +4,9 @@
 #include "SurfacePoint.h"
 #include "Vector3.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -13,7 +15,8 @@ namespace geodesic
 class TriangleMesh;
 
 /**
- * Finds the point of a surface that is nearest to a point in space, on faces, not only at vertices.
+ * Finds the point of a surface that is nearest to a point in space or first on a ray, on faces, not
+ * only at vertices.
  *
  * The triangles of a TriangleMesh already follow a space filling curve, so consecutive ones lie
  * together: a hierarchy of boxes over runs of them needs no sorting, no child pointers and about
@@ -42,6 +45,15 @@ public:
    */
   Result closestPoint(const Vector3& query) const;
 
+  /**
+   * Where a ray first meets the surface, from either side; nothing where it misses. A ray cannot
+   * slip through between two triangles that share an edge.
+   * @param direction  of any length but 0
+   * Time O(log n) for most rays.
+   * S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013).
+   */
+  std::optional<Result> firstOnRay(const Vector3& origin, const Vector3& direction) const;
+
 private:
   struct Box
   {
@@ -50,6 +62,7 @@ private:
   };
 
   Box boxOfTriangles(Index first, Index last) const;
+  std::array<Vector3, 3> cornersOf(Index triangle) const;
   double squaredDistance(const Box& box, const Vector3& query) const;
 
   std::shared_ptr<const TriangleMesh> Mesh;

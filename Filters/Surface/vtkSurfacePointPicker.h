@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSurfacePointPicker
+ * @brief Where a ray first meets the surface of a data set.
+ *
+ * What an interactive widget asks, where the data are: on a server, on all of its ranks. The answer
+ * lies on a face, to rounding, and takes microseconds once the structure behind it is there. That
+ * is built by the first pick on an input and shared with the filters of this module; polygonal
+ * data, any other data set (its outer surface) and blocks of them can be picked.
+ *
+ * The data are taken as they are at the moment: nothing is updated.
+ */
+#ifndef vtkSurfacePointPicker_h
+#define vtkSurfacePointPicker_h
+
+#include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For members
+
+#include <memory> // For members
+
+class vtkAlgorithmOutput;
+
+class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfacePointPicker : public vtkObject
+{
+public:
+  static vtkSurfacePointPicker* New();
+  vtkTypeMacro(vtkSurfacePointPicker, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What is picked on.
+   */
+  void SetInputConnection(vtkAlgorithmOutput* input);
+
+  ///@{
+  /**
+   * The ray, in the coordinates of the input; the direction has any length but 0. Default: from 0
+   * along z.
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  vtkSetVector3Macro(Direction, double);
+  vtkGetVector3Macro(Direction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the answer is the nearest corner of the triangle that is met. (The nearest point of the
+   * whole mesh could lie on the other side of a thin sheet.) Default: off.
+   */
+  vtkSetMacro(SnapToPoint, bool);
+  vtkGetMacro(SnapToPoint, bool);
+  vtkBooleanMacro(SnapToPoint, bool);
+  ///@}
+
+  /**
+   * Sets the answer. To be called on all ranks; the first one then has the answer.
+   */
+  void Pick();
+
+  /**
+   * 1, x, y and z of the point; 0 and three zeros where the ray misses.
+   */
+  vtkGetVector4Macro(Answer, double);
+
+protected:
+  vtkSurfacePointPicker();
+  ~vtkSurfacePointPicker() override;
+
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Direction[3] = { 0.0, 0.0, 1.0 };
+  bool SnapToPoint = false;
+  double Answer[4] = { 0.0, 0.0, 0.0, 0.0 };
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  vtkSurfacePointPicker(const vtkSurfacePointPicker&) = delete;
+  void operator=(const vtkSurfacePointPicker&) = delete;
+};
+
+#endif

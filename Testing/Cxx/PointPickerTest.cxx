@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSurfacePointPicker: rays onto data of every kind, on planes where the answer is known.
+
+#include "Inputs.h"
+
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkSurfacePointPicker.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+
+using namespace geodesic::testing;
+
+namespace
+{
+
+using Point = std::array<double, 3>;
+
+class PointPicker : public ::testing::Test
+{
+protected:
+  void show(vtkDataObject* data)
+  {
+    this->Producer->SetOutput(data);
+    this->Picker->SetInputConnection(this->Producer->GetOutputPort());
+  }
+
+  /** Looks down from z = 10. */
+  std::optional<Point> pickFromAbove(double x, double y)
+  {
+    this->Picker->SetOrigin(x, y, 10.0);
+    this->Picker->SetDirection(0.0, 0.0, -3.0);
+    this->Picker->Pick();
+    const double* answer = this->Picker->GetAnswer();
+    if (answer[0] == 0.0)
+    {
+      return {};
+    }
+    return Point{ answer[1], answer[2], answer[3] };
+  }
+
+  vtkNew<vtkTrivialProducer> Producer;
+  vtkNew<vtkSurfacePointPicker> Picker;
+};
+
+vtkSmartPointer<vtkPolyData> squareAtHeight(double z)
+{
+  vtkNew<vtkTransform> lift;
+  lift->Translate(0.0, 0.0, z);
+  vtkNew<vtkTransformFilter> lifted;
+  lifted->SetTransform(lift);
+  lifted->SetInputDataObject(square(5));
+  lifted->Update();
+  return lifted->GetPolyDataOutput();
+}
+
+}
+
+TEST_F(PointPicker, AnswersOnTrianglesQuadrilateralsAndStrips)
+{
+  for (const Cells kind : { Cells::Triangles, Cells::Quadrilaterals, Cells::Strips })
+  {
+    this->show(square(5, kind));
+    EXPECT_EQ(this->pickFromAbove(2.25, 1.5), (Point{ 2.25, 1.5, 0.0 }));
+    EXPECT_FALSE(this->pickFromAbove(5.5, 1.5));
+  }
+}
+
+TEST_F(PointPicker, SnapsToTheNearestCornerOfTheFace)
+{
+  this->show(square(5));
+  this->Picker->SnapToPointOn();
+  EXPECT_EQ(this->pickFromAbove(2.1, 1.8), (Point{ 2.0, 2.0, 0.0 }));
+  EXPECT_EQ(this->pickFromAbove(2.9, 1.2), (Point{ 3.0, 1.0, 0.0 }));
+}
+
+TEST_F(PointPicker, AnswersOnTheOutsideOfVolumes)
+{
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(4, 4, 4);
+  this->show(box);
+  EXPECT_EQ(this->pickFromAbove(1.25, 0.5), (Point{ 1.25, 0.5, 3.0 }));
+  vtkNew<vtkDataSetTriangleFilter> tetrahedra;
+  tetrahedra->SetInputDataObject(box);
+  tetrahedra->Update();
+  this->show(tetrahedra->GetOutput());
+  EXPECT_EQ(this->pickFromAbove(1.25, 0.5), (Point{ 1.25, 0.5, 3.0 }));
+}
+
+TEST_F(PointPicker, AnswersOnTheNearestOfSeveralBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, squareAtHeight(1.0));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, square(5));
+  blocks->SetBlock(1, inner);
+  blocks->SetBlock(2, nullptr);
+  this->show(blocks);
+  EXPECT_EQ(this->pickFromAbove(0.5, 0.25), (Point{ 0.5, 0.25, 1.0 }));
+}
+
+TEST_F(PointPicker, NoticesThatTheInputHasChanged)
+{
+  this->show(square(5));
+  EXPECT_EQ(this->pickFromAbove(0.5, 0.25), (Point{ 0.5, 0.25, 0.0 }));
+  this->show(squareAtHeight(2.0));
+  EXPECT_EQ(this->pickFromAbove(0.5, 0.25), (Point{ 0.5, 0.25, 2.0 }));
+  vtkNew<vtkPolyData> nothing;
+  this->show(nothing);
+  EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+}
+
+TEST_F(PointPicker, WithoutInputThereIsNoAnswer)
+{
+  EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+}

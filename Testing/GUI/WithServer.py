@@ -1,0 +1,31 @@
+"""Runs a command with a ParaView server of 2 ranks, whose URL is put in the place of URL.
+
+usage: WithServer.py MPIEXEC PVSERVER COMMAND ... URL ...
+"""
+
+import os
+import socket
+import subprocess
+import sys
+
+MPIEXEC, PVSERVER, *COMMAND = sys.argv[1:]
+
+with socket.socket() as free:
+    free.bind(("localhost", 0))
+    port = free.getsockname()[1]
+
+server = subprocess.Popen(
+    [MPIEXEC, "-n", "2", "--oversubscribe", "--allow-run-as-root",
+     PVSERVER, f"--server-port={port}", "--force-offscreen-rendering"],
+    stdout=subprocess.PIPE, text=True, env={**os.environ, "OMPI_MCA_btl_vader_single_copy_mechanism": "none"})
+for line in server.stdout:
+    if "Accepting connection" in line:
+        break
+result = subprocess.run(
+    [argument.replace("URL", f"cs://localhost:{port}") for argument in COMMAND], check=False)
+try:
+    # It ends when its client has gone.
+    server.wait(timeout=30)
+except subprocess.TimeoutExpired:
+    server.kill()
+sys.exit(result.returncode)

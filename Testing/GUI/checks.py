@@ -1,0 +1,96 @@
+"""What the scripts of this folder check from ParaView's Python shell. A failure ends ParaView with the result 1,
+because an exception in the shell would not fail a playback.
+"""
+
+import os
+import subprocess
+import sys
+import traceback
+
+import numpy as np
+from paraview import servermanager
+from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import mutable
+from vtkmodules.vtkCommonDataModel import vtkCellLocator
+
+
+def expect(condition, *seen):
+    if not condition:
+        os.write(2, f"FAILED: {seen}\n".encode())
+        os._exit(1)
+
+
+def fail(kind, error, trace):
+    traceback.print_exception(kind, error, trace, file=sys.__stderr__)
+    os._exit(1)
+
+
+# The shell asks this for what to do with an exception.
+sys.excepthook = fail
+
+
+def shown(name="SeedPositions"):
+    """The points in the panel, applied or not."""
+    source = GetActiveSource().SMProxy.GetProperty(name)
+    values = [source.GetUncheckedElement(i) for i in range(source.GetNumberOfUncheckedElements())]
+    return np.reshape(values, (-1, 3))
+
+
+def applied(name="SeedPositions"):
+    return np.reshape(GetActiveSource().GetPropertyValue(name), (-1, 3))
+
+
+def surface():
+    return servermanager.Fetch(GetActiveSource().Input)
+
+
+def expect_points(points, name="SeedPositions"):
+    """The points in the panel are these, to the last bit."""
+    found = shown(name)
+    expect(np.array_equal(found, np.reshape(points, (-1, 3))), found, points)
+
+
+def expect_on_surface(count, name="SeedPositions"):
+    """So many points are in the panel, and all lie on the input to 1e-6 of its bounding box."""
+    data = surface()
+    locator = vtkCellLocator()
+    locator.SetDataSet(data)
+    locator.BuildLocator()
+    points = shown(name)
+    expect(len(points) == count, points)
+    for point in points:
+        cell, part, distance2 = mutable(0), mutable(0), mutable(0.0)
+        locator.FindClosestPoint(point, [0.0, 0.0, 0.0], cell, part, distance2)
+        expect(distance2.get() < (1e-6 * data.GetLength()) ** 2, point, distance2)
+
+
+def expect_mesh_point(row, name="SeedPositions"):
+    """A point in the panel is a point of the mesh and not one between them."""
+    corners = vtk_to_numpy(surface().GetPoints().GetData()).astype(float)
+    distances = np.linalg.norm(corners - shown(name)[row], axis=1)
+    expect(distances.min() == 0.0, distances.min())
+
+
+def expect_between_mesh_points(row, name="SeedPositions"):
+    corners = vtk_to_numpy(surface().GetPoints().GetData()).astype(float)
+    expect(np.linalg.norm(corners - shown(name)[row], axis=1).min() > 1e-3)
+
+
+def expect_seen_at(row, x, y, name="SeedPositions"):
+    """The view draws a point at this place, in parts of its width and height from the upper left."""
+    view = GetActiveView()
+    renderer = view.GetRenderer()
+    renderer.SetWorldPoint(*shown(name)[row], 1.0)
+    renderer.WorldToDisplay()
+    pixel = renderer.GetDisplayPoint()
+    width, height = view.GetRenderWindow().GetSize()
+    expect(abs(pixel[0] - x * width) < 2 and abs(height - pixel[1] - y * height) < 2, pixel, x, y)
+
+
+def pixels_of(*color):
+    """How many pixels of exactly this colour, in parts of 1, are on the screen."""
+    raw = subprocess.run(
+        ["import", "-window", "root", "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True)
+    rgb = np.frombuffer(raw.stdout, np.uint8).reshape(-1, 3)
+    return int((np.abs(rgb - np.multiply(color, 255)) < 1).all(axis=1).sum())

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LiveUpdate.h"
+
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
+#include "pqSettings.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMTrace.h"
+
+namespace seeds
+{
+namespace
+{
+
+constexpr const char* Setting = "SurfaceSeeds/LiveUpdate";
+
+}
+
+LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
+  : Filter(filter)
+  , Property(property)
+{
+  // The movements that came while the filter was at work are taken before this fires, so that only
+  // the last of them is computed.
+  this->WhenIdle.setSingleShot(true);
+  this->WhenIdle.setInterval(0);
+  this->connect(&this->WhenIdle, &QTimer::timeout, this, &LiveUpdate::update);
+}
+
+bool LiveUpdate::isWanted()
+{
+  return pqApplicationCore::instance()->settings()->value(Setting, false).toBool();
+}
+
+void LiveUpdate::setWanted(bool isWanted)
+{
+  pqApplicationCore::instance()->settings()->setValue(Setting, isWanted);
+}
+
+bool LiveUpdate::isPossible() const
+{
+  auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+      this->Filter.Get());
+  return source && source->modifiedState() != pqProxy::UNINITIALIZED;
+}
+
+void LiveUpdate::begin()
+{
+  const std::vector<double> elements = vtkSMPropertyHelper(this->Property).GetArray<double>();
+  this->Before = QVector<double>(elements.begin(), elements.end());
+  this->Latest = this->Before;
+}
+
+void LiveUpdate::push(const QVector<double>& values)
+{
+  this->Latest = values;
+  this->WhenIdle.start();
+}
+
+void LiveUpdate::give(const QVector<double>& values)
+{
+  this->Property->SetElements(values.data(), static_cast<unsigned int>(values.size()));
+  this->Filter->UpdateVTKObjects();
+}
+
+void LiveUpdate::update()
+{
+  {
+    SCOPED_UNDO_EXCLUDE();
+    this->give(this->Latest);
+  }
+  const auto views = pqApplicationCore::instance()->getServerManagerModel()->findItems<pqView*>();
+  for (pqView* view : views)
+  {
+    view->forceRender();
+  }
+}
+
+void LiveUpdate::finish()
+{
+  this->WhenIdle.stop();
+  if (this->Latest == this->Before)
+  {
+    return;
+  }
+  {
+    SCOPED_UNDO_EXCLUDE();
+    this->give(this->Before);
+  }
+  {
+    SCOPED_UNDO_SET(tr("Drag a point"));
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Filter);
+    this->give(this->Latest);
+  }
+  this->update();
+}
+
+}

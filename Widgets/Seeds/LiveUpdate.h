@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef seeds_LiveUpdate_h
+#define seeds_LiveUpdate_h
+
+#include "vtkSmartPointer.h"
+
+#include <QObject>
+#include <QTimer>
+#include <QVector>
+
+class vtkSMDoubleVectorProperty;
+class vtkSMProxy;
+
+namespace seeds
+{
+
+/**
+ * Gives a filter the points while they are dragged, and draws its result: as often as the filter
+ * answers, the last points always. All of it is one step to undo.
+ *
+ * Whether that is wanted is a setting of the user, kept with ParaView's.
+ */
+class LiveUpdate : public QObject
+{
+  Q_OBJECT
+
+public:
+  LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property);
+
+  static bool isWanted();
+  static void setWanted(bool isWanted);
+
+  /** Whether the filter can be updated by itself: it has been applied before. */
+  bool isPossible() const;
+
+  void begin();
+  void push(const QVector<double>& values);
+  void finish();
+
+private:
+  void update();
+  void give(const QVector<double>& values);
+
+  vtkSmartPointer<vtkSMProxy> Filter;
+  vtkSmartPointer<vtkSMDoubleVectorProperty> Property;
+  QTimer WhenIdle;
+  QVector<double> Before;
+  QVector<double> Latest;
+};
+
+}
+
+#endif

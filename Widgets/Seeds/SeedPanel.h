@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef seeds_SeedPanel_h
+#define seeds_SeedPanel_h
+
+#include "Position.h"
+#include "SeedRole.h"
+
+#include <QVector>
+#include <QWidget>
+
+class QAction;
+class QHBoxLayout;
+class QLabel;
+class QLayout;
+class QMenu;
+class QPushButton;
+class QToolButton;
+
+namespace seeds
+{
+
+class SeedTableModel;
+class SeedTableView;
+
+/** What the user sees in the panel: the button that starts picking, a hint, the table and its
+ * tools. */
+class SeedPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* parent);
+
+  SeedTableView* table() const { return this->Table; }
+  bool isPicking() const;
+  void setPicking(bool isOn);
+  void setPickable(bool isPickable);
+  bool isNumbered() const;
+
+public Q_SLOTS:
+  /** Says why what was asked for was not done. */
+  void complain(const QString& reason);
+  /** Says what to do next. */
+  void showHint();
+
+Q_SIGNALS:
+  void pickToggled(bool isOn);
+  void numbersToggled(bool isOn);
+  void addRequested();
+
+private:
+  QLayout* buildButtons();
+  QToolButton* addButton(QHBoxLayout* row, const char* name, const QString& tip);
+  QMenu* buildMenu();
+  QAction* addAction(QMenu* menu, const char* name, const QString& text);
+  void prepareMenu();
+  void updateButtons();
+  void addFromSelection();
+  void load();
+  void save();
+  void append(const QVector<Position>& points);
+
+  SeedTableModel* Model;
+  SeedRole Role;
+  SeedTableView* Table = nullptr;
+  QPushButton* Toggle = nullptr;
+  QLabel* Hint = nullptr;
+  QToolButton* Remove = nullptr;
+  QToolButton* Up = nullptr;
+  QToolButton* Down = nullptr;
+  QToolButton* Clear = nullptr;
+  QAction* Copy = nullptr;
+  QAction* Save = nullptr;
+  QAction* FromSelection = nullptr;
+  QAction* Numbers = nullptr;
+  QAction* Live = nullptr;
+};
+
+}
+
+#endif

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeedPicker.h"
+
+#include "pqRenderView.h"
+#include "vtkMatrix4x4.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QKeyEvent>
+
+namespace seeds
+{
+namespace
+{
+
+using Snap = SurfaceProbe::Snap;
+using Care = SurfaceProbe::Care;
+
+Snap snapOf(Qt::KeyboardModifiers modifiers)
+{
+  return modifiers & Qt::ControlModifier ? Snap::ToMeshPoint : Snap::ToSurface;
+}
+
+}
+
+SeedPicker::SeedPicker(SurfaceProbe& probe, pqRenderView* view, SeedOverlay* overlay)
+  : Probe(probe)
+  , View(view)
+  , Overlay(overlay)
+  , Widget(drawingWidgetOf(view))
+{
+  this->Widget->installEventFilter(this);
+}
+
+SeedPicker::~SeedPicker()
+{
+  this->setPicking(false);
+}
+
+void SeedPicker::setPicking(bool isOn)
+{
+  this->IsPicking = isOn;
+  this->Held.reset();
+  if (!this->Widget)
+  {
+    return;
+  }
+  if (isOn)
+  {
+    this->Widget->setCursor(Qt::CrossCursor);
+    this->Widget->setFocus();
+  }
+  else
+  {
+    this->Widget->unsetCursor();
+    this->forgetPreview();
+  }
+}
+
+void SeedPicker::pickUnderPointer(Snap snap)
+{
+  this->pick(this->Widget->mapFromGlobal(QCursor::pos()), snap);
+}
+
+bool SeedPicker::eventFilter(QObject* object, QEvent* event)
+{
+  if (this->IsPassingOn || !this->View || !this->Overlay)
+  {
+    return false;
+  }
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      return this->press(static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return this->move(static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return this->release(static_cast<QMouseEvent*>(event));
+    case QEvent::Leave:
+      this->forgetPreview();
+      return false;
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    {
+      auto* key = static_cast<QKeyEvent*>(event);
+      if (this->IsPicking && key->key() == Qt::Key_Escape)
+      {
+        if (event->type() == QEvent::KeyPress)
+        {
+          Q_EMIT this->escaped();
+        }
+        return true;
+      }
+      if (this->IsPicking && (key->key() == Qt::Key_Control || key->key() == Qt::Key_Shift))
+      {
+        this->preview(
+          this->Widget->mapFromGlobal(QCursor::pos()), QApplication::queryKeyboardModifiers());
+      }
+      return false;
+    }
+    default:
+      return QObject::eventFilter(object, event);
+  }
+}
+
+bool SeedPicker::press(QMouseEvent* event)
+{
+  if (event->button() != Qt::LeftButton)
+  {
+    this->forgetPreview();
+    return false;
+  }
+  const bool isRemoval = this->IsPicking && (event->modifiers() & Qt::ShiftModifier);
+  const int row = isRemoval ? -1 : this->Overlay->rowAt(event->localPos());
+  if (row >= 0)
+  {
+    this->DraggedRow = row;
+    this->forgetPreview();
+    Q_EMIT this->dragStarted(row);
+    return true;
+  }
+  if (!this->IsPicking)
+  {
+    return false;
+  }
+  // A click must not reach the view, where it would draw the scene twice. A drag will.
+  this->Held = std::make_unique<QMouseEvent>(event->type(), event->localPos(), event->windowPos(),
+    event->screenPos(), event->button(), event->buttons(), event->modifiers());
+  return true;
+}
+
+bool SeedPicker::move(QMouseEvent* event)
+{
+  if (this->DraggedRow >= 0)
+  {
+    const auto probed =
+      this->Probe.at(this->View, event->localPos(), snapOf(event->modifiers()), Care::Preview);
+    if (probed.point)
+    {
+      Q_EMIT this->dragged(this->DraggedRow, *probed.point);
+    }
+    return true;
+  }
+  if (this->Held)
+  {
+    const QPointF moved = event->localPos() - this->Held->localPos();
+    if (moved.manhattanLength() < QApplication::startDragDistance())
+    {
+      return true;
+    }
+    this->passPressOn();
+  }
+  else if (event->buttons() == Qt::NoButton)
+  {
+    this->preview(event->localPos(), event->modifiers());
+  }
+  return false;
+}
+
+bool SeedPicker::release(QMouseEvent* event)
+{
+  if (event->button() != Qt::LeftButton)
+  {
+    return false;
+  }
+  if (this->DraggedRow >= 0)
+  {
+    const int row = this->DraggedRow;
+    this->DraggedRow = -1;
+    Q_EMIT this->dragFinished(row);
+    return true;
+  }
+  if (!this->Held)
+  {
+    return false;
+  }
+  const auto held = std::move(this->Held);
+  const QPointF place = held->localPos();
+  if (!(held->modifiers() & Qt::ShiftModifier))
+  {
+    this->pick(place, snapOf(held->modifiers()));
+  }
+  else if (const int row = this->Overlay->rowAt(place); row >= 0)
+  {
+    Q_EMIT this->removed(row);
+  }
+  return true;
+}
+
+void SeedPicker::passPressOn()
+{
+  const auto held = std::move(this->Held);
+  this->forgetPreview();
+  this->IsPassingOn = true;
+  QApplication::sendEvent(this->Widget, held.get());
+  this->IsPassingOn = false;
+}
+
+void SeedPicker::pick(const QPointF& place, Snap snap)
+{
+  this->forgetPreview();
+  const Probed probed = this->Probe.at(this->View, place, snap, Care::Pick);
+  if (probed.point)
+  {
+    Q_EMIT this->picked(*probed.point);
+    return;
+  }
+  this->Overlay->setPreview(Preview{ Preview::Refused, place, probed.reason });
+  Q_EMIT this->refused(probed.reason);
+}
+
+void SeedPicker::preview(const QPointF& place, Qt::KeyboardModifiers modifiers)
+{
+  const bool isRemoval = this->IsPicking && (modifiers & Qt::ShiftModifier);
+  const int row = this->Overlay->rowAt(place);
+  this->Overlay->setDoomedRow(isRemoval ? row : -1);
+  if (row >= 0 || isRemoval)
+  {
+    this->Widget->setCursor(isRemoval ? Qt::CrossCursor : Qt::OpenHandCursor);
+    this->Overlay->setPreview({});
+    return;
+  }
+  if (!this->IsPicking)
+  {
+    this->Widget->unsetCursor();
+    return;
+  }
+  this->Widget->setCursor(Qt::CrossCursor);
+  const Snap snap = snapOf(modifiers);
+  const Probed probed = this->Probe.at(this->View, place, snap, Care::Preview);
+  if (probed.isMissed)
+  {
+    this->Overlay->setPreview({});
+    return;
+  }
+  if (!probed.point)
+  {
+    this->Overlay->setPreview(Preview{ Preview::Refused, place, probed.reason });
+    return;
+  }
+  const auto drawn = this->Probe.placeOf(this->View, *probed.point);
+  this->Overlay->setPreview(
+    Preview{ snap == Snap::ToMeshPoint ? Preview::AtMeshPoint : Preview::OnSurface,
+      drawn.value_or(place), {} });
+}
+
+void SeedPicker::forgetPreview()
+{
+  if (this->Overlay)
+  {
+    this->Overlay->setPreview({});
+    this->Overlay->setDoomedRow(-1);
+  }
+}
+
+}

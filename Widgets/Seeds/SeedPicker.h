@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef seeds_SeedPicker_h
+#define seeds_SeedPicker_h
+
+#include "SeedOverlay.h"
+#include "SurfaceProbe.h"
+
+#include <QMouseEvent>
+#include <QObject>
+#include <QPointer>
+
+#include <memory>
+
+class pqRenderView;
+
+namespace seeds
+{
+
+/**
+ * Turns what the mouse does in a render view into points: while picking is on, a click adds one
+ * and, with Shift, removes one; a marker can always be dragged. All other gestures reach the view.
+ */
+class SeedPicker : public QObject
+{
+  Q_OBJECT
+
+public:
+  SeedPicker(SurfaceProbe& probe, pqRenderView* view, SeedOverlay* overlay);
+  ~SeedPicker() override;
+
+  void setPicking(bool isOn);
+  bool isPicking() const { return this->IsPicking; }
+  /** Picks where the pointer is. */
+  void pickUnderPointer(SurfaceProbe::Snap snap);
+
+Q_SIGNALS:
+  void picked(const seeds::Position& point);
+  void removed(int row);
+  void dragStarted(int row);
+  void dragged(int row, const seeds::Position& point);
+  void dragFinished(int row);
+  /** Nothing was picked, and why. */
+  void refused(const QString& reason);
+  /** The user has had enough. */
+  void escaped();
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+  bool press(QMouseEvent* event);
+  bool move(QMouseEvent* event);
+  bool release(QMouseEvent* event);
+  void pick(const QPointF& place, SurfaceProbe::Snap snap);
+  /** Shows what a click would do. */
+  void preview(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  void forgetPreview();
+  /** Gives the view the press that was held back, as the start of a drag of its own. */
+  void passPressOn();
+
+  SurfaceProbe& Probe;
+  QPointer<pqRenderView> View;
+  QPointer<SeedOverlay> Overlay;
+  QPointer<QWidget> Widget;
+  bool IsPicking = false;
+  int DraggedRow = -1;
+  /** A press that may become a click. */
+  std::unique_ptr<QMouseEvent> Held;
+  bool IsPassingOn = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeedTableModel.h"
+
+#include "PointText.h"
+
+#include "pqDoubleLineEdit.h"
+
+#include <QDataStream>
+#include <QIODevice>
+#include <QMimeData>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seeds
+{
+namespace
+{
+
+constexpr const char* RowsMimeType = "application/x-surface-seed-rows";
+
+}
+
+void SeedTableModel::setValues(const QVector<double>& values)
+{
+  const int before = this->rowCount();
+  const int after = (values.size() + 2) / 3;
+  if (after > before)
+  {
+    this->beginInsertRows({}, before, after - 1);
+    this->Values = values;
+    this->endInsertRows();
+  }
+  else if (after < before)
+  {
+    this->beginRemoveRows({}, after, before - 1);
+    this->Values = values;
+    this->endRemoveRows();
+  }
+  this->Values = values;
+  if (after > 0)
+  {
+    Q_EMIT this->dataChanged(this->index(0, 0), this->index(after - 1, 2));
+  }
+}
+
+QVector<Position> SeedTableModel::points() const
+{
+  QVector<Position> points;
+  for (int row = 0; row < this->numberOfPoints(); ++row)
+  {
+    points.append({ this->Values[3 * row], this->Values[3 * row + 1], this->Values[3 * row + 2] });
+  }
+  return points;
+}
+
+void SeedTableModel::setPoint(int row, const Position& point)
+{
+  std::copy(point.begin(), point.end(), this->Values.begin() + 3 * row);
+  Q_EMIT this->dataChanged(this->index(row, 0), this->index(row, 2));
+}
+
+void SeedTableModel::edit(const QVector<double>& values)
+{
+  this->setValues(values);
+  Q_EMIT this->edited();
+}
+
+void SeedTableModel::append(const QVector<Position>& points)
+{
+  QVector<double> values = this->Values.mid(0, 3 * this->numberOfPoints());
+  for (const Position& point : points)
+  {
+    for (const double coordinate : point)
+    {
+      values.append(coordinate);
+    }
+  }
+  this->edit(values);
+}
+
+void SeedTableModel::removeRows(const QVector<int>& rows)
+{
+  QVector<double> values;
+  for (int i = 0; i < this->Values.size(); ++i)
+  {
+    if (!rows.contains(i / 3))
+    {
+      values.append(this->Values[i]);
+    }
+  }
+  this->edit(values);
+}
+
+void SeedTableModel::moveRows(const QVector<int>& rows, int to)
+{
+  const QVector<Position> points = this->points();
+  QVector<Position> moved;
+  QVector<Position> before;
+  QVector<Position> after;
+  for (int row = 0; row < points.size(); ++row)
+  {
+    (rows.contains(row) ? moved : row < to ? before : after).append(points[row]);
+  }
+  QVector<double> values;
+  for (const Position& point : before + moved + after)
+  {
+    values += QVector<double>(point.begin(), point.end());
+  }
+  this->edit(values);
+  Q_EMIT this->rowsPlaced(before.size(), moved.size());
+}
+
+void SeedTableModel::clear()
+{
+  this->edit({});
+}
+
+int SeedTableModel::rowCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : (this->Values.size() + 2) / 3;
+}
+
+int SeedTableModel::columnCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : 3;
+}
+
+QVariant SeedTableModel::data(const QModelIndex& index, int role) const
+{
+  const int at = 3 * index.row() + index.column();
+  if (at >= this->Values.size())
+  {
+    return {};
+  }
+  switch (role)
+  {
+    case Qt::DisplayRole:
+      return pqDoubleLineEdit::formatDoubleUsingGlobalPrecisionAndNotation(this->Values[at]);
+    case Qt::EditRole:
+    case Qt::ToolTipRole:
+      return exactText(this->Values[at]);
+    case Qt::TextAlignmentRole:
+      return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    default:
+      return {};
+  }
+}
+
+QVariant SeedTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+  if (role != Qt::DisplayRole)
+  {
+    return {};
+  }
+  return orientation == Qt::Horizontal ? QVariant(QString("xyz"[section])) : QVariant(section);
+}
+
+bool SeedTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+  bool isNumber = false;
+  const double number = value.toString().trimmed().toDouble(&isNumber);
+  if (role != Qt::EditRole || !isNumber || !std::isfinite(number))
+  {
+    return false;
+  }
+  const int at = 3 * index.row() + index.column();
+  QVector<double> values = this->Values;
+  values.resize(std::max(values.size(), at + 1));
+  values[at] = number;
+  this->edit(values);
+  return true;
+}
+
+Qt::ItemFlags SeedTableModel::flags(const QModelIndex& index) const
+{
+  if (!index.isValid())
+  {
+    return Qt::ItemIsDropEnabled;
+  }
+  return QAbstractTableModel::flags(index) | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+}
+
+QStringList SeedTableModel::mimeTypes() const
+{
+  return { RowsMimeType };
+}
+
+QMimeData* SeedTableModel::mimeData(const QModelIndexList& indexes) const
+{
+  QVector<int> rows;
+  for (const QModelIndex& index : indexes)
+  {
+    if (!rows.contains(index.row()))
+    {
+      rows.append(index.row());
+    }
+  }
+  QByteArray bytes;
+  QDataStream stream(&bytes, QIODevice::WriteOnly);
+  stream << rows;
+  auto* data = new QMimeData;
+  data->setData(RowsMimeType, bytes);
+  return data;
+}
+
+bool SeedTableModel::dropMimeData(
+  const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent)
+{
+  QVector<int> rows;
+  QDataStream stream(data->data(RowsMimeType));
+  stream >> rows;
+  const int to = parent.isValid() ? parent.row() : row < 0 ? this->rowCount() : row;
+  this->moveRows(rows, to);
+  // False: they are moved already, the view is not to remove them.
+  return false;
+}
+
+}

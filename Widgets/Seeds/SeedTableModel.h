@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef seeds_SeedTableModel_h
+#define seeds_SeedTableModel_h
+
+#include "Position.h"
+
+#include <QAbstractTableModel>
+#include <QVector>
+
+namespace seeds
+{
+
+/**
+ * A property's numbers as a table of points, x, y and z a row. A list whose length is no multiple
+ * of 3, which only a script can give, has empty cells in its last row.
+ */
+class SeedTableModel : public QAbstractTableModel
+{
+  Q_OBJECT
+
+public:
+  using QAbstractTableModel::QAbstractTableModel;
+
+  const QVector<double>& values() const { return this->Values; }
+  /** Replaces all; not an edit. */
+  void setValues(const QVector<double>& values);
+
+  /** The complete points. */
+  QVector<Position> points() const;
+  int numberOfPoints() const { return this->Values.size() / 3; }
+  /** Moves one point; not an edit, so that a drag is one. */
+  void setPoint(int row, const Position& point);
+
+  ///@{
+  /** Edits, each of which is one. */
+  void append(const QVector<Position>& points);
+  void removeRows(const QVector<int>& rows);
+  /** Moves rows so that they stand before the row @p to and keep their order. */
+  void moveRows(const QVector<int>& rows, int to);
+  void clear();
+  ///@}
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  ///@{
+  /** Rows are dragged to another place in the same table. */
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+    const QModelIndex& parent) override;
+  ///@}
+
+Q_SIGNALS:
+  /** The user has changed the points. */
+  void edited();
+  /** Rows were moved: the first one is now this, and there are so many. */
+  void rowsPlaced(int first, int count);
+
+private:
+  void edit(const QVector<double>& values);
+
+  QVector<double> Values;
+};
+
+}
+
+#endif

@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceSeedsWidget.h"
+
+#include "LiveUpdate.h"
+#include "SeedOverlay.h"
+#include "SeedPanel.h"
+#include "SeedPicker.h"
+#include "SeedRole.h"
+#include "SeedTableModel.h"
+#include "SeedTableView.h"
+#include "ShownSurface.h"
+#include "SurfaceProbe.h"
+
+#include "pqApplicationCore.h"
+#include "pqKeySequences.h"
+#include "pqModalShortcut.h"
+#include "pqPipelineSource.h"
+#include "pqRenderView.h"
+#include "pqServerManagerModel.h"
+#include "pqShortcutDecorator.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMProxy.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QPointer>
+#include <QVBoxLayout>
+
+using namespace seeds;
+
+namespace
+{
+
+/** The one widget that picks. */
+QPointer<SurfaceSeedsWidget> Picking;
+
+}
+
+struct SurfaceSeedsWidget::Internals
+{
+  Internals(vtkSMProxy* proxy, vtkSMPropertyGroup* group, vtkSMDoubleVectorProperty* property)
+    : Role(SeedRole::fromHints(group->GetHints()))
+    , Surface(proxy, group->GetProperty("Input"))
+    , Probe(proxy, this->Surface)
+    , Live(proxy, property)
+  {
+  }
+
+  SeedRole Role;
+  ShownSurface Surface;
+  SurfaceProbe Probe;
+  SeedTableModel Model;
+  SeedPanel* Panel = nullptr;
+  LiveUpdate Live;
+  bool IsLive = false;
+  /** Of P and Ctrl+P; one enables or disables the other. */
+  QList<QPointer<pqModalShortcut>> Keys;
+
+  QPointer<pqRenderView> View;
+  QPointer<SeedOverlay> Overlay;
+  std::unique_ptr<SeedPicker> Picker;
+};
+
+SurfaceSeedsWidget::SurfaceSeedsWidget(
+  vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
+  : pqPropertyGroupWidget(proxy, group, parent)
+{
+  auto* property = vtkSMDoubleVectorProperty::SafeDownCast(group->GetProperty("Positions"));
+  if (!property || !group->GetProperty("Input"))
+  {
+    qFatal("The property group of a SurfaceSeeds widget needs the functions Positions and Input.");
+  }
+  this->Internal = std::make_unique<Internals>(proxy, group, property);
+  Internals& my = *this->Internal;
+  my.Panel = new SeedPanel(&my.Model, my.Role, this);
+  my.Panel->setObjectName("Panel");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(my.Panel);
+  // A drag is finished when the button is released.
+  this->setChangeAvailableAsChangeFinished(false);
+  this->connectPanel();
+  this->connectKeys();
+  this->addPropertyLink(this, "positions", SIGNAL(positionsChanged()), property);
+}
+
+SurfaceSeedsWidget::~SurfaceSeedsWidget()
+{
+  this->detach();
+}
+
+void SurfaceSeedsWidget::connectPanel()
+{
+  Internals& my = *this->Internal;
+  this->connect(&my.Model, &SeedTableModel::edited, this,
+    [this]
+    {
+      Q_EMIT this->positionsChanged();
+      Q_EMIT this->changeFinished();
+    });
+  this->connect(&my.Model, &QAbstractItemModel::dataChanged, this, &SurfaceSeedsWidget::showPoints);
+  this->connect(&my.Model, &QAbstractItemModel::rowsRemoved, this, &SurfaceSeedsWidget::showPoints);
+  this->connect(my.Panel, &SeedPanel::pickToggled, this, &SurfaceSeedsWidget::setPicking);
+  this->connect(my.Panel, &SeedPanel::numbersToggled, this, &SurfaceSeedsWidget::showPoints);
+  this->connect(my.Panel, &SeedPanel::addRequested, this,
+    [this, &my]
+    {
+      this->add(my.Surface.center());
+      my.Panel->table()->edit(my.Panel->table()->currentIndex());
+    });
+  this->connect(my.Panel->table(), &SeedTableView::chosenRowsChanged, this,
+    [this]
+    {
+      this->takeKeys();
+      this->showPoints();
+    });
+  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+    &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::showLines);
+}
+
+void SurfaceSeedsWidget::connectKeys()
+{
+  Internals& my = *this->Internal;
+  auto* decorator = new pqShortcutDecorator(this);
+  const std::pair<const char*, SurfaceProbe::Snap> keys[] = {
+    { "P", SurfaceProbe::Snap::ToSurface }, { "Ctrl+P", SurfaceProbe::Snap::ToMeshPoint }
+  };
+  for (const auto& [key, snap] : keys)
+  {
+    auto* shortcut = pqKeySequences::instance().addModalShortcut(QKeySequence(key), nullptr, this);
+    decorator->addShortcut(shortcut);
+    my.Keys.append(shortcut);
+    this->connect(shortcut, &pqModalShortcut::activated, this,
+      [&my, snap = snap]
+      {
+        if (my.Picker)
+        {
+          my.Picker->pickUnderPointer(snap);
+        }
+      });
+  }
+  my.Keys.front()->setEnabled(false);
+}
+
+void SurfaceSeedsWidget::takeKeys()
+{
+  if (!this->isVisible())
+  {
+    return;
+  }
+  // Taking the keys takes the focus along, to the view.
+  QWidget* focus = QApplication::focusWidget();
+  this->Internal->Keys.front()->setEnabled(true);
+  if (focus && this->isAncestorOf(focus))
+  {
+    focus->setFocus();
+  }
+}
+
+QList<QVariant> SurfaceSeedsWidget::positions() const
+{
+  QList<QVariant> positions;
+  for (const double value : this->Internal->Model.values())
+  {
+    positions.append(value);
+  }
+  return positions;
+}
+
+void SurfaceSeedsWidget::setPositions(const QList<QVariant>& positions)
+{
+  QVector<double> values;
+  for (const QVariant& position : positions)
+  {
+    values.append(position.toDouble());
+  }
+  this->Internal->Model.setValues(values);
+}
+
+void SurfaceSeedsWidget::setView(pqView* view)
+{
+  pqPropertyGroupWidget::setView(view);
+  Internals& my = *this->Internal;
+  auto* renderView = qobject_cast<pqRenderView*>(view);
+  my.Panel->setPickable(renderView);
+  // A view that was closed leaves none, as well as no view does.
+  if (renderView != my.View || !renderView)
+  {
+    this->detach();
+    if (this->isVisible())
+    {
+      this->attachTo(renderView);
+    }
+  }
+}
+
+void SurfaceSeedsWidget::showEvent(QShowEvent* event)
+{
+  pqPropertyGroupWidget::showEvent(event);
+  this->attachTo(qobject_cast<pqRenderView*>(this->view()));
+  // Of the groups of one panel the first one has the keys until another is clicked.
+  if (this->parentWidget()->findChild<SurfaceSeedsWidget*>() == this)
+  {
+    this->takeKeys();
+  }
+}
+
+void SurfaceSeedsWidget::hideEvent(QHideEvent* event)
+{
+  this->detach();
+  this->Internal->Keys.front()->setEnabled(false);
+  pqPropertyGroupWidget::hideEvent(event);
+}
+
+void SurfaceSeedsWidget::keyPressEvent(QKeyEvent* event)
+{
+  Internals& my = *this->Internal;
+  if (event->key() == Qt::Key_Escape && my.Panel->isPicking())
+  {
+    my.Panel->setPicking(false);
+    return;
+  }
+  pqPropertyGroupWidget::keyPressEvent(event);
+}
+
+void SurfaceSeedsWidget::attachTo(pqRenderView* view)
+{
+  Internals& my = *this->Internal;
+  if (!view || my.Overlay || view->getProxy()->GetSession() != this->proxy()->GetSession())
+  {
+    return;
+  }
+  my.View = view;
+  my.Overlay = new SeedOverlay(view, my.Role);
+  my.Picker = std::make_unique<SeedPicker>(my.Probe, view, my.Overlay);
+  for (pqModalShortcut* key : my.Keys)
+  {
+    key->setContextWidget(view->widget());
+  }
+  this->connectPicker();
+  this->showPoints();
+}
+
+void SurfaceSeedsWidget::detach()
+{
+  Internals& my = *this->Internal;
+  my.Panel->setPicking(false);
+  my.Picker.reset();
+  delete my.Overlay;
+  my.View = nullptr;
+}
+
+void SurfaceSeedsWidget::connectPicker()
+{
+  Internals& my = *this->Internal;
+  SeedPicker* picker = my.Picker.get();
+  this->connect(picker, &SeedPicker::picked, this, &SurfaceSeedsWidget::add);
+  this->connect(
+    picker, &SeedPicker::removed, this, [&my](int row) { my.Model.removeRows({ row }); });
+  this->connect(picker, &SeedPicker::dragStarted, this, &SurfaceSeedsWidget::startDrag);
+  this->connect(picker, &SeedPicker::dragged, this, &SurfaceSeedsWidget::drag);
+  this->connect(picker, &SeedPicker::dragFinished, this, &SurfaceSeedsWidget::finishDrag);
+  this->connect(picker, &SeedPicker::refused, my.Panel, &SeedPanel::complain);
+  this->connect(picker, &SeedPicker::escaped, this, [&my] { my.Panel->setPicking(false); });
+}
+
+void SurfaceSeedsWidget::setPicking(bool isOn)
+{
+  Internals& my = *this->Internal;
+  if (isOn && Picking && Picking != this)
+  {
+    Picking->Internal->Panel->setPicking(false);
+  }
+  Picking = isOn ? this : nullptr;
+  if (isOn)
+  {
+    this->takeKeys();
+  }
+  if (my.Picker)
+  {
+    my.Picker->setPicking(isOn);
+  }
+}
+
+void SurfaceSeedsWidget::add(const Position& point)
+{
+  Internals& my = *this->Internal;
+  my.Model.append({ point });
+  my.Panel->table()->choose(my.Model.numberOfPoints() - 1);
+}
+
+void SurfaceSeedsWidget::startDrag(int row)
+{
+  Internals& my = *this->Internal;
+  my.Panel->table()->choose(row);
+  my.IsLive = LiveUpdate::isWanted() && my.Live.isPossible();
+  if (my.IsLive)
+  {
+    my.Live.begin();
+  }
+}
+
+void SurfaceSeedsWidget::drag(int row, const Position& point)
+{
+  Internals& my = *this->Internal;
+  my.Model.setPoint(row, point);
+  if (my.IsLive)
+  {
+    my.Live.push(my.Model.values());
+  }
+  else
+  {
+    Q_EMIT this->positionsChanged();
+  }
+}
+
+void SurfaceSeedsWidget::finishDrag()
+{
+  Internals& my = *this->Internal;
+  if (my.IsLive)
+  {
+    my.Live.finish();
+  }
+  else
+  {
+    Q_EMIT this->changeFinished();
+  }
+}
+
+void SurfaceSeedsWidget::showPoints()
+{
+  Internals& my = *this->Internal;
+  if (!my.Overlay || !my.View)
+  {
+    return;
+  }
+  const auto placement = my.Surface.placementIn(my.View);
+  QVector<Position> points = my.Model.points();
+  for (Position& point : points)
+  {
+    point = transformed(placement, point);
+  }
+  my.Overlay->setPoints(points, my.Surface.thickness());
+  my.Overlay->setChosenRows(my.Panel->table()->chosenRows());
+  my.Overlay->setNumbered(my.Panel->isNumbered());
+  this->showLines();
+}
+
+void SurfaceSeedsWidget::showLines()
+{
+  Internals& my = *this->Internal;
+  auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+      this->proxy());
+  if (my.Overlay && source)
+  {
+    my.Overlay->setJoined(my.Role.isJoined && source->modifiedState() != pqProxy::UNMODIFIED);
+  }
+}

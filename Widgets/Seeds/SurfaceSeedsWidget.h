@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfaceSeedsWidget_h
+#define SurfaceSeedsWidget_h
+
+#include "Position.h"
+
+#include "pqPropertyGroupWidget.h"
+
+#include <QList>
+#include <QVariant>
+
+#include <memory>
+
+class pqRenderView;
+
+/**
+ * A property group of points on a surface: a table, and picking, seeing and dragging them in the
+ * active render view. In XML:
+ *
+ *   <PropertyGroup label="Seeds" panel_widget="SurfaceSeeds">
+ *     <Property name="SeedPositions" function="Positions" />
+ *     <Property name="Input" function="Input" />
+ *     <Hints>
+ *       <SurfaceSeeds role="seed" color="0.9 0.3 0.1" joined="0" />
+ *     </Hints>
+ *   </PropertyGroup>
+ *
+ * Positions is a repeatable DoubleVectorProperty of x y z, Input an InputProperty; the hints are in
+ * SeedRole.h. The property is all the state there is.
+ *
+ * Several groups of one proxy share their Input, and ParaView's panel puts a property into the last
+ * group that names it: let the group that is to stand first be the last in the XML.
+ */
+class SurfaceSeedsWidget : public pqPropertyGroupWidget
+{
+  Q_OBJECT
+  Q_PROPERTY(QList<QVariant> positions READ positions WRITE setPositions NOTIFY positionsChanged)
+
+public:
+  SurfaceSeedsWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
+  ~SurfaceSeedsWidget() override;
+
+  ///@{
+  /** What is linked to the property. */
+  QList<QVariant> positions() const;
+  void setPositions(const QList<QVariant>& positions);
+  ///@}
+
+public Q_SLOTS:
+  void setView(pqView* view) override;
+
+Q_SIGNALS:
+  void positionsChanged();
+
+protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  struct Internals;
+
+  void connectPanel();
+  void connectKeys();
+  void connectPicker();
+
+  void setPicking(bool isOn);
+  /** Makes the keys P and Ctrl+P this widget's. */
+  void takeKeys();
+  void attachTo(pqRenderView* view);
+  void detach();
+  void add(const seeds::Position& point);
+  void startDrag(int row);
+  void drag(int row, const seeds::Position& point);
+  void finishDrag();
+  void showPoints();
+  void showLines();
+
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewGeometry.h"
+
+#include "pqQVTKWidget.h"
+#include "pqRenderView.h"
+#include "pqServer.h"
+#include "vtkCamera.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seeds
+{
+
+ViewGeometry::ViewGeometry(pqRenderView* view)
+  : View(view)
+  , Renderer(view->getRenderViewProxy()->GetRenderer())
+{
+}
+
+double ViewGeometry::pixelsPerPoint() const
+{
+  auto* widget = qobject_cast<pqQVTKWidget*>(this->View->widget());
+  return widget->effectiveDevicePixelRatio();
+}
+
+int ViewGeometry::windowHeight() const
+{
+  return this->Renderer->GetVTKWindow()->GetSize()[1];
+}
+
+std::optional<QPointF> ViewGeometry::toWidget(const Position& point) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  Position eye;
+  Position ahead;
+  camera->GetPosition(eye.data());
+  camera->GetDirectionOfProjection(ahead.data());
+  if (!camera->GetParallelProjection() && dot(point - eye, ahead) <= 0.0)
+  {
+    return {};
+  }
+  this->Renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  this->Renderer->WorldToDisplay();
+  const double* pixel = this->Renderer->GetDisplayPoint();
+  const double ratio = this->pixelsPerPoint();
+  return QPointF(pixel[0] / ratio, (this->windowHeight() - pixel[1]) / ratio);
+}
+
+Position ViewGeometry::toSpace(double x, double y, double depth) const
+{
+  this->Renderer->SetDisplayPoint(x, y, depth);
+  this->Renderer->DisplayToWorld();
+  const double* p = this->Renderer->GetWorldPoint();
+  return { p[0] / p[3], p[1] / p[3], p[2] / p[3] };
+}
+
+Ray ViewGeometry::rayThrough(const QPointF& place) const
+{
+  const double ratio = this->pixelsPerPoint();
+  const double x = place.x() * ratio;
+  const double y = this->windowHeight() - place.y() * ratio;
+  const Position near = this->toSpace(x, y, 0.0);
+  return { near, this->toSpace(x, y, 1.0) - near };
+}
+
+std::array<int, 2> ViewGeometry::pixelAt(const QPointF& place) const
+{
+  const double ratio = this->pixelsPerPoint();
+  return { static_cast<int>(place.x() * ratio),
+    this->windowHeight() - 1 - static_cast<int>(place.y() * ratio) };
+}
+
+std::optional<double> ViewGeometry::drawnAt(const QPointF& place) const
+{
+  auto* window = vtkRenderWindow::SafeDownCast(this->Renderer->GetVTKWindow());
+  const auto [x, y] = this->pixelAt(place);
+  const int* size = window->GetSize();
+  const int left = std::clamp(x - 1, 0, size[0] - 1);
+  const int right = std::clamp(x + 1, 0, size[0] - 1);
+  const int bottom = std::clamp(y - 1, 0, size[1] - 1);
+  const int top = std::clamp(y + 1, 0, size[1] - 1);
+  std::array<float, 9> depths{};
+  window->GetZbufferData(left, bottom, right, top, depths.data());
+  const float depth = *std::max_element(depths.begin(), depths.end());
+  if (depth >= 1.0F)
+  {
+    return {};
+  }
+  const Ray ray = this->rayThrough(place);
+  const Position drawn = this->toSpace(x + 0.5, y + 0.5, depth);
+  return dot(drawn - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+}
+
+bool ViewGeometry::isDrawnHere() const
+{
+  auto* view =
+    vtkPVRenderView::SafeDownCast(this->View->getRenderViewProxy()->GetClientSideObject());
+  return !this->View->getServer()->isRemote() || !view->GetUseDistributedRenderingForRender();
+}
+
+bool ViewGeometry::isCovered(const Position& point, double tolerance) const
+{
+  const auto place = this->isDrawnHere() ? this->toWidget(point) : std::nullopt;
+  const auto drawn = place ? this->drawnAt(*place) : std::nullopt;
+  if (!drawn)
+  {
+    return false;
+  }
+  const Ray ray = this->rayThrough(*place);
+  const double length2 = dot(ray.direction, ray.direction);
+  const double along = dot(point - ray.origin, ray.direction) / length2;
+  return *drawn < along - tolerance / std::sqrt(length2);
+}
+
+QWidget* drawingWidgetOf(pqRenderView* view)
+{
+  return qobject_cast<pqQVTKWidget*>(view->widget())->renderWidget();
+}
+
+}
