@@ -93,7 +93,8 @@ void PathOutput::writeTo(vtkPolyData* output) const
   output->SetPoints(this->Points);
   output->SetLines(this->Lines);
   vtkPointData* pointData = output->GetPointData();
-  pointData->AddArray(this->ArcLengths);
+  // A line that is not coloured is hard to see on a surface of the same colour.
+  pointData->SetScalars(this->ArcLengths);
   pointData->AddArray(this->OriginalPointIds);
   pointData->AddArray(this->EdgePointIds);
   pointData->SetNormals(this->Normals);

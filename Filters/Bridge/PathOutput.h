@@ -20,11 +20,10 @@ namespace geodesic::bridge
 
 /**
  * Collects paths as polylines with these arrays.
- * Of points: ArcLength (from the beginning of the path, or of the chain of paths), OriginalPointIds
- * (the nearest of the input's points that carry the path's), EdgePointIds (the two ends of the
- * edge, nearest first; at a vertex twice the same; inside a face the two nearest corners), Normals
- * (of length 1).
- * Of cells: Segment, Length. Of the field: TotalLength.
+ * Of points: ArcLength (the scalars; from the beginning of the path, or of the chain of paths),
+ * OriginalPointIds (the nearest of the input's points that carry the path's), EdgePointIds (the two
+ * ends of the edge, nearest first; at a vertex twice the same; inside a face the two nearest
+ * corners), Normals (of length 1). Of cells: Segment, Length. Of the field: TotalLength.
  */
 class PathOutput
 {

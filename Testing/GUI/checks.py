@@ -94,3 +94,13 @@ def pixels_of(*color):
         ["import", "-window", "root", "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True)
     rgb = np.frombuffer(raw.stdout, np.uint8).reshape(-1, 3)
     return int((np.abs(rgb - np.multiply(color, 255)) < 1).all(axis=1).sum())
+
+
+def path_length(segments):
+    """The length of the active path, which has so many segments and is shown together with its input."""
+    path = GetActiveSource()
+    data = servermanager.Fetch(path)
+    expect(data.GetNumberOfCells() == segments, data.GetNumberOfCells())
+    expect(all(GetRepresentation(source).Visibility for source in (path, path.Input)))
+    path.UpdatePropertyInformation()
+    return path.TotalLength
