@@ -51,6 +51,25 @@ std::vector<double> distancesBy(ShortestPath& paths, const Mesh& mesh)
   }
   return distances;
 }
+
+/**
+ * Adds a source in a face, or on its border. From a point on an edge CGAL 5.5 gives distances below
+ * the straight line, so such a point is moved into the face by a billionth of its size.
+ */
+void addSource(ShortestPath& paths, Mesh::Face_index face, Traits::Barycentric_coordinates weights)
+{
+  double sum = 0.0;
+  for (double& weight : weights)
+  {
+    weight = std::max(weight, 1e-9);
+    sum += weight;
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  paths.add_source_point(face, weights);
+}
 }
 
 std::vector<double> exactDistancesFromPositions(
@@ -62,13 +81,8 @@ std::vector<double> exactDistancesFromPositions(
   paths.build_aabb_tree(tree);
   for (const Vector3& p : positions)
   {
-    ShortestPath::Face_location location = paths.locate(Kernel::Point_3(p.x, p.y, p.z), tree);
-    // CGAL knows vertices and edges by weights of exactly 0.
-    for (double& weight : location.second)
-    {
-      weight = std::abs(weight) < 1e-9 ? 0.0 : weight;
-    }
-    paths.add_source_point(location);
+    const ShortestPath::Face_location location = paths.locate(Kernel::Point_3(p.x, p.y, p.z), tree);
+    addSource(paths, location.first, location.second);
   }
   return distancesBy(paths, mesh);
 }
@@ -100,7 +114,7 @@ std::vector<double> exactDistancesFrom(const Surface& surface, const SurfacePoin
     weight = source.weights[corner - corners.begin()];
     halfedge = mesh.next(halfedge);
   }
-  paths.add_source_point(face, weights);
+  addSource(paths, face, weights);
   return distancesBy(paths, mesh);
 }
 
