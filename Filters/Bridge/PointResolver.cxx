@@ -115,6 +115,23 @@ std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
   return lines;
 }
 
+Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& role)
+{
+  if (id < 0 || id >= static_cast<vtkIdType>(mesh.numberOfPoints()))
+  {
+    throw std::invalid_argument(role + " point id " + std::to_string(id) +
+      " does not exist: the input has " + std::to_string(mesh.numberOfPoints()) +
+      " points, numbered from 0. Choose one of them.");
+  }
+  const Index vertex = mesh.vertexOfPoint(static_cast<Index>(id));
+  if (vertex == NoIndex)
+  {
+    throw std::invalid_argument(role + " point id " + std::to_string(id) +
+      " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
+  }
+  return vertex;
+}
+
 std::vector<Index> verticesAtPoints(
   const TriangleMesh& mesh, vtkIdList* ids, const std::string& role)
 {
@@ -122,20 +139,7 @@ std::vector<Index> verticesAtPoints(
   const vtkIdType count = ids ? ids->GetNumberOfIds() : 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const vtkIdType id = ids->GetId(i);
-    if (id < 0 || id >= static_cast<vtkIdType>(mesh.numberOfPoints()))
-    {
-      throw std::invalid_argument(role + " point id " + std::to_string(id) +
-        " does not exist: the input has " + std::to_string(mesh.numberOfPoints()) +
-        " points, numbered from 0.");
-    }
-    const Index vertex = mesh.vertexOfPoint(static_cast<Index>(id));
-    if (vertex == NoIndex)
-    {
-      throw std::invalid_argument(role + " point id " + std::to_string(id) +
-        " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
-    }
-    vertices.push_back(vertex);
+    vertices.push_back(vertexAtPoint(mesh, ids->GetId(i), role));
   }
   return vertices;
 }

@@ -44,11 +44,13 @@ std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
   const InputSurface& surface, vtkPointSet* source, const std::string& property);
 
 /**
- * The vertices that stand for points of the input.
- * @param ids   may be null: none
- * @param role  what the points are, for the message
+ * The vertex that stands for a point of the input.
+ * @param role  what the point is, for the message
  * @throws std::invalid_argument for an id that does not exist, or whose point no cell uses
  */
+Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& role);
+
+/** The same for several points; @p ids may be null: none. */
 std::vector<Index> verticesAtPoints(
   const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
 

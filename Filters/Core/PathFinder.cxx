@@ -87,18 +87,31 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
     }
     path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
   }
-  if (path && this->Style.straighten)
+  if (path)
   {
-    const PathStraightener straightener(this->Surface);
-    path = straightener.straightened(*path);
-    const double length = lengthOf(mesh, *path);
-    if (auto other = shorterEdgePath(this->Surface, *this->Field, path->back(), start, length))
-    {
-      std::reverse(other->begin(), other->end());
-      path = straightener.straightened(*other);
-    }
+    this->shorten(*path, start);
   }
   return path;
+}
+
+void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
+{
+  const PathStraightener straightener(this->Surface);
+  const bool isAlongEdges = this->Style.order == PathOrder::Vertices;
+  if (this->Style.straighten)
+  {
+    path = straightener.straightened(path);
+  }
+  if (this->Style.straighten || (isAlongEdges && !this->Surface.hasCosts()))
+  {
+    const double length = lengthOf(this->Surface.mesh(), path);
+    if (auto other = shorterEdgePath(this->Surface, *this->Field, path.back(), start, length))
+    {
+      std::reverse(other->begin(), other->end());
+      path = isAlongEdges ? std::move(*other) : straightener.straightened(*other);
+    }
+  }
+  path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
 }
 
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,

@@ -53,13 +53,17 @@ public:
 
   /**
    * @param point one of those given to march()
-   * @return the path from there to a seed, both among its points; none where there is no way
+   * @return the path from there to a seed, both among its points (one point where it is a vertex
+   * and a seed); none where there is no way. No way along edges to that seed is shorter, where the
+   * path is straightened, or goes along edges without costs itself.
    * @throws std::invalid_argument for a point at an excluded vertex
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
 private:
   bool solve(std::span<const Triangle> targets);
+  /** Makes a traced path what the style says, and no longer than one along edges. */
+  void shorten(SurfacePath& path, const PathPoint& start) const;
   void addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const;
 
   DistanceSolver& Solver;

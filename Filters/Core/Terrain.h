@@ -40,15 +40,14 @@ public:
       !this->isExcluded(ring[i + 1].neighbour());
   }
 
-  double costOf(Index vertex) const
-  {
-    return this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex];
-  }
+  /** Whether a length may count other than once. */
+  bool hasCosts() const { return !this->Options.cost.empty(); }
+  double costOf(Index vertex) const { return this->hasCosts() ? this->Options.cost[vertex] : 1.0; }
   double costOf(const Triangle& face) const
   {
-    return this->Options.cost.empty()
-      ? 1.0
-      : (this->costOf(face[0]) + this->costOf(face[1]) + this->costOf(face[2])) / 3.0;
+    return this->hasCosts()
+      ? (this->costOf(face[0]) + this->costOf(face[1]) + this->costOf(face[2])) / 3.0
+      : 1.0;
   }
 
 private:

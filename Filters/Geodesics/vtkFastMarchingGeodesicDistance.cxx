@@ -9,34 +9,15 @@
 #include "vtkPolyData.h"
 
 #include "ErrorMessage.h"
-#include "FastMarchingSolver.h"
+#include "FastMarchingRequest.h"
+#include "FastMarchingWorkspace.h"
 #include "FieldArray.h"
-#include "GuideResolver.h"
-#include "InputSurface.h"
-#include "ProgressReporter.h"
-#include "SeedResolver.h"
 
 #include <algorithm>
-#include <vector>
 
-/** What is kept from run to run, so that only what changed is computed again. */
 struct vtkFastMarchingGeodesicDistance::Internals
 {
-  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
-  std::unique_ptr<geodesic::FastMarchingSolver> Solver;
-  const geodesic::DistanceField* Field = nullptr;
-
-  void prepare(vtkPolyData* input)
-  {
-    auto surface = geodesic::bridge::InputSurface::of(input, geodesic::CoincidentPoints::Separate);
-    if (surface != this->Surface)
-    {
-      this->Solver = std::make_unique<geodesic::FastMarchingSolver>(surface->mesh());
-      this->Surface = std::move(surface);
-    }
-  }
-
-  void forget() { *this = Internals(); }
+  geodesic::bridge::FastMarchingWorkspace Workspace;
 };
 
 vtkStandardNewMacro(vtkFastMarchingGeodesicDistance);
@@ -90,17 +71,22 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
   this->NumberOfVisitedPoints = 0;
   try
   {
-    this->Solve(input);
+    geodesic::FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
+    const geodesic::TriangleMesh& mesh = solver.mesh();
+    const geodesic::bridge::FastMarchingRequest request(*this, mesh, *this);
+    const geodesic::DistanceField& field = solver.solve(request.seeds(), request.options());
+    this->MaximumDistance = field.largestDistance();
+    this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, field });
     if (!this->GetAbortOutput())
     {
       output->ShallowCopy(input);
-      this->AttachArrays(output);
+      this->AttachArrays(mesh, field, output);
     }
     return 1;
   }
   catch (const std::exception& error)
   {
-    this->Internal->forget();
+    this->Internal->Workspace.forget();
     output->Initialize();
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
     return 0;
@@ -108,60 +94,15 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
 }
 
 //------------------------------------------------------------------------------
-void vtkFastMarchingGeodesicDistance::Solve(vtkPolyData* input)
+void vtkFastMarchingGeodesicDistance::AttachArrays(const geodesic::TriangleMesh& mesh,
+  const geodesic::DistanceField& field, vtkPolyData* output) const
 {
-  Internals& internal = *this->Internal;
-  internal.prepare(input);
-  const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  const auto seeds = geodesic::bridge::seedsAtPoints(mesh, this->Seeds);
-  std::vector<geodesic::Triangle> targets;
-  for (geodesic::Index vertex :
-    geodesic::bridge::verticesAtPoints(mesh, this->DestinationVertexStopCriterion, "Destination"))
-  {
-    targets.push_back(geodesic::bridge::targetAt(vertex));
-  }
-  geodesic::bridge::Barriers barriers;
-  geodesic::bridge::excludePoints(mesh, this->ExclusionPointIds, barriers);
-  std::vector<double> cost;
-  if (this->PropagationWeights)
-  {
-    cost = geodesic::bridge::costOfArray(mesh, this->PropagationWeights,
-      geodesic::bridge::CostMeaning::Cost, "The propagation weight");
-  }
-
-  geodesic::SolveOptions options;
-  options.cost = cost;
-  options.excluded = barriers.excluded;
-  options.targets = targets;
-  options.targetMode = this->DestinationStopMode == ANY_DESTINATION ? geodesic::TargetMode::Any
-                                                                    : geodesic::TargetMode::All;
-  if (!(this->DistanceStopCriterion < 0.0))
-  {
-    options.maximumDistance = this->DistanceStopCriterion;
-  }
-  geodesic::bridge::ProgressReporter reporter(*this, mesh.numberOfVertices());
-  options.progressInterval = static_cast<std::size_t>(this->IterationEventResolution);
-  options.onProgress = [&](std::size_t taken)
-  {
-    this->InvokeEvent(IterationEvent);
-    return reporter.report(taken);
-  };
-  internal.Field = &internal.Solver->solve(seeds, options);
-  this->MaximumDistance = internal.Field->largestDistance();
-  this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, *internal.Field });
-}
-
-//------------------------------------------------------------------------------
-void vtkFastMarchingGeodesicDistance::AttachArrays(vtkPolyData* output)
-{
-  const Internals& internal = *this->Internal;
-  const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
   vtkPointData* pointData = output->GetPointData();
   if (!this->FieldDataName.empty())
   {
     const bool hadScalars = pointData->GetScalars() != nullptr;
     pointData->AddArray(geodesic::bridge::distanceArray(
-      { mesh, *internal.Field }, this->NotVisitedValue, this->FieldDataName.c_str()));
+      { mesh, field }, this->NotVisitedValue, this->FieldDataName.c_str()));
     if (!hadScalars)
     {
       pointData->SetActiveScalars(this->FieldDataName.c_str());
@@ -169,8 +110,8 @@ void vtkFastMarchingGeodesicDistance::AttachArrays(vtkPolyData* output)
   }
   if (!this->NearestSeedArrayName.empty())
   {
-    pointData->AddArray(geodesic::bridge::nearestSeedArray(
-      { mesh, *internal.Field }, this->NearestSeedArrayName.c_str()));
+    pointData->AddArray(
+      geodesic::bridge::nearestSeedArray({ mesh, field }, this->NearestSeedArrayName.c_str()));
   }
 }
 

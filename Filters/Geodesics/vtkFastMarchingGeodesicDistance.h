@@ -28,6 +28,12 @@
 
 #include <memory> // For members
 
+namespace geodesic
+{
+class DistanceField;
+class TriangleMesh;
+}
+
 GEODESICS_ABI_BEGIN
 
 class VTKFILTERSGEODESICS_EXPORT vtkFastMarchingGeodesicDistance
@@ -158,8 +164,8 @@ protected:
 
 private:
   struct Internals;
-  void Solve(vtkPolyData* input);
-  void AttachArrays(vtkPolyData* output);
+  void AttachArrays(const geodesic::TriangleMesh& mesh, const geodesic::DistanceField& field,
+    vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;
 

@@ -237,6 +237,24 @@ TEST(Path, AlongEdgesHasTheLengthOfDijkstrasField)
   }
 }
 
+// Fast marching leads along edges, but not by the shortest way; the path is that nevertheless.
+TEST(Path, AlongEdgesIsTheShortestDownAnyField)
+{
+  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  std::mt19937 random(3);
+  std::uniform_int_distribution<Index> pick(0, mesh->numberOfPoints() - 1);
+  for (int i = 0; i < 50; ++i)
+  {
+    const SurfacePoint from = pointAt(mesh, pick(random));
+    const SurfacePoint to = pointAt(mesh, pick(random));
+    const SurfacePath marched = pathBetween(mesh, from, to, AlongEdges);
+    expectOnSurface(mesh, marched, from, to);
+    EXPECT_EQ(std::adjacent_find(marched.begin(), marched.end(), isSameVertex), marched.end());
+    EXPECT_NEAR(lengthOf(*mesh, marched),
+      lengthOf(*mesh, pathBetween<DijkstraSolver>(mesh, from, to, AlongEdges)), 1e-12);
+  }
+}
+
 TEST(Path, DoesNotDependOnTheScale)
 {
   Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");

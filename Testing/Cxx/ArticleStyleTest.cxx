@@ -4,7 +4,9 @@
 
 #include "Inputs.h"
 
+#include "vtkCellArray.h"
 #include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicPath.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +33,82 @@ TEST(ArticleStyle, DistanceOnTheBunny)
   EXPECT_GT(distance->GetMaximumDistance(), 0.2);
   EXPECT_LT(distance->GetMaximumDistance(), 0.4);
   distance->Delete();
+}
+
+// As a contour line interpolator does it: from node to node, and the nearest id of each point.
+TEST(ArticleStyle, PathOnTheBunny)
+{
+  vtkSmartPointer<vtkPolyData> bunny = readData("Bunny.vtp");
+  const vtkIdType beginVertId = 1000;
+  const vtkIdType endVertId = 20000;
+  for (int order = 0; order <= 1; ++order)
+  {
+    vtkFastMarchingGeodesicPath* path = vtkFastMarchingGeodesicPath::New();
+    path->SetInputData(bunny);
+    path->SetBeginPointId(beginVertId);
+    vtkIdList* destinationSeeds = vtkIdList::New();
+    destinationSeeds->InsertNextId(endVertId);
+    path->SetSeeds(destinationSeeds);
+    destinationSeeds->Delete();
+    path->SetInterpolationOrder(order);
+    path->SetMaximumPathPoints(1e9f);
+    path->GetGeodesic()->SetFieldDataName("FMMDist");
+    path->Update();
+
+    vtkIdList* vertexIds = vtkIdList::New();
+    if (order == 0)
+    {
+      vertexIds->DeepCopy(path->GetZerothOrderPathPointIds());
+    }
+    else
+    {
+      vtkIdList* edges = path->GetFirstOrderPathPointIds();
+      for (vtkIdType i = 0; i < edges->GetNumberOfIds() / 2; ++i)
+      {
+        vertexIds->InsertNextId(edges->GetId(2 * i));
+      }
+    }
+    vtkGeodesicPath* base = path;
+    vtkPolyData* line = base->GetOutput();
+    vtkIdType npts = 0;
+    const vtkIdType* pts = nullptr;
+    line->GetLines()->InitTraversal();
+    ASSERT_EQ(line->GetLines()->GetNextCell(npts, pts), 1);
+    ASSERT_EQ(npts, vertexIds->GetNumberOfIds());
+    EXPECT_EQ(vertexIds->GetId(0), beginVertId);
+    EXPECT_EQ(vertexIds->GetId(npts - 1), endVertId);
+    for (vtkIdType i = 0; i < npts; ++i)
+    {
+      double p[3];
+      double q[3];
+      line->GetPoint(pts[i], p);
+      bunny->GetPoint(vertexIds->GetId(i), q);
+      // The longest edge is .0043.
+      EXPECT_LT(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), order == 0 ? 1e-12 : 0.0022);
+    }
+    EXPECT_GT(path->GetGeodesicLength(), distanceBetween(bunny, beginVertId, endVertId));
+    vertexIds->Delete();
+    path->Delete();
+  }
+}
+
+TEST(ArticleStyle, DefaultsOfThePathAreTheContracts)
+{
+  vtkFastMarchingGeodesicPath* path = vtkFastMarchingGeodesicPath::New();
+  EXPECT_NE(path->GetGeodesic(), nullptr);
+  EXPECT_EQ(path->GetBeginPointId(), -1);
+  EXPECT_EQ(path->GetSeeds(), nullptr);
+  EXPECT_EQ(path->GetInterpolationOrder(), 1);
+  EXPECT_EQ(path->GetMaximumPathLength(), VTK_DOUBLE_MAX);
+  EXPECT_EQ(path->GetMaximumPathPoints(), VTK_ID_MAX);
+  EXPECT_FALSE(path->GetStraighten());
+  EXPECT_EQ(path->GetGeodesicLength(), 0.0);
+  EXPECT_EQ(path->GetZerothOrderPathPointIds()->GetNumberOfIds(), 0);
+  EXPECT_EQ(path->GetFirstOrderPathPointIds()->GetNumberOfIds(), 0);
+  EXPECT_TRUE(path->IsA("vtkFastMarchingGeodesicPath"));
+  EXPECT_TRUE(path->IsA("vtkGeodesicPath"));
+  EXPECT_EQ(vtkFastMarchingGeodesicPath::SafeDownCast(path), path);
+  path->Delete();
 }
 
 TEST(ArticleStyle, DefaultsAreTheContracts)

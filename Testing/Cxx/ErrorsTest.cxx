@@ -6,7 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicPath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
@@ -54,6 +54,21 @@ protected:
   const vtkSmartPointer<vtkPolyData> Input = square(4);
   const vtkSmartPointer<vtkIdList> Seeds = idList({ 3 });
   vtkNew<vtkFastMarchingGeodesicDistance> Filter;
+};
+
+class PathErrors : public ::testing::Test
+{
+protected:
+  PathErrors()
+  {
+    this->Filter->SetInputData(this->Input);
+    this->Filter->SetBeginPointId(7);
+    this->Filter->SetSeeds(this->Seeds);
+  }
+
+  const vtkSmartPointer<vtkPolyData> Input = square(4);
+  const vtkSmartPointer<vtkIdList> Seeds = idList({ 24 });
+  vtkNew<vtkFastMarchingGeodesicPath> Filter;
 };
 
 class SurfaceFilterErrors : public ::testing::Test
@@ -175,6 +190,118 @@ TEST_F(ArticleClassErrors, ACellOfAMissingPointIsNamed)
   expectError(
     this->Filter.Get(), [&] { this->Filter->SetInputData(broken); },
     [&] { this->Filter->SetInputData(this->Input); }, "99");
+}
+
+TEST_F(PathErrors, BeginPointsThatDoNotExistAreNamed)
+{
+  const vtkIdType bare = this->Input->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+  const auto mend = [&] { this->Filter->SetBeginPointId(7); };
+  for (vtkIdType id : { vtkIdType{ -1 }, vtkIdType{ 26 }, vtkIdType{ 1 } << 40 })
+  {
+    expectError(
+      this->Filter.Get(), [&] { this->Filter->SetBeginPointId(id); }, mend,
+      "Begin point id " + std::to_string(id) + " does not exist: the input has 26 points");
+  }
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetBeginPointId(bare); }, mend,
+    "Begin point id 25 is not on the surface");
+}
+
+TEST_F(PathErrors, SeedsThatDoNotExistAreNamed)
+{
+  const auto mend = [&] { this->Filter->SetSeeds(this->Seeds); };
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetSeeds(nullptr); }, mend, "no seed");
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetSeeds(idList({})); }, mend, "no seed");
+  expectError(
+    this->Filter.Get(),
+    [&] {
+      this->Filter->SetSeeds(idList({ 24, 25 }));
+    },
+    mend, "Seed point id 25 does not exist: the input has 25 points");
+}
+
+TEST_F(PathErrors, NoRouteNamesThePoints)
+{
+  const vtkIdType far = this->Input->GetPoints()->InsertNextPoint(9.0, 0.0, 0.0);
+  this->Input->GetPoints()->InsertNextPoint(10.0, 0.0, 0.0);
+  this->Input->GetPoints()->InsertNextPoint(9.0, 1.0, 0.0);
+  this->Input->GetPolys()->InsertNextCell({ far, far + 1, far + 2 });
+  expectError(
+    this->Filter.Get(),
+    [&] {
+      this->Filter->SetSeeds(idList({ far, far + 1 }));
+    },
+    [&] { this->Filter->SetSeeds(this->Seeds); },
+    "no path from begin point 7 to any of the seed points 25, 26: they are on parts");
+  // The neighbours of point 24, in the corner.
+  const auto loop = idList({ 18, 19, 23 });
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(loop); },
+    [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(nullptr); },
+    "no path from begin point 7 to seed point 24: they are on parts");
+}
+
+TEST_F(PathErrors, FailTheRun)
+{
+  this->Filter->GetGeodesic()->SetExclusionPointIds(idList({ 18, 19, 23 }));
+  EXPECT_NE(errorsOf(this->Filter.Get()).find("returned failure"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetGeodesicLength(), 0.0);
+  EXPECT_EQ(this->Filter->GetZerothOrderPathPointIds()->GetNumberOfIds(), 0);
+  EXPECT_EQ(this->Filter->GetFirstOrderPathPointIds()->GetNumberOfIds(), 0);
+}
+
+TEST_F(PathErrors, ExcludedEndsAreNamed)
+{
+  const auto mend = [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(nullptr); };
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(idList({ 7 })); },
+    mend, "Begin point id 7 is among the exclusion points");
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(idList({ 24 })); },
+    mend, "excluded point 24");
+}
+
+TEST_F(PathErrors, WhatCannotBeStraightened)
+{
+  const auto mend = [&]
+  {
+    this->Filter->StraightenOff();
+    this->Filter->GetGeodesic()->SetPropagationWeights(nullptr);
+  };
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetNumberOfTuples(25);
+  weights->Fill(2.0);
+  expectError(
+    this->Filter.Get(),
+    [&]
+    {
+      this->Filter->StraightenOn();
+      this->Filter->GetGeodesic()->SetPropagationWeights(weights);
+    },
+    mend, "varying cost");
+  this->Filter->SetInterpolationOrder(0);
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->StraightenOn(); }, mend, "along edges");
+}
+
+TEST_F(PathErrors, LimitsThatAreNoneAreNamed)
+{
+  const auto mend = [&]
+  {
+    this->Filter->SetMaximumPathLength(VTK_DOUBLE_MAX);
+    this->Filter->SetMaximumPathPoints(VTK_ID_MAX);
+  };
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetMaximumPathLength(-0.5); }, mend,
+    "MaximumPathLength is -0.5; it must be at least 0");
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetMaximumPathLength(std::nan("")); }, mend,
+    "MaximumPathLength is nan");
+  expectError(
+    this->Filter.Get(), [&] { this->Filter->SetMaximumPathPoints(0); }, mend,
+    "MaximumPathPoints is 0; it must be at least 1");
 }
 
 TEST_F(SurfaceFilterErrors, NoSeedSaysHowToGiveOne)

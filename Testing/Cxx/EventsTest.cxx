@@ -3,38 +3,18 @@
 // Progress, iteration events, abort, and what is kept from run to run.
 
 #include "Inputs.h"
+#include "Observer.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 using namespace geodesic::testing;
 
 namespace
 {
-
-/** Calls a function on an event of an object. */
-class Observer
-{
-public:
-  Observer(vtkObject* object, unsigned long event, std::function<void()> action)
-    : Action(std::move(action))
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*) { static_cast<Observer*>(self)->Action(); });
-    object->AddObserver(event, this->Command);
-  }
-
-private:
-  std::function<void()> Action;
-  vtkNew<vtkCallbackCommand> Command;
-};
 
 class Events : public ::testing::Test
 {

@@ -62,6 +62,25 @@ vtkSmartPointer<vtkPolyData> square(int cells, Cells kind)
   return surface;
 }
 
+vtkSmartPointer<vtkPolyData> polyDataOf(const Surface& surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector3& p : surface.points)
+  {
+    points->InsertNextPoint(p.x, p.y, p.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const Triangle& t : surface.triangles)
+  {
+    triangles->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
 vtkSmartPointer<vtkPolyData> readData(const std::string& file)
 {
   vtkNew<vtkXMLPolyDataReader> reader;

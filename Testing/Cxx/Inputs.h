@@ -3,6 +3,8 @@
 #ifndef geodesic_testing_Inputs_h
 #define geodesic_testing_Inputs_h
 
+#include "Surfaces.h"
+
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkIdList.h"
@@ -27,6 +29,8 @@ enum class Cells
   Strips
 };
 vtkSmartPointer<vtkPolyData> square(int cells, Cells kind = Cells::Triangles);
+
+vtkSmartPointer<vtkPolyData> polyDataOf(const Surface& surface);
 
 vtkSmartPointer<vtkPolyData> readData(const std::string& file);
 

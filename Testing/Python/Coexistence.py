@@ -67,7 +67,7 @@ def check_bundled():
 
 
 def check_package():
-    from surfacegeodesics import vtkFastMarchingGeodesicDistance
+    from surfacegeodesics import vtkFastMarchingGeodesicDistance, vtkFastMarchingGeodesicPath
     from vtkmodules.vtkCommonCore import vtkIdList
 
     mesh = servermanager.Fetch(sphere())
@@ -81,6 +81,16 @@ def check_package():
     assert_pole_to_pole(distance.GetMaximumDistance())
     assert distance.GetOutput().GetPointData().HasArray("Distance")
     assert type(distance.NewInstance()) is vtkFastMarchingGeodesicDistance
+
+    path = vtkFastMarchingGeodesicPath()
+    path.SetInputData(mesh)
+    path.SetBeginPointId(mesh.FindPoint(SOUTH))
+    path.SetSeeds(seeds)
+    path.Update()
+    assert_pole_to_pole(path.GetGeodesicLength())
+    assert type(path.NewInstance()) is vtkFastMarchingGeodesicPath
+    assert type(path.GetGeodesic()) is vtkFastMarchingGeodesicDistance
+    str(path)
 
 
 def check_apart(ours, theirs):

@@ -62,15 +62,21 @@ def is_empty(proxy):
     return proxy.GetDataInformation().GetNumberOfPoints() == 0
 
 
-def expect_error(proxy, *named):
-    """The output is empty, and the message names all of these."""
+def messages_of(run):
+    """What is reported as errors or warnings while a function runs."""
     window = vtkStringOutputWindow()
     vtkOutputWindow.SetInstance(window)
-    empty = is_empty(proxy)
+    run()
     vtkOutputWindow.SetInstance(None)
-    assert empty, named
+    return window.GetOutput()
+
+
+def expect_error(proxy, *named):
+    """The output is empty, and the message names all of these."""
+    messages = messages_of(proxy.UpdatePipeline)
+    assert is_empty(proxy), named
     for words in named:
-        assert words in window.GetOutput(), (words, window.GetOutput())
+        assert words in messages, (words, messages)
 
 
 def informed(proxy, name):

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FastMarchingRequest.h"
+
+#include "PointResolver.h"
+#include "SeedResolver.h"
+#include "TriangleMesh.h"
+
+namespace geodesic::bridge
+{
+
+FastMarchingRequest::FastMarchingRequest(
+  vtkFastMarchingGeodesicDistance& filter, const TriangleMesh& mesh, vtkAlgorithm& runner)
+  : Filter(filter)
+  , Runner(runner)
+  , Reporter(runner, mesh.numberOfVertices())
+  , Seeds(seedsAtPoints(mesh, filter.GetSeeds()))
+{
+  for (Index vertex :
+    verticesAtPoints(mesh, filter.GetDestinationVertexStopCriterion(), "Destination"))
+  {
+    this->Targets.push_back(targetAt(vertex));
+  }
+  excludePoints(mesh, filter.GetExclusionPointIds(), this->Excluded);
+  if (vtkDataArray* weights = filter.GetPropagationWeights())
+  {
+    this->Cost = costOfArray(mesh, weights, CostMeaning::Cost, "The propagation weight");
+  }
+
+  this->Options.cost = this->Cost;
+  this->Options.excluded = this->Excluded.excluded;
+  this->Options.targets = this->Targets;
+  this->Options.targetMode =
+    filter.GetDestinationStopMode() == vtkFastMarchingGeodesicDistance::ANY_DESTINATION
+    ? TargetMode::Any
+    : TargetMode::All;
+  if (!(filter.GetDistanceStopCriterion() < 0.0))
+  {
+    this->Options.maximumDistance = filter.GetDistanceStopCriterion();
+  }
+  this->Options.progressInterval = static_cast<std::size_t>(filter.GetIterationEventResolution());
+  this->Options.onProgress = [this](std::size_t taken) { return this->mayGoOn(taken); };
+}
+
+bool FastMarchingRequest::mayGoOn(std::size_t taken)
+{
+  this->Filter.InvokeEvent(vtkFastMarchingGeodesicDistance::IterationEvent);
+  const bool isAborted = !this->Reporter.report(taken) || this->Filter.GetAbortExecute();
+  if (isAborted)
+  {
+    this->Runner.SetAbortOutput(true);
+  }
+  return !isAborted;
+}
+
+}

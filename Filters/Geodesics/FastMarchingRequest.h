@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_FastMarchingRequest_h
+#define geodesic_bridge_FastMarchingRequest_h
+
+#include "GuideResolver.h"
+#include "ProgressReporter.h"
+#include "Seed.h"
+#include "SolveOptions.h"
+
+#include "vtkFastMarchingGeodesicDistance.h"
+
+#include <span>
+#include <vector>
+
+namespace geodesic::bridge
+{
+
+/** The seeds and options of a vtkFastMarchingGeodesicDistance, as a solver takes them. */
+class FastMarchingRequest
+{
+public:
+  /**
+   * @param filter whose options these are; it invokes IterationEvent
+   * @param runner the filter that runs: it reports progress, and either of the two can abort it
+   * @throws std::invalid_argument for an option that does not fit the mesh
+   */
+  FastMarchingRequest(
+    vtkFastMarchingGeodesicDistance& filter, const TriangleMesh& mesh, vtkAlgorithm& runner);
+  FastMarchingRequest(const FastMarchingRequest&) = delete;
+  FastMarchingRequest& operator=(const FastMarchingRequest&) = delete;
+
+  std::span<const Seed> seeds() const { return this->Seeds; }
+  /** They refer to what this holds. */
+  const SolveOptions& options() const { return this->Options; }
+
+private:
+  bool mayGoOn(std::size_t taken);
+
+  vtkFastMarchingGeodesicDistance& Filter;
+  vtkAlgorithm& Runner;
+  ProgressReporter Reporter;
+  std::vector<Seed> Seeds;
+  std::vector<Triangle> Targets;
+  std::vector<double> Cost;
+  Barriers Excluded;
+  SolveOptions Options;
+};
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_FastMarchingWorkspace_h
+#define geodesic_bridge_FastMarchingWorkspace_h
+
+#include "FastMarchingSolver.h"
+#include "InputSurface.h"
+
+#include <memory>
+
+namespace geodesic::bridge
+{
+
+/** What is kept from run to run, so that only what changed is computed again. */
+class FastMarchingWorkspace
+{
+public:
+  /** A solver for the input's surface: the last one, unless the surface is another. */
+  FastMarchingSolver& solverFor(vtkPolyData* input)
+  {
+    auto surface = InputSurface::of(input, CoincidentPoints::Separate);
+    if (surface != this->Surface)
+    {
+      this->Solver = std::make_unique<FastMarchingSolver>(surface->mesh());
+      this->Surface = std::move(surface);
+    }
+    return *this->Solver;
+  }
+
+  /** To be called after an exception, which leaves the solver undefined. */
+  void forget() { *this = FastMarchingWorkspace(); }
+
+private:
+  std::shared_ptr<const InputSurface> Surface;
+  std::unique_ptr<FastMarchingSolver> Solver;
+};
+
+}
+
+#endif
