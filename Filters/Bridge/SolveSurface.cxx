@@ -93,8 +93,8 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
   }
   const Carriers carriers = PathPoint::at(*this->Mesh, point).carriers();
   const bool isExcluded = !this->Excluded.empty() &&
-    std::all_of(carriers.begin(), carriers.end(),
-      [&](Index vertex) { return this->Excluded[vertex] != 0; });
+    std::all_of(
+      carriers.begin(), carriers.end(), [&](Index vertex) { return this->Excluded[vertex] != 0; });
   if (isExcluded)
   {
     const Index vertex = this->Split ? this->Split->origin(carriers[0]).carriers()[0] : carriers[0];

@@ -77,21 +77,41 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
     throw std::invalid_argument("The path begins at excluded point " +
       std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
   }
-  auto path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
+  auto path = this->shortestOf(start);
   if (!path && this->Field->stopReason() == StopReason::Targets)
   {
     // Beside long edges a path can need distances beyond those of its own ends.
-    if (!this->solve({}))
-    {
-      return std::nullopt;
-    }
-    path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
-  }
-  if (path)
-  {
-    this->shorten(*path, start);
+    path = this->solve({}) ? this->shortestOf(start) : std::nullopt;
   }
   return path;
+}
+
+std::optional<SurfacePath> PathFinder::shortestOf(const PathPoint& start) const
+{
+  PathTracer tracer(this->Surface, *this->Field, this->Ends);
+  std::vector<Index> seeds = tracer.seedsNear(start);
+  if (!this->Style.straighten && seeds.size() > 1)
+  {
+    // As traced, and through varying cost, lengths do not tell which seed is the nearest.
+    seeds.resize(1);
+  }
+  std::optional<SurfacePath> shortest;
+  double least = DistanceField::Unreached;
+  for (Index seed : seeds)
+  {
+    auto path = tracer.trace(start, seed, this->Style.order);
+    if (path)
+    {
+      this->shorten(*path, start);
+      const double length = lengthOf(this->Surface.mesh(), *path);
+      if (length < least)
+      {
+        least = length;
+        shortest = std::move(path);
+      }
+    }
+  }
+  return shortest;
 }
 
 void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const

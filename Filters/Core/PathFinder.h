@@ -61,6 +61,8 @@ public:
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
 private:
+  /** Of the paths to the seeds that may be the nearest. */
+  std::optional<SurfacePath> shortestOf(const PathPoint& start) const;
   bool solve(std::span<const Triangle> targets);
   /** Makes a traced path what the style says, and no longer than one along edges. */
   void shorten(SurfacePath& path, const PathPoint& start) const;

@@ -63,7 +63,66 @@ EdgeMinimum leastOverEdge(double a, double b, double c, double xp, double hp)
 
 }
 
-std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, PathOrder order) const
+std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
+{
+  const TriangleMesh& mesh = this->Surface.mesh();
+  const Vector3 position = point.position(mesh);
+  std::map<Index, double> totals;
+  visitFaces(this->Surface, point,
+    [&](const Triangle& face)
+    {
+      const auto propose = [&](Index seed, double left, const Vector3& place)
+      {
+        const double total = left + this->Surface.costOf(face) * norm(place - position);
+        const auto [known, isNew] = totals.emplace(seed, total);
+        known->second = std::min(known->second, total);
+      };
+      for (Index corner : face)
+      {
+        if (this->Field.isReached(corner))
+        {
+          propose(
+            this->Field.nearestSeed(corner), this->Field.distance(corner), mesh.position(corner));
+        }
+      }
+      for (Index seed = 0; seed < this->Seeds.size(); ++seed)
+      {
+        if (liesIn(this->Seeds[seed], face))
+        {
+          propose(seed, 0.0, this->Seeds[seed].position(mesh));
+        }
+      }
+    });
+  std::vector<Index> seeds;
+  for (const auto& [seed, total] : totals)
+  {
+    seeds.push_back(seed);
+  }
+  std::stable_sort(
+    seeds.begin(), seeds.end(), [&](Index a, Index b) { return totals[a] < totals[b]; });
+  return seeds;
+}
+
+std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, Index seed, PathOrder order)
+{
+  // On the way to its nearest seed a path stays where that one is the nearest.
+  this->Aim = seed;
+  auto path = this->traceToAim(start, order);
+  if (!path)
+  {
+    this->Aim = NoIndex;
+    path = this->traceToAim(start, order);
+  }
+  return path;
+}
+
+bool PathTracer::leadsToAim(Index vertex) const
+{
+  return this->Field.isReached(vertex) &&
+    (this->Aim == NoIndex || this->Field.nearestSeed(vertex) == this->Aim);
+}
+
+std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOrder order) const
 {
   SurfacePath path{ start };
   double left = DistanceField::Unreached;
@@ -105,24 +164,32 @@ std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, PathOrder o
 
 std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
 {
+  const TriangleMesh& mesh = this->Surface.mesh();
   std::optional<Step> best;
-  const Vector3 position = point.position(this->Surface.mesh());
+  const auto tryEnd = [&](Index seed, const Triangle& face)
+  {
+    if (seed != NoIndex && liesIn(this->Seeds[seed], face))
+    {
+      const PathPoint& end = this->Seeds[seed];
+      const double total =
+        this->Surface.costOf(face) * norm(end.position(mesh) - point.position(mesh));
+      if (!best || total < best->total)
+      {
+        best = Step{ end, 0.0, total };
+      }
+    }
+  };
   visitFaces(this->Surface, point,
     [&](const Triangle& face)
     {
+      if (this->Aim != NoIndex)
+      {
+        tryEnd(this->Aim, face);
+        return;
+      }
       for (Index corner : face)
       {
-        const Index number = this->Field.nearestSeed(corner);
-        if (number != NoIndex && liesIn(this->Seeds[number], face))
-        {
-          const PathPoint& seed = this->Seeds[number];
-          const double total =
-            this->Surface.costOf(face) * norm(seed.position(this->Surface.mesh()) - position);
-          if (!best || total < best->total)
-          {
-            best = Step{ seed, 0.0, total };
-          }
-        }
+        tryEnd(this->Field.nearestSeed(corner), face);
       }
     });
   return best;
@@ -235,7 +302,7 @@ std::vector<Index> PathTracer::wayDown(Index vertex) const
 void PathTracer::tryEdge(
   const PathPoint& point, const Triangle& face, Index a, Index b, std::optional<Step>& best) const
 {
-  if (!this->Field.isReached(a) || !this->Field.isReached(b) ||
+  if (!this->leadsToAim(a) || !this->leadsToAim(b) ||
     this->Field.nearestSeed(a) != this->Field.nearestSeed(b))
   {
     return;
@@ -267,7 +334,7 @@ void PathTracer::tryVertex(
   const TriangleMesh& mesh = this->Surface.mesh();
   const double left = this->Field.distance(vertex);
   const double total = left + cost * norm(point.position(mesh) - mesh.position(vertex));
-  if (this->Field.isReached(vertex) && (!best || total < best->total))
+  if (this->leadsToAim(vertex) && (!best || total < best->total))
   {
     best = Step{ PathPoint::atVertex(vertex), left, total };
   }

@@ -45,10 +45,17 @@ public:
   }
 
   /**
+   * The numbers of the seeds, one of which is the nearest to a point; the likeliest first. None
+   * where the field does not reach the point.
+   */
+  std::vector<Index> seedsNear(const PathPoint& point) const;
+
+  /**
+   * @param seed one of seedsNear; the path may end at another where no trace leads to this one
    * @return the path from @p start to a seed, both among its points; none where the field does not
    * reach the start
    */
-  std::optional<SurfacePath> trace(const PathPoint& start, PathOrder order) const;
+  std::optional<SurfacePath> trace(const PathPoint& start, Index seed, PathOrder order);
 
 private:
   /** A point to go on to, and the distance to the seed by way of it. */
@@ -61,6 +68,9 @@ private:
     double total;
   };
 
+  std::optional<SurfacePath> traceToAim(const PathPoint& start, PathOrder order) const;
+  /** Whether the vertex has a distance, and from the seed that is aimed at. */
+  bool leadsToAim(Index vertex) const;
   /** A seed in a face with the point, and what is left to it. */
   std::optional<Step> stepToSeed(const PathPoint& point) const;
   std::optional<Step> stepAcrossFaces(const PathPoint& point) const;
@@ -81,6 +91,8 @@ private:
   const Terrain& Surface;
   const DistanceField& Field;
   std::span<const PathPoint> Seeds;
+  /** The number of the seed that the path is to end at; NoIndex: any. */
+  Index Aim = NoIndex;
 };
 
 }

@@ -455,3 +455,38 @@ TEST(Path, EndsAtALengthOrANumberOfPoints)
   EXPECT_EQ(beginningOf(*mesh, path, 10.0 * length, any, true).size(), path.size());
   EXPECT_EQ(beginningOf(*mesh, path, 0.0, any, true).size(), 1u);
 }
+
+// From many starts on a plane each path is the straight line to the nearest of many seeds.
+TEST(Path, LeadsToTheNearestOfManySeeds)
+{
+  const auto mesh = meshOf(jitteredGrid(60, 60, 1.0, 1.0, 0.3, 12));
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+  const auto anywhere = [&] {
+    return nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+  };
+  std::vector<SurfacePoint> seeds;
+  std::vector<SurfacePoint> starts;
+  for (int i = 0; i < 40; ++i)
+  {
+    seeds.push_back(anywhere());
+  }
+  for (int i = 0; i < 300; ++i)
+  {
+    starts.push_back(anywhere());
+  }
+  FastMarchingSolver solver(mesh);
+  PathFinder finder(solver, seeds, {}, Straight);
+  ASSERT_TRUE(finder.march(starts));
+  for (const SurfacePoint& start : starts)
+  {
+    double exact = 2.0;
+    for (const SurfacePoint& seed : seeds)
+    {
+      exact = std::min(exact, norm(mesh->positionOf(seed) - mesh->positionOf(start)));
+    }
+    const auto path = finder.pathFrom(start);
+    ASSERT_TRUE(path);
+    EXPECT_NEAR(lengthOf(*mesh, *path), exact, 1e-9);
+  }
+}
