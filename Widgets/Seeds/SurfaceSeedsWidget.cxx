@@ -143,6 +143,8 @@ void SurfaceSeedsWidget::connectKeys()
       });
   }
   my.Keys.front()->setEnabled(false);
+  // The decorator's frame finds its colour by the object's name, which the panel gives later.
+  this->setFrameShape(QFrame::NoFrame);
 }
 
 void SurfaceSeedsWidget::takeKeys()
