@@ -68,28 +68,37 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
   const TriangleMesh& mesh = this->Surface.mesh();
   const Vector3 position = point.position(mesh);
   std::map<Index, double> totals;
+  const auto propose = [&](Index seed, double total)
+  {
+    const auto [known, isNew] = totals.emplace(seed, total);
+    known->second = std::min(known->second, total);
+  };
   visitFaces(this->Surface, point,
     [&](const Triangle& face)
     {
-      const auto propose = [&](Index seed, double left, const Vector3& place)
+      const double cost = this->Surface.costOf(face);
+      const auto proposeAt = [&](Index vertex)
       {
-        const double total = left + this->Surface.costOf(face) * norm(place - position);
-        const auto [known, isNew] = totals.emplace(seed, total);
-        known->second = std::min(known->second, total);
+        if (this->Field.isReached(vertex))
+        {
+          propose(this->Field.nearestSeed(vertex),
+            this->Field.distance(vertex) + cost * norm(mesh.position(vertex) - position));
+        }
       };
       for (Index corner : face)
       {
-        if (this->Field.isReached(corner))
+        proposeAt(corner);
+        // Where a seed is the nearest may end in a tip inside the face.
+        for (const RingEntry& entry : mesh.ring(corner))
         {
-          propose(
-            this->Field.nearestSeed(corner), this->Field.distance(corner), mesh.position(corner));
+          proposeAt(entry.neighbour());
         }
       }
       for (Index seed = 0; seed < this->Seeds.size(); ++seed)
       {
         if (liesIn(this->Seeds[seed], face))
         {
-          propose(seed, 0.0, this->Seeds[seed].position(mesh));
+          propose(seed, cost * norm(this->Seeds[seed].position(mesh) - position));
         }
       }
     });

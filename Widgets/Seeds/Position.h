@@ -21,6 +21,11 @@ inline Position operator-(const Position& a, const Position& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
+inline Position operator*(double s, const Position& a)
+{
+  return { s * a[0], s * a[1], s * a[2] };
+}
+
 inline double dot(const Position& a, const Position& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

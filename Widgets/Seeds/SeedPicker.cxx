@@ -60,7 +60,15 @@ void SeedPicker::setPicking(bool isOn)
 
 void SeedPicker::pickUnderPointer(Snap snap)
 {
-  this->pick(this->Widget->mapFromGlobal(QCursor::pos()), snap);
+  const QPoint place = this->Widget->mapFromGlobal(QCursor::pos());
+  if (this->Widget->rect().contains(place))
+  {
+    this->pick(place, snap);
+  }
+  else
+  {
+    Q_EMIT this->refused(tr("The pointer is not in the 3D view"));
+  }
 }
 
 bool SeedPicker::eventFilter(QObject* object, QEvent* event)
@@ -216,18 +224,12 @@ void SeedPicker::preview(const QPointF& place, Qt::KeyboardModifiers modifiers)
   const bool isRemoval = this->IsPicking && (modifiers & Qt::ShiftModifier);
   const int row = this->Overlay->rowAt(place);
   this->Overlay->setDoomedRow(isRemoval ? row : -1);
-  if (row >= 0 || isRemoval)
+  this->showHand(row >= 0 && !isRemoval);
+  if (row >= 0 || isRemoval || !this->IsPicking)
   {
-    this->Widget->setCursor(isRemoval ? Qt::CrossCursor : Qt::OpenHandCursor);
     this->Overlay->setPreview({});
     return;
   }
-  if (!this->IsPicking)
-  {
-    this->Widget->unsetCursor();
-    return;
-  }
-  this->Widget->setCursor(Qt::CrossCursor);
   const Snap snap = snapOf(modifiers);
   const Probed probed = this->Probe.at(this->View, place, snap, Care::Preview);
   if (probed.isMissed)
@@ -244,6 +246,27 @@ void SeedPicker::preview(const QPointF& place, Qt::KeyboardModifiers modifiers)
   this->Overlay->setPreview(
     Preview{ snap == Snap::ToMeshPoint ? Preview::AtMeshPoint : Preview::OnSurface,
       drawn.value_or(place), {} });
+}
+
+void SeedPicker::showHand(bool isOverMarker)
+{
+  if (isOverMarker == this->HasHand)
+  {
+    return;
+  }
+  this->HasHand = isOverMarker;
+  if (isOverMarker)
+  {
+    this->Widget->setCursor(Qt::OpenHandCursor);
+  }
+  else if (this->IsPicking)
+  {
+    this->Widget->setCursor(Qt::CrossCursor);
+  }
+  else
+  {
+    this->Widget->unsetCursor();
+  }
 }
 
 void SeedPicker::forgetPreview()

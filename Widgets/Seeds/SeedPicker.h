@@ -56,6 +56,9 @@ private:
   /** Shows what a click would do. */
   void preview(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void forgetPreview();
+  /** Others set the cursor, too: it is left alone but where the pointer comes to or leaves a
+   * marker. */
+  void showHand(bool isOverMarker);
   /** Gives the view the press that was held back, as the start of a drag of its own. */
   void passPressOn();
 
@@ -64,6 +67,7 @@ private:
   QPointer<SeedOverlay> Overlay;
   QPointer<QWidget> Widget;
   bool IsPicking = false;
+  bool HasHand = false;
   int DraggedRow = -1;
   /** A press that may become a click. */
   std::unique_ptr<QMouseEvent> Held;

@@ -143,6 +143,8 @@ void SurfaceSeedsWidget::connectKeys()
       });
   }
   my.Keys.front()->setEnabled(false);
+  // The decorator's frame finds its colour by the object's name, which the panel gives later.
+  this->setFrameShape(QFrame::NoFrame);
 }
 
 void SurfaceSeedsWidget::takeKeys()
@@ -186,8 +188,7 @@ void SurfaceSeedsWidget::setView(pqView* view)
   Internals& my = *this->Internal;
   auto* renderView = qobject_cast<pqRenderView*>(view);
   my.Panel->setPickable(renderView);
-  // A view that was closed leaves none, as well as no view does.
-  if (renderView != my.View || !renderView)
+  if (renderView != my.View)
   {
     this->detach();
     if (this->isVisible())
@@ -306,6 +307,11 @@ void SurfaceSeedsWidget::startDrag(int row)
 void SurfaceSeedsWidget::drag(int row, const Position& point)
 {
   Internals& my = *this->Internal;
+  // An undo in the middle of a drag can take the row away.
+  if (row >= my.Model.numberOfPoints())
+  {
+    return;
+  }
   my.Model.setPoint(row, point);
   if (my.IsLive)
   {

@@ -12,7 +12,6 @@
 #include "vtkSMRenderViewProxy.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace seeds
 {
@@ -45,11 +44,18 @@ std::optional<QPointF> ViewGeometry::toWidget(const Position& point) const
   {
     return {};
   }
-  this->Renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
-  this->Renderer->WorldToDisplay();
-  const double* pixel = this->Renderer->GetDisplayPoint();
+  const Position pixel = this->toWindow(point);
   const double ratio = this->pixelsPerPoint();
   return QPointF(pixel[0] / ratio, (this->windowHeight() - pixel[1]) / ratio);
+}
+
+Position ViewGeometry::toWindow(const Position& point) const
+{
+  this->Renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  this->Renderer->WorldToDisplay();
+  Position pixel;
+  this->Renderer->GetDisplayPoint(pixel.data());
+  return pixel;
 }
 
 Position ViewGeometry::toSpace(double x, double y, double depth) const
@@ -76,25 +82,15 @@ std::array<int, 2> ViewGeometry::pixelAt(const QPointF& place) const
     this->windowHeight() - 1 - static_cast<int>(place.y() * ratio) };
 }
 
-std::optional<double> ViewGeometry::drawnAt(const QPointF& place) const
+double ViewGeometry::drawnDepth(const std::array<int, 2>& pixel) const
 {
   auto* window = vtkRenderWindow::SafeDownCast(this->Renderer->GetVTKWindow());
-  const auto [x, y] = this->pixelAt(place);
   const int* size = window->GetSize();
-  const int left = std::clamp(x - 1, 0, size[0] - 1);
-  const int right = std::clamp(x + 1, 0, size[0] - 1);
-  const int bottom = std::clamp(y - 1, 0, size[1] - 1);
-  const int top = std::clamp(y + 1, 0, size[1] - 1);
+  const auto clamped = [size](int value, int axis) { return std::clamp(value, 0, size[axis] - 1); };
   std::array<float, 9> depths{};
-  window->GetZbufferData(left, bottom, right, top, depths.data());
-  const float depth = *std::max_element(depths.begin(), depths.end());
-  if (depth >= 1.0F)
-  {
-    return {};
-  }
-  const Ray ray = this->rayThrough(place);
-  const Position drawn = this->toSpace(x + 0.5, y + 0.5, depth);
-  return dot(drawn - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+  window->GetZbufferData(clamped(pixel[0] - 1, 0), clamped(pixel[1] - 1, 1),
+    clamped(pixel[0] + 1, 0), clamped(pixel[1] + 1, 1), depths.data());
+  return *std::max_element(depths.begin(), depths.end());
 }
 
 bool ViewGeometry::isDrawnHere() const
@@ -107,15 +103,14 @@ bool ViewGeometry::isDrawnHere() const
 bool ViewGeometry::isCovered(const Position& point, double tolerance) const
 {
   const auto place = this->isDrawnHere() ? this->toWidget(point) : std::nullopt;
-  const auto drawn = place ? this->drawnAt(*place) : std::nullopt;
-  if (!drawn)
+  if (!place)
   {
     return false;
   }
-  const Ray ray = this->rayThrough(*place);
-  const double length2 = dot(ray.direction, ray.direction);
-  const double along = dot(point - ray.origin, ray.direction) / length2;
-  return *drawn < along - tolerance / std::sqrt(length2);
+  Position ahead;
+  this->Renderer->GetActiveCamera()->GetDirectionOfProjection(ahead.data());
+  const Position nearer = point - tolerance * ahead;
+  return this->drawnDepth(this->pixelAt(*place)) < this->toWindow(nearer)[2];
 }
 
 QWidget* drawingWidgetOf(pqRenderView* view)

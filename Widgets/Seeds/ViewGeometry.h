@@ -33,12 +33,6 @@ public:
   std::optional<QPointF> toWidget(const Position& point) const;
   /** The line of sight through a place of the widget, from the near clipping plane. */
   Ray rayThrough(const QPointF& place) const;
-  /**
-   * What was drawn at a place of the widget, as the distance along its ray in lengths of the
-   * direction; of the pixels around it the farthest, so that the slope of a surface does not count
-   * as something in front of it. Nothing on the background.
-   */
-  std::optional<double> drawnAt(const QPointF& place) const;
   /** Whether what the view draws is known here; otherwise a server draws it. */
   bool isDrawnHere() const;
   /**
@@ -51,6 +45,13 @@ public:
   std::array<int, 2> pixelAt(const QPointF& place) const;
 
 private:
+  /** In pixels from the window's lower left corner, and depth from 0 to 1. */
+  Position toWindow(const Position& point) const;
+  /**
+   * The depth of what was drawn, of 3 x 3 pixels the farthest, so that the slope of a surface does
+   * not count as something in front of it; 1 on the background.
+   */
+  double drawnDepth(const std::array<int, 2>& pixel) const;
   Position toSpace(double x, double y, double depth) const;
   double pixelsPerPoint() const;
   int windowHeight() const;
