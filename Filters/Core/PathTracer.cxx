@@ -85,15 +85,7 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
             this->Field.distance(vertex) + cost * norm(mesh.position(vertex) - position));
         }
       };
-      for (Index corner : face)
-      {
-        proposeAt(corner);
-        // Where a seed is the nearest may end in a tip inside the face.
-        for (const RingEntry& entry : mesh.ring(corner))
-        {
-          proposeAt(entry.neighbour());
-        }
-      }
+      std::for_each(face.begin(), face.end(), proposeAt);
       for (Index seed = 0; seed < this->Seeds.size(); ++seed)
       {
         if (liesIn(this->Seeds[seed], face))

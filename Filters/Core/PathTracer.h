@@ -45,8 +45,9 @@ public:
   }
 
   /**
-   * The numbers of the seeds, one of which is the nearest to a point; the likeliest first. None
-   * where the field does not reach the point.
+   * The numbers of the seeds that are nearest to the corners round a point, the likeliest first:
+   * one of them is the nearest to the point, but where the places that a seed is the nearest to end
+   * in a tip inside the face. None where the field does not reach the point.
    */
   std::vector<Index> seedsNear(const PathPoint& point) const;
 
