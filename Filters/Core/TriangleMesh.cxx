@@ -91,15 +91,10 @@ SideLengths sideLengths(const Vector3& a, const Vector3& b, const Vector3& c)
   return { norm(c - b), norm(a - c), norm(b - a) };
 }
 
-TriangleMeasure measured(const SideLengths& sides, double longest, double doubleArea)
+TriangleMeasure measured(double longestSide, double doubleArea)
 {
-  const auto slackOver = [&](double side)
-  { return side > 0.0 ? 2.0 * doubleArea / side - side : 0.0; };
-  const SideLengths slacks{ slackOver(sides[0]), slackOver(sides[1]), slackOver(sides[2]) };
-  return { { roundedDown(std::min(slacks[1], slacks[2])),
-             roundedDown(std::min(slacks[2], slacks[0])),
-             roundedDown(std::min(slacks[0], slacks[1])) },
-    roundedUp(longest) };
+  const double leastHeight = longestSide > 0.0 ? doubleArea / longestSide : 0.0;
+  return { roundedDown(2.0 * leastHeight - longestSide), roundedUp(longestSide) };
 }
 
 }
@@ -167,6 +162,7 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
 void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team)
 {
   std::vector<Triangle> corners(triangles.size());
+  std::vector<Index> lowestCorners(triangles.size());
   team.run(triangles.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -175,6 +171,7 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
         const Triangle& input = triangles[t];
         corners[t] = { this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
           this->VertexOfPoint[input[2]] };
+        lowestCorners[t] = repeatsCorner(corners[t]) ? NoIndex : lowestCorner(corners[t]);
       }
     });
   // Each thread takes the triangles whose lowest corner is in its range.
@@ -184,8 +181,8 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
   {
     for (Index source = 0; source < corners.size(); ++source)
     {
-      const Index lowest = lowestCorner(corners[source]);
-      if (lowest >= firstVertex && lowest < lastVertex && !repeatsCorner(corners[source]))
+      const Index lowest = lowestCorners[source];
+      if (lowest >= firstVertex && lowest < lastVertex)
       {
         take(source, lowest);
       }
@@ -248,7 +245,7 @@ std::vector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& te
           const Vector3& c = this->Positions[this->Triangles[t][2]];
           const SideLengths sides = sideLengths(a, b, c);
           const double longest = std::max(sides[0], std::max(sides[1], sides[2]));
-          measures[t] = measured(sides, longest, norm(cross(b - a, c - a)));
+          measures[t] = measured(longest, norm(cross(b - a, c - a)));
           block.sum += sides[0] + sides[1] + sides[2];
           block.longest = std::max(block.longest, longest);
         }
