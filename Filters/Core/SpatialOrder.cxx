@@ -97,14 +97,14 @@ private:
   double CellsPerUnit;
 };
 
-std::vector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::uint8_t> used,
+BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::uint8_t> used,
   const MortonCurve& curve, const ThreadTeam& team)
 {
   std::vector<std::size_t> starts(team.numberOfRanges(points.size()));
   team.run(points.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     { starts[range] = std::accumulate(&used[first], &used[last], std::size_t{ 0 }); });
-  std::vector<Keyed> keyed(startsOf(starts));
+  BulkVector<Keyed> keyed(startsOf(starts));
   team.run(points.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
@@ -123,10 +123,10 @@ std::vector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::
 }
 
 /** Stable sort by the keys. */
-void radixSort(std::vector<Keyed>& keyed, const ThreadTeam& team)
+void radixSort(BulkVector<Keyed>& keyed, const ThreadTeam& team)
 {
   constexpr std::size_t digits = std::size_t{ 1 } << RadixBits;
-  std::vector<Keyed> other(keyed.size());
+  BulkVector<Keyed> other(keyed.size());
   std::vector<std::array<std::size_t, digits>> startsOfRange(team.numberOfRanges(keyed.size()));
   for (int pass = 0; pass < RadixPasses; ++pass)
   {
@@ -203,7 +203,7 @@ private:
   std::vector<Coded> Run;
 };
 
-void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const MortonCurve& curve,
+void sortRuns(BulkVector<Keyed>& keyed, std::span<const Vector3> points, const MortonCurve& curve,
   const ThreadTeam& team)
 {
   const auto isSameRun = [&](std::size_t i, std::size_t j) { return keyed[i].key == keyed[j].key; };
@@ -240,14 +240,14 @@ void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const 
 
 }
 
-std::vector<Index> spatialOrder(
+BulkVector<Index> spatialOrder(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
   const MortonCurve curve(points, used, team);
-  std::vector<Keyed> keyed = keysOf(points, used, curve, team);
+  BulkVector<Keyed> keyed = keysOf(points, used, curve, team);
   radixSort(keyed, team);
   sortRuns(keyed, points, curve, team);
-  std::vector<Index> order(keyed.size());
+  BulkVector<Index> order(keyed.size());
   team.run(order.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {

@@ -270,9 +270,9 @@ private:
 /** The corners of triangles at a range of vertices, vertex by vertex. */
 struct CornersOfRange
 {
-  std::vector<Corner> corners;
+  BulkVector<Corner> corners;
   /** Where those of each vertex end. */
-  std::vector<std::uint32_t> ends;
+  BulkVector<std::uint32_t> ends;
 };
 
 CornersOfRange cornersOfRange(Index first, Index last, std::span<const Triangle> triangles,
@@ -322,19 +322,19 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
         static_cast<Index>(last), triangles, { &this->Starts[first], last - first });
       ClosedFanChainer closedFan(numberOfVertices);
       FanChainer anyFans;
-      std::vector<OppositeSide> sides;
+      BulkVector<OppositeSide> sides;
       std::vector<RingEntry> fans;
       std::uint32_t begin = 0;
       for (std::size_t v = first; v < last; ++v)
       {
         const std::uint32_t end = found.ends[v - first];
-        sides.clear();
+        sides.resize(end - begin);
         float longest = 0.0f;
-        for (; begin < end; ++begin)
+        for (OppositeSide& side : sides)
         {
-          const Corner corner = found.corners[begin];
+          const Corner corner = found.corners[begin++];
           const TriangleMeasure& measure = measures[corner.triangle()];
-          sides.push_back(corner.oppositeSide(triangles[corner.triangle()], measure.slack));
+          side = corner.oppositeSide(triangles[corner.triangle()], measure.slack);
           longest = std::max(longest, measure.longestSide);
         }
         this->LongestSides[v] = longest;
@@ -367,7 +367,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
 
 void VertexRings::replace(std::span<const Ring> others)
 {
-  std::vector<RingEntry> entries;
+  BulkVector<RingEntry> entries;
   entries.reserve(this->Entries.size());
   auto other = others.begin();
   for (Index v = 0; v + 1 < this->Starts.size(); ++v)

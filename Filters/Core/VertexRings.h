@@ -1,6 +1,7 @@
 #ifndef geodesic_VertexRings_h
 #define geodesic_VertexRings_h
 
+#include "BulkVector.h"
 #include "Index.h"
 #include "ThreadTeam.h"
 
@@ -107,8 +108,8 @@ private:
   void replace(std::span<const Ring> others);
 
   std::vector<std::uint32_t> Starts;
-  std::vector<RingEntry> Entries;
-  std::vector<float> LongestSides;
+  BulkVector<RingEntry> Entries;
+  BulkVector<float> LongestSides;
 };
 
 }
