@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -35,26 +36,78 @@ OnTriangle onSide(const std::array<Vector3, 3>& corners, int i, int j, const Vec
   return result;
 }
 
-OnTriangle onTriangle(const std::array<Vector3, 3>& corners, const Vector3& query)
+/** A triangle in space, to be searched for its point nearest to a query. */
+class SearchedTriangle
 {
-  const Vector3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const double area2 = dot(normal, normal);
-  if (area2 > 0.0)
+public:
+  SearchedTriangle(const std::array<Vector3, 3>& corners, const Vector3& query)
+    : Corners(corners)
+    , Query(query)
+    , Side1(corners[1] - corners[0])
+    , Side2(corners[2] - corners[0])
+    , Normal(cross(this->Side1, this->Side2))
+    , SquaredNormal(dot(this->Normal, this->Normal))
+    , Height(dot(query - corners[0], this->Normal))
   {
-    const Vector3 toQuery = query - corners[0];
-    const double w1 = dot(cross(toQuery, corners[2] - corners[0]), normal) / area2;
-    const double w2 = dot(cross(corners[1] - corners[0], toQuery), normal) / area2;
+  }
+
+  /** Tells by the distance to its plane that the triangle is farther away than a known distance. */
+  bool isBeyond(double squaredDistance) const
+  {
+    // The normal of a needle is too uncertain.
+    constexpr double leastSquaredSine = 1e-8;
+    return this->Height * this->Height > squaredDistance * this->SquaredNormal &&
+      this->SquaredNormal >
+      leastSquaredSine * dot(this->Side1, this->Side1) * dot(this->Side2, this->Side2);
+  }
+
+  OnTriangle nearest() const
+  {
+    if (!(this->SquaredNormal > 0.0))
+    {
+      return this->nearestOnSides({ true, true, true });
+    }
+    const Vector3 toQuery = this->Query - this->Corners[0];
+    const double w1 = dot(cross(toQuery, this->Side2), this->Normal) / this->SquaredNormal;
+    const double w2 = dot(cross(this->Side1, toQuery), this->Normal) / this->SquaredNormal;
     const double w0 = 1.0 - w1 - w2;
     if (w0 >= 0.0 && w1 >= 0.0 && w2 >= 0.0)
     {
-      const double height = dot(toQuery, normal);
-      return { { w0, w1, w2 }, height * height / area2 };
+      return { { w0, w1, w2 }, this->Height * this->Height / this->SquaredNormal };
     }
+    return this->nearestOnSides({ !(w0 >= 0.0), !(w1 >= 0.0), !(w2 >= 0.0) });
   }
-  const std::array<OnTriangle, 3> sides = { onSide(corners, 0, 1, query),
-    onSide(corners, 1, 2, query), onSide(corners, 2, 0, query) };
-  return *std::min_element(sides.begin(), sides.end(),
-    [](const OnTriangle& a, const OnTriangle& b) { return a.squaredDistance < b.squaredDistance; });
+
+private:
+  /** On the sides opposite to some corners. */
+  OnTriangle nearestOnSides(const std::array<bool, 3>& isSearched) const
+  {
+    OnTriangle best{ {}, std::numeric_limits<double>::infinity() };
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      if (isSearched[corner])
+      {
+        const OnTriangle found =
+          onSide(this->Corners, (corner + 1) % 3, (corner + 2) % 3, this->Query);
+        best = found.squaredDistance < best.squaredDistance ? found : best;
+      }
+    }
+    return best;
+  }
+
+  const std::array<Vector3, 3>& Corners;
+  const Vector3& Query;
+  Vector3 Side1;
+  Vector3 Side2;
+  Vector3 Normal;
+  double SquaredNormal;
+  double Height;
+};
+
+/** How far a number is outside an interval. */
+double outside(double x, double low, double high)
+{
+  return std::max(std::max(low - x, x - high), 0.0);
 }
 
 /** A ray in its own coordinates: sheared so that it runs from 0 along its steepest axis. */
@@ -168,22 +221,33 @@ ClosestPointTree::ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh)
   leaves.reserve(triangles / TrianglesPerLeaf + 1);
   for (Index first = 0; first < triangles; first += TrianglesPerLeaf)
   {
-    leaves.push_back(this->boxOfTriangles(first, std::min(first + TrianglesPerLeaf, triangles)));
+    const Index last = std::min(first + TrianglesPerLeaf, triangles);
+    leaves.push_back({ this->boxOfTriangles(first, last),
+      this->slabOfTriangles(this->normalOfTriangles(first, last), first, last) });
   }
+  std::size_t trianglesPerNode = TrianglesPerLeaf;
   while (this->Levels.back().size() > 1)
   {
-    const std::vector<Box>& below = this->Levels.back();
-    std::vector<Box> level((below.size() + ChildrenPerNode - 1) / ChildrenPerNode);
-    for (std::size_t i = 0; i < below.size(); ++i)
+    const std::vector<Bounds>& below = this->Levels.back();
+    trianglesPerNode *= ChildrenPerNode;
+    std::vector<Bounds> level;
+    for (std::size_t child = 0; child < below.size(); child += ChildrenPerNode)
     {
-      Box& box = level[i / ChildrenPerNode];
-      for (int axis = 0; axis < 3; ++axis)
+      Box box = below[child].box;
+      Vector3 across;
+      for (std::size_t i = child; i < std::min(child + ChildrenPerNode, below.size()); ++i)
       {
-        const bool isFirst = i % ChildrenPerNode == 0;
-        box.low[axis] = isFirst ? below[i].low[axis] : std::min(box.low[axis], below[i].low[axis]);
-        box.high[axis] =
-          isFirst ? below[i].high[axis] : std::max(box.high[axis], below[i].high[axis]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          box.low[axis] = std::min(box.low[axis], below[i].box.low[axis]);
+          box.high[axis] = std::max(box.high[axis], below[i].box.high[axis]);
+        }
+        across = across + below[i].slab.direction();
       }
+      const std::size_t first = level.size() * trianglesPerNode;
+      const std::size_t last = std::min<std::size_t>(first + trianglesPerNode, triangles);
+      level.push_back({ box,
+        this->slabOfTriangles(across, static_cast<Index>(first), static_cast<Index>(last)) });
     }
     this->Levels.push_back(std::move(level));
   }
@@ -214,15 +278,46 @@ std::array<Vector3, 3> ClosestPointTree::cornersOf(Index triangle) const
     this->Mesh->position(corners[2]) };
 }
 
-double ClosestPointTree::squaredDistance(const Box& box, const Vector3& query) const
+Vector3 ClosestPointTree::normalOfTriangles(Index first, Index last) const
 {
-  const Vector3 p = query - this->Origin;
-  const auto outside = [](double x, double low, double high) {
-    return std::max({ low - x, x - high, 0.0 });
-  };
-  const Vector3 gap{ outside(p.x, box.low[0], box.high[0]), outside(p.y, box.low[1], box.high[1]),
-    outside(p.z, box.low[2], box.high[2]) };
-  return dot(gap, gap);
+  Vector3 sum;
+  for (Index t = first; t < last; ++t)
+  {
+    const auto& [a, b, c] = this->Mesh->triangle(t);
+    const Vector3& start = this->Mesh->position(a);
+    sum = sum + cross(this->Mesh->position(b) - start, this->Mesh->position(c) - start);
+  }
+  return sum;
+}
+
+ClosestPointTree::Slab ClosestPointTree::slabOfTriangles(
+  const Vector3& across, Index first, Index last) const
+{
+  // Not beyond 1 when rounded. Without a direction the slab is all of space.
+  constexpr double wantedLength = 1.0 - 1e-6;
+  const double length = norm(across);
+  const double scale = length > 0.0 && std::isfinite(length) ? wantedLength / length : 0.0;
+  if (scale == 0.0)
+  {
+    return Slab();
+  }
+  Slab slab{ static_cast<float>(scale * across.x), static_cast<float>(scale * across.y),
+    static_cast<float>(scale * across.z) };
+  const Vector3 direction = slab.direction();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (Index t = first; t < last; ++t)
+  {
+    for (Index v : this->Mesh->triangle(t))
+    {
+      const double along = dot(direction, this->Mesh->position(v) - this->Origin);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+  }
+  slab.low = roundedDown(low);
+  slab.high = -roundedDown(-high);
+  return slab;
 }
 
 ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) const
@@ -231,6 +326,17 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
   {
     throw std::invalid_argument("The surface has no triangle that a point could lie on.");
   }
+  // No point of the run is nearer.
+  const auto squaredDistance = [](const Bounds& bounds, const Vector3& p)
+  {
+    const auto& [low, high] = bounds.box;
+    const Vector3 gap{ outside(p.x, low[0], high[0]), outside(p.y, low[1], high[1]),
+      outside(p.z, low[2], high[2]) };
+    const Slab& slab = bounds.slab;
+    const double along = dot(slab.direction(), p);
+    const double gapAlong = outside(along, slab.low, slab.high);
+    return std::max(dot(gap, gap), gapAlong * gapAlong);
+  };
   struct Pending
   {
     double squaredDistance;
@@ -240,16 +346,18 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
   const auto farther = [](const Pending& a, const Pending& b)
   { return a.squaredDistance > b.squaredDistance; };
 
+  const Vector3 fromOrigin = query - this->Origin;
   Index nearest = NoIndex;
   OnTriangle best{ {}, std::numeric_limits<double>::infinity() };
   std::vector<Pending> pending{ { 0.0, this->Levels.size() - 1, 0 } };
   while (!pending.empty())
   {
+    std::pop_heap(pending.begin(), pending.end(), farther);
     const Pending next = pending.back();
     pending.pop_back();
     if (next.squaredDistance >= best.squaredDistance)
     {
-      continue;
+      break;
     }
     if (next.level == 0)
     {
@@ -257,7 +365,13 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       const Index last = std::min(first + TrianglesPerLeaf, this->Mesh->numberOfTriangles());
       for (Index t = first; t < last; ++t)
       {
-        const OnTriangle candidate = onTriangle(this->cornersOf(t), query);
+        const std::array<Vector3, 3> corners = this->cornersOf(t);
+        const SearchedTriangle triangle(corners, query);
+        if (triangle.isBeyond(best.squaredDistance))
+        {
+          continue;
+        }
+        const OnTriangle candidate = triangle.nearest();
         if (candidate.squaredDistance < best.squaredDistance)
         {
           best = candidate;
@@ -266,20 +380,18 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       }
       continue;
     }
-    // Nearest child last, so that it is looked at first.
-    const std::vector<Box>& children = this->Levels[next.level - 1];
+    const std::vector<Bounds>& children = this->Levels[next.level - 1];
     const Index first = next.box * ChildrenPerNode;
     const Index last = std::min<Index>(first + ChildrenPerNode, children.size());
-    const std::size_t start = pending.size();
     for (Index child = first; child < last; ++child)
     {
-      const double distance = this->squaredDistance(children[child], query);
+      const double distance = squaredDistance(children[child], fromOrigin);
       if (distance < best.squaredDistance)
       {
         pending.push_back({ distance, next.level - 1, child });
+        std::push_heap(pending.begin(), pending.end(), farther);
       }
     }
-    std::sort(pending.begin() + start, pending.end(), farther);
   }
 
   if (nearest == NoIndex)
@@ -338,13 +450,13 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
       continue;
     }
     // Nearest child last, so that it is looked at first.
-    const std::vector<Box>& children = this->Levels[next.level - 1];
+    const std::vector<Bounds>& children = this->Levels[next.level - 1];
     const Index first = next.box * ChildrenPerNode;
     const Index last = std::min<Index>(first + ChildrenPerNode, children.size());
     const std::size_t start = pending.size();
     for (Index child = first; child < last; ++child)
     {
-      const Box& box = children[child];
+      const Box& box = children[child].box;
       const double entry = toBoxes.entry(
         { box.low[0], box.low[1], box.low[2] }, { box.high[0], box.high[1], box.high[2] });
       if (entry <= best.along && entry < std::numeric_limits<double>::infinity())

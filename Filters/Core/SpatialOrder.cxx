@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -12,14 +13,17 @@ namespace
 {
 
 constexpr int BitsPerAxis = 21;
+constexpr int CodeBits = 3 * BitsPerAxis;
 constexpr int RadixBits = 11;
 constexpr int RadixPasses = 3;
 
+/** The leading bits of a point's code, as many as tell most points apart. */
 struct Keyed
 {
-  std::uint64_t code;
+  std::uint32_t key;
   Index id;
 };
+constexpr int KeyBits = 32;
 
 /** Moves the low 21 bits of @p value to every third bit. */
 std::uint64_t spread(std::uint64_t value)
@@ -48,37 +52,59 @@ struct Bounds
   }
 };
 
-std::vector<Keyed> mortonCodes(
-  std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
+/** A Morton curve through the bounding cube of the points that are used. */
+class MortonCurve
 {
-  std::vector<Bounds> boundsOfRange(team.numberOfRanges(points.size()));
-  std::vector<std::size_t> starts(boundsOfRange.size());
+public:
+  MortonCurve(
+    std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
+  {
+    std::vector<Bounds> boundsOfRange(team.numberOfRanges(points.size()));
+    team.run(points.size(),
+      [&](std::size_t range, std::size_t first, std::size_t last)
+      {
+        Bounds bounds;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          if (used[i])
+          {
+            bounds.add(points[i], points[i]);
+          }
+        }
+        boundsOfRange[range] = bounds;
+      });
+    Bounds bounds;
+    for (const Bounds& other : boundsOfRange)
+    {
+      bounds.add(other.low, other.high);
+    }
+    const Vector3 size = bounds.high - bounds.low;
+    const double extent = std::max({ size.x, size.y, size.z });
+    this->Low = bounds.low;
+    this->CellsPerUnit = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
+  }
+
+  std::uint64_t codeOf(const Vector3& point) const
+  {
+    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
+    return spread(static_cast<std::int64_t>(cell.x)) |
+      spread(static_cast<std::int64_t>(cell.y)) << 1 |
+      spread(static_cast<std::int64_t>(cell.z)) << 2;
+  }
+
+private:
+  Vector3 Low;
+  double CellsPerUnit;
+};
+
+BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::uint8_t> used,
+  const MortonCurve& curve, const ThreadTeam& team)
+{
+  std::vector<std::size_t> starts(team.numberOfRanges(points.size()));
   team.run(points.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
-    {
-      Bounds bounds;
-      std::size_t count = 0;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (used[i])
-        {
-          bounds.add(points[i], points[i]);
-          ++count;
-        }
-      }
-      boundsOfRange[range] = bounds;
-      starts[range] = count;
-    });
-  Bounds bounds;
-  for (const Bounds& other : boundsOfRange)
-  {
-    bounds.add(other.low, other.high);
-  }
-  const Vector3 size = bounds.high - bounds.low;
-  const double extent = std::max({ size.x, size.y, size.z });
-  const double scale = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
-
-  std::vector<Keyed> keyed(startsOf(starts));
+    { starts[range] = std::accumulate(&used[first], &used[last], std::size_t{ 0 }); });
+  BulkVector<Keyed> keyed(startsOf(starts));
   team.run(points.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
@@ -87,29 +113,25 @@ std::vector<Keyed> mortonCodes(
       {
         if (used[i])
         {
-          const Vector3 cell = scale * (points[i] - bounds.low);
-          const std::uint64_t code = spread(static_cast<std::uint64_t>(cell.x)) |
-            spread(static_cast<std::uint64_t>(cell.y)) << 1 |
-            spread(static_cast<std::uint64_t>(cell.z)) << 2;
-          keyed[next++] = { code, static_cast<Index>(i) };
+          const std::uint64_t code = curve.codeOf(points[i]);
+          keyed[next++] = { static_cast<std::uint32_t>(code >> (CodeBits - KeyBits)),
+            static_cast<Index>(i) };
         }
       }
     });
   return keyed;
 }
 
-constexpr int lowestSortedBit = 3 * BitsPerAxis - RadixBits * RadixPasses;
-
-/** Stable sort by the leading RadixBits * RadixPasses bits of the code. */
-void radixSort(std::vector<Keyed>& keyed, const ThreadTeam& team)
+/** Stable sort by the keys. */
+void radixSort(BulkVector<Keyed>& keyed, const ThreadTeam& team)
 {
   constexpr std::size_t digits = std::size_t{ 1 } << RadixBits;
-  std::vector<Keyed> other(keyed.size());
+  BulkVector<Keyed> other(keyed.size());
   std::vector<std::array<std::size_t, digits>> startsOfRange(team.numberOfRanges(keyed.size()));
   for (int pass = 0; pass < RadixPasses; ++pass)
   {
-    const auto digitOf = [shift = lowestSortedBit + pass * RadixBits](const Keyed& k)
-    { return k.code >> shift & (digits - 1); };
+    const auto digitOf = [shift = pass * RadixBits](const Keyed& k)
+    { return k.key >> shift & (digits - 1); };
     team.run(keyed.size(),
       [&](std::size_t range, std::size_t first, std::size_t last)
       {
@@ -139,17 +161,52 @@ void radixSort(std::vector<Keyed>& keyed, const ThreadTeam& team)
   }
 }
 
-/** Orders the runs that the leading bits leave equal, down to the coordinates themselves. */
-void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const ThreadTeam& team)
+/** Orders points of equal keys by the whole of their codes, down to the coordinates themselves. */
+class RunSorter
 {
-  const auto before = [&](const Keyed& a, const Keyed& b)
+public:
+  RunSorter(std::span<const Vector3> points, const MortonCurve& curve)
+    : Points(points)
+    , Curve(curve)
   {
-    const Vector3& p = points[a.id];
-    const Vector3& q = points[b.id];
-    return std::tie(a.code, p.x, p.y, p.z, a.id) < std::tie(b.code, q.x, q.y, q.z, b.id);
+  }
+
+  void sort(std::span<Keyed> run)
+  {
+    this->Run.clear();
+    for (const Keyed& k : run)
+    {
+      this->Run.push_back({ this->Curve.codeOf(this->Points[k.id]), k.id });
+    }
+    std::sort(this->Run.begin(), this->Run.end(),
+      [&](const Coded& a, const Coded& b)
+      {
+        const Vector3& p = this->Points[a.id];
+        const Vector3& q = this->Points[b.id];
+        return std::tie(a.code, p.x, p.y, p.z, a.id) < std::tie(b.code, q.x, q.y, q.z, b.id);
+      });
+    for (std::size_t i = 0; i < run.size(); ++i)
+    {
+      run[i].id = this->Run[i].id;
+    }
+  }
+
+private:
+  struct Coded
+  {
+    std::uint64_t code;
+    Index id;
   };
-  const auto isSameRun = [&](std::size_t i, std::size_t j)
-  { return keyed[i].code >> lowestSortedBit == keyed[j].code >> lowestSortedBit; };
+
+  std::span<const Vector3> Points;
+  const MortonCurve& Curve;
+  std::vector<Coded> Run;
+};
+
+void sortRuns(BulkVector<Keyed>& keyed, std::span<const Vector3> points, const MortonCurve& curve,
+  const ThreadTeam& team)
+{
+  const auto isSameRun = [&](std::size_t i, std::size_t j) { return keyed[i].key == keyed[j].key; };
   // A run belongs to the range that it starts in.
   std::vector<std::size_t> starts;
   for (std::size_t range = 0; range <= team.numberOfRanges(keyed.size()); ++range)
@@ -164,6 +221,7 @@ void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const 
   team.run(keyed.size(),
     [&](std::size_t range, std::size_t, std::size_t)
     {
+      RunSorter sorter(points, curve);
       for (std::size_t first = starts[range]; first < starts[range + 1];)
       {
         std::size_t last = first + 1;
@@ -173,7 +231,7 @@ void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const 
         }
         if (last - first > 1)
         {
-          std::sort(keyed.begin() + first, keyed.begin() + last, before);
+          sorter.sort({ &keyed[first], last - first });
         }
         first = last;
       }
@@ -182,13 +240,14 @@ void sortRuns(std::vector<Keyed>& keyed, std::span<const Vector3> points, const 
 
 }
 
-std::vector<Index> spatialOrder(
+BulkVector<Index> spatialOrder(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
-  std::vector<Keyed> keyed = mortonCodes(points, used, team);
+  const MortonCurve curve(points, used, team);
+  BulkVector<Keyed> keyed = keysOf(points, used, curve, team);
   radixSort(keyed, team);
-  sortRuns(keyed, points, team);
-  std::vector<Index> order(keyed.size());
+  sortRuns(keyed, points, curve, team);
+  BulkVector<Index> order(keyed.size());
   team.run(order.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {

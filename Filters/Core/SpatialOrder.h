@@ -1,13 +1,13 @@
 #ifndef geodesic_SpatialOrder_h
 #define geodesic_SpatialOrder_h
 
+#include "BulkVector.h"
 #include "Index.h"
 #include "ThreadTeam.h"
 #include "Vector3.h"
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace geodesic
 {
@@ -20,10 +20,10 @@ namespace geodesic
  * @param team    threads to work on; the order does not depend on their number
  * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
  *         increasing id; otherwise the order depends on coordinates alone, not on ids.
- * Time O(n), memory 32 bytes a point while it runs.
+ * Time O(n), memory 16 bytes a point while it runs.
  * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
  */
-std::vector<Index> spatialOrder(
+BulkVector<Index> spatialOrder(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team);
 
 }

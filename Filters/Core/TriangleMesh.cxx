@@ -83,23 +83,13 @@ float roundedDown(double x)
   return static_cast<float>(std::min(x - roundingOf(x), largest));
 }
 
-/** Lengths of the sides, each opposite to the corner of the same number. */
-using SideLengths = std::array<double, 3>;
+/** Of a triangle: the lengths of its sides, and twice its area. */
+using Sizes = std::array<double, 4>;
 
-SideLengths sideLengths(const Vector3& a, const Vector3& b, const Vector3& c)
+TriangleMeasure measured(double longestSide, double doubleArea)
 {
-  return { norm(c - b), norm(a - c), norm(b - a) };
-}
-
-TriangleMeasure measured(const SideLengths& sides, double longest, double doubleArea)
-{
-  const auto slackOver = [&](double side)
-  { return side > 0.0 ? 2.0 * doubleArea / side - side : 0.0; };
-  const SideLengths slacks{ slackOver(sides[0]), slackOver(sides[1]), slackOver(sides[2]) };
-  return { { roundedDown(std::min(slacks[1], slacks[2])),
-             roundedDown(std::min(slacks[2], slacks[0])),
-             roundedDown(std::min(slacks[0], slacks[1])) },
-    roundedUp(longest) };
+  const double leastHeight = longestSide > 0.0 ? doubleArea / longestSide : 0.0;
+  return { roundedDown(2.0 * leastHeight - longestSide), roundedUp(longestSide) };
 }
 
 }
@@ -126,7 +116,7 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
 void TriangleMesh::numberVertices(std::span<const Vector3> points,
   std::span<const Triangle> triangles, CoincidentPoints coincident, const ThreadTeam& team)
 {
-  const std::vector<Index> order = spatialOrder(points, usedPoints(points, triangles, team), team);
+  const BulkVector<Index> order = spatialOrder(points, usedPoints(points, triangles, team), team);
   const auto isFirstOfItsKind = [&](std::size_t i)
   {
     return coincident == CoincidentPoints::Separate || i == 0 ||
@@ -166,7 +156,8 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
 
 void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team)
 {
-  std::vector<Triangle> corners(triangles.size());
+  BulkVector<Triangle> corners(triangles.size());
+  BulkVector<Index> lowestCorners(triangles.size());
   team.run(triangles.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -175,6 +166,7 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
         const Triangle& input = triangles[t];
         corners[t] = { this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
           this->VertexOfPoint[input[2]] };
+        lowestCorners[t] = repeatsCorner(corners[t]) ? NoIndex : lowestCorner(corners[t]);
       }
     });
   // Each thread takes the triangles whose lowest corner is in its range.
@@ -184,8 +176,8 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
   {
     for (Index source = 0; source < corners.size(); ++source)
     {
-      const Index lowest = lowestCorner(corners[source]);
-      if (lowest >= firstVertex && lowest < lastVertex && !repeatsCorner(corners[source]))
+      const Index lowest = lowestCorners[source];
+      if (lowest >= firstVertex && lowest < lastVertex)
       {
         take(source, lowest);
       }
@@ -223,7 +215,7 @@ void TriangleMesh::forgetBareVertices()
   }
 }
 
-std::vector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
+BulkVector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
 {
   // Sums over blocks of one size, so that their sum does not depend on the threads.
   constexpr std::size_t blockSize = 64;
@@ -233,23 +225,39 @@ std::vector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& te
     double longest = 0.0;
   };
   std::vector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
-  std::vector<TriangleMeasure> measures(this->Triangles.size());
+  BulkVector<TriangleMeasure> measures(this->Triangles.size());
   team.run(blocks.size(),
     [&](std::size_t, std::size_t firstBlock, std::size_t lastBlock)
     {
       for (std::size_t number = firstBlock; number < lastBlock; ++number)
       {
         Block block;
-        const std::size_t end = std::min((number + 1) * blockSize, this->Triangles.size());
-        for (std::size_t t = number * blockSize; t < end; ++t)
+        const std::size_t first = number * blockSize;
+        const std::size_t end = std::min(first + blockSize, this->Triangles.size());
+        std::array<Sizes, blockSize> squares{};
+        for (std::size_t t = first; t < end; ++t)
         {
           const Vector3& a = this->Positions[this->Triangles[t][0]];
           const Vector3& b = this->Positions[this->Triangles[t][1]];
           const Vector3& c = this->Positions[this->Triangles[t][2]];
-          const SideLengths sides = sideLengths(a, b, c);
-          const double longest = std::max(sides[0], std::max(sides[1], sides[2]));
-          measures[t] = measured(sides, longest, norm(cross(b - a, c - a)));
-          block.sum += sides[0] + sides[1] + sides[2];
+          const Vector3 normal = cross(b - a, c - a);
+          squares[t - first] = { dot(c - b, c - b), dot(a - c, a - c), dot(b - a, b - a),
+            dot(normal, normal) };
+        }
+        // By itself the compiler takes the roots of several at a time.
+        for (Sizes& square : squares)
+        {
+          for (double& x : square)
+          {
+            x = std::sqrt(x);
+          }
+        }
+        for (std::size_t t = first; t < end; ++t)
+        {
+          const auto& [a, b, c, doubleArea] = squares[t - first];
+          const double longest = std::max(a, std::max(b, c));
+          measures[t] = measured(longest, doubleArea);
+          block.sum += a + b + c;
           block.longest = std::max(block.longest, longest);
         }
         blocks[number] = block;

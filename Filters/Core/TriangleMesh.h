@@ -1,6 +1,7 @@
 #ifndef geodesic_TriangleMesh_h
 #define geodesic_TriangleMesh_h
 
+#include "BulkVector.h"
 #include "Index.h"
 #include "SurfacePoint.h"
 #include "ThreadTeam.h"
@@ -93,14 +94,14 @@ private:
   void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();
-  std::vector<TriangleMeasure> measureTriangles(const ThreadTeam& team);
+  BulkVector<TriangleMeasure> measureTriangles(const ThreadTeam& team);
 
-  std::vector<Vector3> Positions;
-  std::vector<Triangle> Triangles;
-  std::vector<Index> SourceOfTriangle;
+  BulkVector<Vector3> Positions;
+  BulkVector<Triangle> Triangles;
+  BulkVector<Index> SourceOfTriangle;
   VertexRings Rings;
-  std::vector<Index> VertexOfPoint;
-  std::vector<Index> PointOfVertex;
+  BulkVector<Index> VertexOfPoint;
+  BulkVector<Index> PointOfVertex;
   double MeanEdgeLength = 0.0;
   double LongestEdgeLength = 0.0;
 };

@@ -1,7 +1,9 @@
 #include "VertexRings.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -178,70 +180,121 @@ private:
   std::size_t NextStart = 0;
 };
 
-/** The rings of a range of vertices, by themselves. */
-struct RingsOfRange
+/** Chains the sides opposite to a vertex where that is easy, as it is at most vertices. */
+class ClosedFanChainer
 {
-  std::vector<RingEntry> entries;
-  /** Where the rings end among them. */
-  std::vector<std::uint32_t> ends;
-  std::vector<float> longestSides;
-};
-
-RingsOfRange ringsOfRange(Index first, Index last, std::span<const Triangle> triangles,
-  std::span<const TriangleMeasure> measures)
-{
-  const auto visitCorners = [&](auto&& visit)
+public:
+  explicit ClosedFanChainer(Index numberOfVertices)
+    : PlaceOf(numberOfVertices)
   {
-    for (std::size_t t = 0; t < triangles.size(); ++t)
+  }
+
+  /**
+   * Where all sides follow each other, first end to second end, as one fan that closes, writes it
+   * to @p fan, which has one entry more than there are sides; returns false elsewhere.
+   */
+  bool chain(std::span<const OppositeSide> sides, std::span<RingEntry> fan)
+  {
+    if (sides.size() > std::numeric_limits<Place>::max())
     {
-      for (int c = 0; c < 3; ++c)
+      return false;
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      this->PlaceOf[sides[i].first] = static_cast<Place>(i);
+    }
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      const OppositeSide& side = sides[place];
+      fan[i] = RingEntry(side.first, true, side.slack);
+      // The place of a vertex where no side begins is one from another ring.
+      place = this->PlaceOf[side.second];
+      if (place >= sides.size() || sides[place].first != side.second)
       {
-        if (triangles[t][c] >= first && triangles[t][c] < last)
-        {
-          visit(triangles[t][c] - first, t, c);
-        }
+        return false;
+      }
+      if (place == 0)
+      {
+        fan[i + 1] = RingEntry(side.second, false);
+        return i + 1 == sides.size();
       }
     }
-  };
-  std::vector<std::uint32_t> places(last - first, 0);
-  visitCorners([&](Index v, std::size_t, int) { ++places[v]; });
-  const std::size_t corners = std::accumulate(places.begin(), places.end(), std::size_t{ 0 });
-  std::exclusive_scan(places.begin(), places.end(), places.begin(), 0u);
-  std::vector<std::uint32_t> numbers(corners);
-  visitCorners([&](Index v, std::size_t t, int c)
-    { numbers[places[v]++] = static_cast<std::uint32_t>(3 * t + c); });
-  // Filling moved each place to the next vertex's, so vertex v's corners begin where v - 1's ended.
-  RingsOfRange rings;
-  rings.entries.reserve(corners + corners / 6 + corners / 64);
-  rings.ends.reserve(last - first);
-  rings.longestSides.reserve(last - first);
-  FanChainer chainer;
-  std::vector<OppositeSide> sides;
-  std::uint32_t begin = 0;
-  for (std::uint32_t end : places)
-  {
-    sides.clear();
-    float longest = 0.0f;
-    for (std::uint32_t i = begin; i < end; ++i)
-    {
-      const std::uint32_t t = numbers[i] / 3;
-      const std::uint32_t c = numbers[i] % 3;
-      sides.push_back(
-        { triangles[t][(c + 1) % 3], triangles[t][(c + 2) % 3], measures[t].slacks[c] });
-      longest = std::max(longest, measures[t].longestSide);
-    }
-    chainer.chain(sides, rings.entries);
-    rings.longestSides.push_back(longest);
-    rings.ends.push_back(static_cast<std::uint32_t>(rings.entries.size()));
-    begin = end;
+    return false;
   }
-  return rings;
+
+private:
+  using Place = std::uint8_t;
+  std::vector<Place> PlaceOf;
+};
+
+/** Calls visit(v, t, c) for each corner c of a triangle t whose vertex v is in a range. */
+template <class Visit>
+void visitCorners(Index first, Index last, std::span<const Triangle> triangles, const Visit& visit)
+{
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+  {
+    for (std::uint32_t c = 0; c < 3; ++c)
+    {
+      const Index v = triangles[t][c];
+      if (v >= first && v < last)
+      {
+        visit(v, t, c);
+      }
+    }
+  }
+}
+
+/** Names a corner of a triangle. */
+class Corner
+{
+public:
+  Corner() = default;
+  Corner(std::uint32_t triangle, std::uint32_t number)
+    : Bits(triangle << 2 | number)
+  {
+  }
+  std::uint32_t triangle() const { return this->Bits >> 2; }
+  OppositeSide oppositeSide(const Triangle& t, float slack) const
+  {
+    constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
+    constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
+    const std::uint32_t number = this->Bits & 3;
+    return { t[next[number]], t[afterNext[number]], slack };
+  }
+
+private:
+  std::uint32_t Bits = 0;
+};
+
+/** The corners of triangles at a range of vertices, vertex by vertex. */
+struct CornersOfRange
+{
+  BulkVector<Corner> corners;
+  /** Where those of each vertex end. */
+  BulkVector<std::uint32_t> ends;
+};
+
+CornersOfRange cornersOfRange(Index first, Index last, std::span<const Triangle> triangles,
+  std::span<const std::uint32_t> counts)
+{
+  CornersOfRange found;
+  found.ends.resize(counts.size());
+  std::exclusive_scan(counts.begin(), counts.end(), found.ends.begin(), 0u);
+  found.corners.resize(counts.empty() ? 0 : found.ends.back() + counts.back());
+  // Filling moves the place of each vertex to its end.
+  visitCorners(first, last, triangles,
+    [&](Index v, std::uint32_t t, std::uint32_t c)
+    { found.corners[found.ends[v - first]++] = Corner(t, c); });
+  return found;
 }
 
 }
 
 VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
   std::span<const TriangleMeasure> measures, const ThreadTeam& team)
+  : Starts(std::size_t{ numberOfVertices } + 1)
+  , LongestSides(numberOfVertices)
 {
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
@@ -250,39 +303,82 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
       " triangles; one process holds at most " + std::to_string(maximumTriangles) +
       ". Spread it over more ranks.");
   }
-  std::vector<RingsOfRange> parts(team.numberOfRanges(numberOfVertices));
+  std::vector<std::size_t> starts(team.numberOfRanges(numberOfVertices));
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      parts[range] =
-        ringsOfRange(static_cast<Index>(first), static_cast<Index>(last), triangles, measures);
+      visitCorners(static_cast<Index>(first), static_cast<Index>(last), triangles,
+        [&](Index v, std::uint32_t, std::uint32_t) { ++this->Starts[v]; });
+      starts[range] = std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
     });
-
-  std::vector<std::size_t> starts;
-  starts.reserve(parts.size());
-  for (const RingsOfRange& part : parts)
-  {
-    starts.push_back(part.entries.size());
-  }
-  const std::size_t total = startsOf(starts);
-  this->Starts.resize(std::size_t{ numberOfVertices } + 1, 0);
-  this->LongestSides.resize(numberOfVertices);
-  if (parts.size() == 1)
-  {
-    this->Entries = std::move(parts[0].entries);
-  }
-  this->Entries.resize(total);
+  // Room for one fan a vertex.
+  this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
+  this->Entries.resize(this->Starts.back());
+  std::vector<std::vector<Ring>> others(starts.size());
   team.run(numberOfVertices,
-    [&](std::size_t range, std::size_t first, std::size_t)
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      RingsOfRange& part = parts[range];
-      std::transform(part.ends.begin(), part.ends.end(), this->Starts.begin() + first + 1,
-        [&](std::uint32_t end) { return static_cast<std::uint32_t>(starts[range] + end); });
-      std::copy(
-        part.longestSides.begin(), part.longestSides.end(), this->LongestSides.begin() + first);
-      std::copy(part.entries.begin(), part.entries.end(), this->Entries.begin() + starts[range]);
-      part = RingsOfRange();
+      const CornersOfRange found = cornersOfRange(static_cast<Index>(first),
+        static_cast<Index>(last), triangles, { &this->Starts[first], last - first });
+      ClosedFanChainer closedFan(numberOfVertices);
+      FanChainer anyFans;
+      BulkVector<OppositeSide> sides;
+      std::vector<RingEntry> fans;
+      std::uint32_t begin = 0;
+      for (std::size_t v = first; v < last; ++v)
+      {
+        const std::uint32_t end = found.ends[v - first];
+        sides.resize(end - begin);
+        float longest = 0.0f;
+        for (OppositeSide& side : sides)
+        {
+          const Corner corner = found.corners[begin++];
+          const TriangleMeasure& measure = measures[corner.triangle()];
+          side = corner.oppositeSide(triangles[corner.triangle()], measure.slack);
+          longest = std::max(longest, measure.longestSide);
+        }
+        this->LongestSides[v] = longest;
+        this->Starts[v] = static_cast<std::uint32_t>(starts[range] + end - sides.size() + v);
+        const std::span<RingEntry> ring{ &this->Entries[this->Starts[v]], sides.size() + 1 };
+        if (!closedFan.chain(sides, ring))
+        {
+          fans.clear();
+          anyFans.chain(sides, fans);
+          if (fans.size() == ring.size())
+          {
+            std::copy(fans.begin(), fans.end(), ring.begin());
+          }
+          else
+          {
+            others[range].push_back({ static_cast<Index>(v), fans });
+          }
+        }
+      }
     });
+  for (std::size_t range = 1; range < others.size(); ++range)
+  {
+    std::move(others[range].begin(), others[range].end(), std::back_inserter(others[0]));
+  }
+  if (!others[0].empty())
+  {
+    this->replace(others[0]);
+  }
+}
+
+void VertexRings::replace(std::span<const Ring> others)
+{
+  BulkVector<RingEntry> entries;
+  entries.reserve(this->Entries.size());
+  auto other = others.begin();
+  for (Index v = 0; v + 1 < this->Starts.size(); ++v)
+  {
+    const bool isOther = other != others.end() && other->vertex == v;
+    const std::span<const RingEntry> ring = isOther ? (other++)->entries : (*this)[v];
+    this->Starts[v] = static_cast<std::uint32_t>(entries.size());
+    entries.insert(entries.end(), ring.begin(), ring.end());
+  }
+  this->Starts.back() = static_cast<std::uint32_t>(entries.size());
+  this->Entries = std::move(entries);
 }
 
 }

@@ -1,10 +1,10 @@
 #ifndef geodesic_VertexRings_h
 #define geodesic_VertexRings_h
 
+#include "BulkVector.h"
 #include "Index.h"
 #include "ThreadTeam.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,10 +30,10 @@ public:
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
 
   /**
-   * Tells from three values that no update of the triangle can gain anything. Of the edges from the
-   * vertex to the two neighbours, the least of 2 h - c, with c the length of the edge and h the
-   * height over it, rounded down. A distance is 1-Lipschitz, so nowhere on the edge less than (a +
-   * b - c) / 2 with a and b at its ends; over it a neighbour gets no less than (a + b + slack) / 2.
+   * Tells from three values that no update of the triangle can gain anything: the least of 2 h - c
+   * over its sides, with c the length of the side and h the height over it, rounded down. A
+   * distance is 1-Lipschitz, so nowhere on a side less than (a + b - c) / 2 with a and b at its
+   * ends; over it the third corner gets no less than (a + b + slack) / 2.
    */
   constexpr float slack() const { return this->Slack; }
 
@@ -51,8 +51,8 @@ private:
 /** What rings tell of the size of a triangle. */
 struct TriangleMeasure
 {
-  /** RingEntry::slack in the ring of each corner. */
-  std::array<float, 3> slacks;
+  /** RingEntry::slack */
+  float slack;
   /** Rounded up. */
   float longestSide;
 };
@@ -99,9 +99,17 @@ public:
   std::size_t numberOfEntries() const { return this->Entries.size(); }
 
 private:
+  struct Ring
+  {
+    Index vertex;
+    std::vector<RingEntry> entries;
+  };
+  /** Replaces rings, which are sorted by vertex, by others of other sizes. */
+  void replace(std::span<const Ring> others);
+
   std::vector<std::uint32_t> Starts;
-  std::vector<RingEntry> Entries;
-  std::vector<float> LongestSides;
+  BulkVector<RingEntry> Entries;
+  BulkVector<float> LongestSides;
 };
 
 }

@@ -123,9 +123,10 @@ const std::vector<std::pair<std::string, Maker>> Makers{
 
 }
 
-std::shared_ptr<const TriangleMesh> setUp(const Surface& surface)
+std::shared_ptr<const TriangleMesh> setUp(const Surface& surface, unsigned threads)
 {
-  return std::make_shared<const TriangleMesh>(surface.points, surface.triangles);
+  return std::make_shared<const TriangleMesh>(
+    surface.points, surface.triangles, CoincidentPoints::Separate, ThreadTeam(threads));
 }
 
 Subject::Subject(KnownSurface known)

@@ -28,7 +28,7 @@ struct KnownSurface
 };
 
 /** The mesh of a surface, as every benchmark makes it. */
-std::shared_ptr<const TriangleMesh> setUp(const Surface& surface);
+std::shared_ptr<const TriangleMesh> setUp(const Surface& surface, unsigned threads = 1);
 
 /** A surface of the suite with everything that is measured on it. */
 struct Subject

@@ -1,4 +1,4 @@
-"""Runs the benchmarks on one core and writes the document of their results.
+"""Runs the benchmarks on one core, or two where they say so, and writes the document of their results.
 
 usage: suite.py BUILD_FOLDER PVPYTHON OUR_PLUGIN BUNDLED_PLUGIN DOCUMENT.md [--tiny]
 
@@ -14,6 +14,7 @@ import report
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 ROUNDS = 3
+TWO_THREADS = "^SetupOnTwoThreads/"
 
 
 def run(*command):
@@ -29,8 +30,7 @@ def loaded(file):
 def main(build, pvpython, ours, bundled, document, tiny=None):
     results = os.path.join(build, "benchmarks")
     os.makedirs(results, exist_ok=True)
-    # What is started from here inherits the core.
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    cores = os.sched_getaffinity(0)
 
     def core(name, only="."):
         file = os.path.join(results, name + ".json")
@@ -45,9 +45,13 @@ def main(build, pvpython, ours, bundled, document, tiny=None):
             plugin)
         return loaded(file)
 
+    two_threads = core("two-threads", TWO_THREADS) if len(cores) > 1 else None
+    # What is started from here on inherits the core.
+    os.sched_setaffinity(0, {max(cores)})
     # The core's solve runs again and again between the filters that are compared with it.
     found = {
-        "core": core("core"),
+        "two-threads": two_threads,
+        "core": core("core", f"-{TWO_THREADS}"),
         "rounds": [{
             "core": core("round", f"^Solve/{report.FILTER_MESH}"),
             "ours-by-id": filter_run("ours-by-id", ours),
