@@ -186,4 +186,9 @@ void useTinySubjects()
   AreTiny = true;
 }
 
+bool areSubjectsTiny()
+{
+  return AreTiny;
+}
+
 }
