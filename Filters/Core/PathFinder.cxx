@@ -10,6 +10,36 @@
 
 namespace geodesic
 {
+namespace
+{
+
+/** The beginning of a path, as far as it is straight where its faces are laid flat. */
+class FirstLeg
+{
+public:
+  /** @param path not of length 0 */
+  FirstLeg(const TriangleMesh& mesh, const SurfacePath& path)
+  {
+    const auto bend = std::find_if(path.begin() + 1, path.end() - 1, isVertex);
+    const double leg = lengthOf(mesh, { path.begin(), bend + 1 });
+    const Vector3 start = path[0].position(mesh);
+    const Vector3 step = path[1].position(mesh) - start;
+    this->End = start + (leg / norm(step)) * step;
+    this->Rest = lengthOf(mesh, path) - leg;
+  }
+
+  /** How long a way beside the path is from another point of the face that the path begins in. */
+  double lengthFrom(const Vector3& position) const
+  {
+    return norm(position - this->End) + this->Rest;
+  }
+
+private:
+  Vector3 End;
+  double Rest = 0.0;
+};
+
+}
 
 PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
   const SolveOptions& options, const PathStyle& style)
@@ -89,16 +119,64 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
   }
   if (path && this->Style.straighten)
   {
-    const PathStraightener straightener(this->Surface);
-    path = straightener.straightened(*path);
-    const double length = lengthOf(mesh, *path);
-    if (auto other = shorterEdgePath(this->Surface, *this->Field, path->back(), start, length))
-    {
-      std::reverse(other->begin(), other->end());
-      path = straightener.straightened(*other);
-    }
+    path = this->straightestOf(*path, start);
   }
   return path;
+}
+
+SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint& start) const
+{
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const PathStraightener straightener(this->Surface);
+  SurfacePath best = straightener.straightened(traced);
+  double least = lengthOf(mesh, best);
+  const auto consider = [&](const SurfacePath& path)
+  {
+    SurfacePath other = straightener.straightened(path);
+    const double length = lengthOf(mesh, other);
+    if (length < least)
+    {
+      best = std::move(other);
+      least = length;
+    }
+  };
+  for (Index corner : this->cornersOffThePath(best, start))
+  {
+    const auto path = PathTracer(this->Surface, *this->Field, this->Ends)
+                        .trace(PathPoint::atVertex(corner), PathOrder::Edges);
+    if (path)
+    {
+      SurfacePath byCorner{ start };
+      byCorner.insert(byCorner.end(), path->begin(), path->end());
+      consider(byCorner);
+    }
+  }
+  if (auto other = shorterEdgePath(this->Surface, *this->Field, best.back(), start, least))
+  {
+    std::reverse(other->begin(), other->end());
+    consider(*other);
+  }
+  return best;
+}
+
+Carriers PathFinder::cornersOffThePath(const SurfacePath& path, const PathPoint& start) const
+{
+  constexpr double rounding = 1e-12;
+  const TriangleMesh& mesh = this->Solver.mesh();
+  Carriers corners;
+  if (isVertex(start) || lengthOf(mesh, path) == 0.0)
+  {
+    return corners;
+  }
+  const FirstLeg leg(mesh, path);
+  for (Index corner : start.carriers())
+  {
+    if (this->Field->distance(corner) < (1.0 - rounding) * leg.lengthFrom(mesh.position(corner)))
+    {
+      corners.add(corner);
+    }
+  }
+  return corners;
 }
 
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,

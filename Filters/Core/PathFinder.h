@@ -60,6 +60,16 @@ public:
 
 private:
   bool solve(std::span<const Triangle> targets);
+  /** The shortest of the straightened ways, of which a traced one is the first to be tried. */
+  SurfacePath straightestOf(const SurfacePath& traced, const PathPoint& start) const;
+  /**
+   * Where fronts meet within a face, its inside does not know which came from where; the corners
+   * do.
+   * @return those of the start's that are nearer to the seed than by a way beside the path. Where
+   * another front is first at the start, it was first at one of them: the points that are nearer to
+   * one of two sources than to the other are half of a plane.
+   */
+  Carriers cornersOffThePath(const SurfacePath& path, const PathPoint& start) const;
   void addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const;
 
   DistanceSolver& Solver;

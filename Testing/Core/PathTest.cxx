@@ -136,6 +136,30 @@ TEST(Path, UnrollsACylinderAndACone)
   }
 }
 
+// On a coarse prism fronts from both sides meet inside large faces: a path from there, too, takes
+// the shorter side.
+TEST(Path, TakesTheShorterSideOfAPrism)
+{
+  const Index around = 3;
+  const double chord = 2.0 * std::sin(std::numbers::pi / around);
+  const auto prism = meshOf(cylinder(around, 4, 1.0, 4.0));
+  const SurfacePoint corner = nearest(prism, { -0.5, -0.5 * std::sqrt(3.0), 4.0 });
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+  for (int i = 0; i < 200; ++i)
+  {
+    // On the side that does not touch the corner's edge.
+    const double part = coordinate(random);
+    const double height = 4.0 * coordinate(random);
+    const SurfacePoint point =
+      nearest(prism, { 1.0 - 1.5 * part, 0.5 * std::sqrt(3.0) * part, height });
+    const double turn = chord * std::min(1.0 + part, 2.0 - part);
+    const double exact = std::hypot(turn, 4.0 - height);
+    EXPECT_NEAR(lengthOf(*prism, pathBetween(prism, corner, point)), exact, 1e-12);
+    EXPECT_NEAR(lengthOf(*prism, pathBetween(prism, point, corner)), exact, 1e-12);
+  }
+}
+
 // Over the edge of a cube: two squares side by side are a rectangle.
 TEST(Path, UnrollsACube)
 {
