@@ -138,23 +138,27 @@ void lengths(benchmark::State& state, const std::string& name, Sources sources)
       for (std::size_t i = 0; i < TargetsASource; ++i)
       {
         const SurfacePoint target = pointAt(mesh, fan.targets[i]);
-        double length = 0.0;
-        times.push_back(
-          seconds([&] { length = lengthBetween(s.solver, fan.source, target, Straight); }));
-        const double byTrace = lengthBetween(s.solver, fan.source, target, Traced);
-        const double byEdges = lengthBetween(dijkstra, fan.source, target, AlongEdges);
-        straight.add(length, fan.exact[i]);
-        traced.add(byTrace, fan.exact[i]);
-        alongEdges.add(byEdges, fan.exact[i]);
-        // Sums of many edges differ in their last digits.
-        const double bound = byEdges * (1.0 + 1e-13);
-        straightLonger += length > bound ? 1 : 0;
-        tracedLonger += byTrace > bound ? 1 : 0;
+        // The field is another one from the other end.
+        for (const auto& [from, to] : { std::pair{ fan.source, target }, { target, fan.source } })
+        {
+          double length = 0.0;
+          times.push_back(seconds([&] { length = lengthBetween(s.solver, from, to, Straight); }));
+          const double byTrace = lengthBetween(s.solver, from, to, Traced);
+          const double byEdges = lengthBetween(dijkstra, from, to, AlongEdges);
+          straight.add(length, fan.exact[i]);
+          traced.add(byTrace, fan.exact[i]);
+          alongEdges.add(byEdges, fan.exact[i]);
+          // Sums of many edges differ in their last digits.
+          const double bound = byEdges * (1.0 + 1e-13);
+          straightLonger += length > bound ? 1 : 0;
+          tracedLonger += byTrace > bound ? 1 : 0;
+        }
       }
     }
     straight.report(state, "straight");
     traced.report(state, "traced");
     alongEdges.report(state, "edges");
+    state.counters["paths"] = static_cast<double>(times.size());
     state.counters["straight_longer"] = straightLonger;
     state.counters["traced_longer"] = tracedLonger;
     state.counters["points"] = mesh.numberOfVertices();

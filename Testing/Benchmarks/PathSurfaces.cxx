@@ -77,18 +77,17 @@ KnownSurface planar(const Surface& surface)
   return unrolled(surface, [](const Vector3& a, const Vector3& b) { return norm(b - a); });
 }
 
-KnownSurface tube()
+KnownSurface prism(Index around, Index along)
 {
-  const Index around = sized(200, 20);
   const double chord = 2.0 * std::sin(std::numbers::pi / around);
-  const auto along = [=](const Vector3& p)
+  const auto turn = [=](const Vector3& p)
   {
     const Side side = sideAt(p, around);
     return (side.number + 0.5) * chord + side.middle.x * p.y - side.middle.y * p.x;
   };
-  return unrolled(cylinder(around, sized(50, 5), 1.0, 4.0),
+  return unrolled(cylinder(around, along, 1.0, 4.0),
     [=](const Vector3& a, const Vector3& b)
-    { return std::hypot(shortWayRound(along(a), along(b), around * chord), b.z - a.z); });
+    { return std::hypot(shortWayRound(turn(a), turn(b), around * chord), b.z - a.z); });
 }
 
 KnownSurface hat()
@@ -160,7 +159,8 @@ struct Makers
     { "Delaunay plane 10k", [] { return planar(delaunayPlane(sized(10000, 200), 1)); } },
     { "thin grid 10k",
       [] { return planar(jitteredGrid(sized(320, 40), sized(32, 4), 1.0, 1.0, 0.4, 1)); } },
-    { "cylinder 10k", tube },
+    { "cylinder 10k", [] { return prism(sized(200, 20), sized(50, 5)); } },
+    { "prism of 15 points", [] { return prism(3, 4); } },
     { "cone 10k", hat },
     { "rounded tube 66k", roundedTube },
   };

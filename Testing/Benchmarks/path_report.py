@@ -55,10 +55,11 @@ def rows_of_lengths(core):
         yield row(f"Length beyond exact, {words}, the worst of {len(meshes)}", value, at_least, aim,
                   note=note)
     runs = [(what, m) for what in ("Lengths", "LengthsFromFaces") for m in core.meshes(what)]
-    straight, traced = (f"{sum(core(what, m, counter) for what, m in runs):.0f} of {200 * len(runs):,}"
-                        for counter in ("straight_longer", "traced_longer"))
-    yield ["Longer than Dijkstra's path", "never", "", straight, "yes" if straight[0] == "0" else "**no**"]
-    yield ["The same before straightening", "", "", traced, ""]
+    paths, straight, traced = (sum(core(what, m, counter) for what, m in runs)
+                               for counter in ("paths", "straight_longer", "traced_longer"))
+    yield ["Longer than Dijkstra's path", "never", "", f"{straight:.0f} of {paths:,.0f}",
+           "yes" if straight == 0 else "**no**"]
+    yield ["The same before straightening", "", "", f"{traced:.0f} of {paths:,.0f}", ""]
     value, note = worst(core, "LengthsFromFaces", core.flat(), "straight_most")
     least = min(core("LengthsFromFaces", m, "straight_least") for m in core.flat())
     yield row(f"Largest relative error on a plane and on what unrolls, the worst of {len(core.flat())}",
