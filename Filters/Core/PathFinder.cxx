@@ -63,12 +63,23 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
 
 bool PathFinder::march(std::span<const SurfacePoint> points)
 {
-  std::vector<Triangle> targets;
+  this->Targets.clear();
   for (const SurfacePoint& point : points)
   {
-    this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point), targets);
+    this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point));
   }
-  return this->solve(targets);
+  return this->solve(this->Targets);
+}
+
+bool PathFinder::addTargetsAlong(const SurfacePath& path)
+{
+  const std::size_t known = this->Targets.size();
+  std::for_each(
+    path.begin(), path.end(), [&](const PathPoint& point) { this->addTargetsRound(point); });
+  const auto isReached = [&](const Triangle& target) { return this->Field->isReached(target[0]); };
+  this->Targets.erase(std::remove_if(this->Targets.begin() + known, this->Targets.end(), isReached),
+    this->Targets.end());
+  return this->Targets.size() > known;
 }
 
 bool PathFinder::solve(std::span<const Triangle> targets)
@@ -80,13 +91,13 @@ bool PathFinder::solve(std::span<const Triangle> targets)
   return this->Field->stopReason() != StopReason::Cancelled;
 }
 
-void PathFinder::addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const
+void PathFinder::addTargetsRound(const PathPoint& point)
 {
   const auto add = [&](Index vertex)
   {
     if (!this->Surface.isExcluded(vertex))
     {
-      targets.push_back({ vertex, vertex, vertex });
+      this->Targets.push_back({ vertex, vertex, vertex });
     }
   };
   // A straight way from the point crosses the edges of the faces that it lies in.
@@ -112,6 +123,16 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
   {
     // Beside long edges a path can need distances beyond those of its own ends.
     if (!this->solve({}))
+    {
+      return std::nullopt;
+    }
+    path = PathTracer(this->Surface, *this->Field, this->Ends).trace(start, this->Style.order);
+  }
+  const bool staysTraced = this->Style.order == PathOrder::Edges && !this->Style.straighten;
+  while (path && staysTraced && this->Field->stopReason() == StopReason::Targets &&
+    this->addTargetsAlong(*path))
+  {
+    if (!this->solve(this->Targets))
     {
       return std::nullopt;
     }

@@ -70,7 +70,13 @@ private:
    * one of two sources than to the other are half of a plane.
    */
   Carriers cornersOffThePath(const SurfacePath& path, const PathPoint& start) const;
-  void addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const;
+  void addTargetsRound(const PathPoint& point);
+  /**
+   * Adds the corners of all faces that a traced path touches: short of them the trace had no choice
+   * but to go round.
+   * @return whether there are any that the march has not reached
+   */
+  bool addTargetsAlong(const SurfacePath& path);
 
   DistanceSolver& Solver;
   SolveOptions Options;
@@ -78,6 +84,7 @@ private:
   PathStyle Style;
   std::vector<Seed> Seeds;
   std::vector<PathPoint> Ends;
+  std::vector<Triangle> Targets;
   const DistanceField* Field = nullptr;
 };
 
