@@ -119,7 +119,7 @@ KnownSurface roundedTube()
 {
   constexpr double longToShort = 1000.0;
   const auto tube =
-    std::make_shared<const RoundedTube>(4, static_cast<int>(sized(60, 3)), longToShort, 1);
+    std::make_shared<const RoundedTube>(4, static_cast<int>(sized(20, 3)), longToShort, 1);
   return { tube->surface(),
     [tube](const SurfacePoint& source) { return tube->distancesFrom(source); } };
 }
@@ -162,7 +162,7 @@ struct Makers
     { "cylinder 10k", [] { return prism(sized(200, 20), sized(50, 5)); } },
     { "prism of 15 points", [] { return prism(3, 4); } },
     { "cone 10k", hat },
-    { "rounded tube 66k", roundedTube },
+    { "rounded tube 9k", roundedTube },
   };
   List largeOnes{
     { "torus 1M",
