@@ -2,8 +2,9 @@
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk pvpython gui install. Without any, all tests are run.
-#        bash Testing/run.sh bench
-# Runs the benchmarks instead, for about five minutes, and writes Plugin/Documentation/benchmarks.md.
+#        bash Testing/run.sh bench [distances|paths]
+# Runs the benchmarks instead, for about ten minutes, and writes Plugin/Documentation/benchmarks.md and
+# path_benchmarks.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
@@ -45,9 +46,18 @@ check_labels()
 }
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
-if [[ $* == bench ]]; then
+if [[ ${1-} == bench ]]; then
+  case ${2-} in
+    '') targets=(Benchmarks PathBenchmarks) ;;
+    distances) targets=(Benchmarks) ;;
+    paths) targets=(PathBenchmarks) ;;
+    *) fail "Benchmarks of $2 are not known: name distances, paths, or neither for both" ;;
+  esac
   cmake --preset bench
-  cmake --build --preset bench
+  # One after the other: side by side they would disturb each other.
+  for target in "${targets[@]}"; do
+    cmake --build --preset bench --target "$target"
+  done
   exit
 fi
 check_format

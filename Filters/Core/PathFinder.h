@@ -66,7 +66,23 @@ private:
   bool solve(std::span<const Triangle> targets);
   /** Makes a traced path what the style says, and no longer than one along edges. */
   void shorten(SurfacePath& path, const PathPoint& start) const;
-  void addTargetsRound(const PathPoint& point, std::vector<Triangle>& targets) const;
+  /** The shortest of the straightened ways, of which a traced one is the first to be tried. */
+  SurfacePath straightestOf(const SurfacePath& traced, const PathPoint& start) const;
+  /**
+   * Where fronts meet within a face, its inside does not know which came from where; the corners
+   * do.
+   * @return those of the start's that are nearer to the seed than by a way beside the path. Where
+   * another front is first at the start, it was first at one of them: the points that are nearer to
+   * one of two sources than to the other are half of a plane.
+   */
+  Carriers cornersOffThePath(const SurfacePath& path, const PathPoint& start) const;
+  void addTargetsRound(const PathPoint& point);
+  /**
+   * Adds the corners of all faces that a traced path touches: short of them the trace had no choice
+   * but to go round.
+   * @return whether there are any that the march has not reached
+   */
+  bool addTargetsAlong(const SurfacePath& path);
 
   DistanceSolver& Solver;
   SolveOptions Options;
@@ -74,6 +90,7 @@ private:
   PathStyle Style;
   std::vector<Seed> Seeds;
   std::vector<PathPoint> Ends;
+  std::vector<Triangle> Targets;
   const DistanceField* Field = nullptr;
 };
 

@@ -6,6 +6,7 @@
 
 #include "HeapMeter.h"
 #include "HeatMethod.h"
+#include "Measuring.h"
 #include "Subject.h"
 
 #include <benchmark/benchmark.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <string_view>
 
 using namespace geodesic;
@@ -21,22 +21,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-/** Of this process, so that what else runs on the core does not count. */
-double processorSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-double seconds(const Work& work)
-{
-  const double start = processorSeconds();
-  work();
-  return processorSeconds() - start;
-}
 
 /** Mean errors over all points whose distance is known: in parts of the largest, and of each own.
  */
@@ -72,12 +56,6 @@ void report(benchmark::State& state, const MeanError& error)
 {
   state.counters["error_of_largest"] = error.ofLargest;
   state.counters["error_of_own"] = error.ofOwn;
-}
-
-/** A point of the mesh as one of the surface it was made from. */
-SurfacePoint onSurface(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  return { mesh.sourceOfTriangle(point.triangle), point.weights };
 }
 
 /** One solve from a position, the search for the position's point included. */
@@ -225,23 +203,6 @@ void growth(benchmark::State& state, const std::string& small, const std::string
     state.SetIterationTime(time);
     state.counters["ratio"] = nanosecondsAPoint(b, time) / onSmall;
   }
-}
-
-struct Box
-{
-  Vector3 low;
-  Vector3 high;
-};
-
-Box boxOf(const TriangleMesh& mesh)
-{
-  Box box{ mesh.position(0), mesh.position(0) };
-  for (const Vector3& p : mesh.positions())
-  {
-    box.low = { std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z) };
-    box.high = { std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z) };
-  }
-  return box;
 }
 
 /** Within one hundredth of the bounding box's diagonal, the workspace being there. */

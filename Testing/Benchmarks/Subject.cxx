@@ -187,4 +187,9 @@ void useTinySubjects()
   AreTiny = true;
 }
 
+bool areSubjectsTiny()
+{
+  return AreTiny;
+}
+
 }

@@ -63,6 +63,7 @@ Subject& subject(const std::string& name);
 
 /** Makes all surfaces tiny, to try whether the suite runs. To be called first. */
 void useTinySubjects();
+bool areSubjectsTiny();
 
 }
 

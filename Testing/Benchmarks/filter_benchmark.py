@@ -126,4 +126,5 @@ def main(result, levels, kind, plugin):
         json.dump(values, file)
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -39,6 +39,8 @@ def number(value):
     """Two or three digits, in the notation that reads best."""
     if value is None:
         return "-"
+    if value == 0:
+        return "0"
     if 0.1 <= value < 1e6:
         return f"{value:.3g}" if value < 100 else f"{value:,.0f}"
     mantissa, exponent = f"{value:.1e}".split("e")

@@ -84,18 +84,22 @@ TEST(Path, IsAStraightLineOnThePlane)
 }
 
 // Where the field is exact, so is a trace; it needs the ends of all edges on its way, which a march
-// that stops at the path's end has but where edges are much longer than the path.
+// that stops at the path's end may lack where edges are about as long as the path.
 TEST(Path, IsTracedStraightOnThePlane)
 {
-  const auto mesh = meshOf(jitteredGrid(60, 60, 1.0, 1.0, 0.3, 2));
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
-  for (int i = 0; i < 50; ++i)
+  for (const Surface& surface : { jitteredGrid(60, 60, 1.0, 1.0, 0.3, 2), planeGrid(4, 4, 1.0, 1.0),
+         jitteredGrid(10, 2, 1.0, 1.0, 0.4, 1), delaunayPlane(30, 1) })
   {
-    const SurfacePoint from = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
-    const SurfacePoint to = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
-    EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to, Traced)),
-      norm(mesh->positionOf(from) - mesh->positionOf(to)), 1e-9);
+    const auto mesh = meshOf(surface);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+    for (int i = 0; i < 200; ++i)
+    {
+      const SurfacePoint from = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+      const SurfacePoint to = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+      EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to, Traced)),
+        norm(mesh->positionOf(from) - mesh->positionOf(to)), 1e-9);
+    }
   }
 }
 
@@ -133,6 +137,30 @@ TEST(Path, UnrollsACylinderAndACone)
     const double exact = 2.0 * std::sin(0.5 * unrolled);
     EXPECT_NEAR(
       lengthOf(*hat, pathBetween(hat, pointAt(hat, rim[0]), pointAt(hat, i))), exact, 1e-9);
+  }
+}
+
+// On a coarse prism fronts from both sides meet inside large faces: a path from there, too, takes
+// the shorter side.
+TEST(Path, TakesTheShorterSideOfAPrism)
+{
+  const Index around = 3;
+  const double chord = 2.0 * std::sin(std::numbers::pi / around);
+  const auto prism = meshOf(cylinder(around, 4, 1.0, 4.0));
+  const SurfacePoint corner = nearest(prism, { -0.5, -0.5 * std::sqrt(3.0), 4.0 });
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+  for (int i = 0; i < 200; ++i)
+  {
+    // On the side that does not touch the corner's edge.
+    const double part = coordinate(random);
+    const double height = 4.0 * coordinate(random);
+    const SurfacePoint point =
+      nearest(prism, { 1.0 - 1.5 * part, 0.5 * std::sqrt(3.0) * part, height });
+    const double turn = chord * std::min(1.0 + part, 2.0 - part);
+    const double exact = std::hypot(turn, 4.0 - height);
+    EXPECT_NEAR(lengthOf(*prism, pathBetween(prism, corner, point)), exact, 1e-12);
+    EXPECT_NEAR(lengthOf(*prism, pathBetween(prism, point, corner)), exact, 1e-12);
   }
 }
 
