@@ -2,6 +2,8 @@
 
 #include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "SplitMesh.h"
+#include "SurfaceCurve.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +161,55 @@ TEST(WithEverything, ShufflingChangesNothing)
     }
   }
   EXPECT_GT(reached, 30000u);
+}
+
+// A curve and a wall across faces, both joined and split anew on the shuffled surface.
+TEST(WithSplitFaces, ShufflingChangesNothing)
+{
+  const Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const auto solve = [&](const Surface& surface, const std::vector<Index>& newId)
+  {
+    const auto mesh = meshOf(surface);
+    FastMarchingSolver joiner(mesh);
+    const auto lineNear = [&](const std::vector<Vector3>& positions)
+    {
+      std::vector<SurfacePoint> points;
+      for (const Vector3& position : positions)
+      {
+        points.push_back(seedNear(mesh, position).points[0]);
+      }
+      return joinedCurve(joiner, points, "Line");
+    };
+    const std::vector<SurfacePath> curves{ lineNear({ { 0.3, 0.4, -0.2 }, { 0.4, -0.3, 0.1 } }) };
+    const std::vector<SurfacePath> cuts{ lineNear(
+      { { -0.5, 0.5, 0.3 }, { -0.4, 0.0, 0.4 }, { -0.5, -0.5, 0.2 } }) };
+    const SplitMesh split(mesh, curves, cuts);
+    const auto excluded = split.excluded({});
+    SolveOptions options;
+    options.excluded = excluded;
+    const Seed seed = Seed::alongCurve(split.curve(0));
+    FastMarchingSolver solver(split.mesh());
+    const DistanceField& field = solver.solve({ &seed, 1 }, options);
+    std::vector<double> distances;
+    for (Index point : newId)
+    {
+      distances.push_back(field.distance(split.vertexOf(mesh->vertexOfPoint(point))));
+    }
+    return distances;
+  };
+  std::vector<Index> newId(spot.points.size());
+  std::iota(newId.begin(), newId.end(), 0u);
+  const std::vector<double> expected = solve(spot, newId);
+  const Surface other = shuffled(spot, 13, newId);
+  const std::vector<double> d = solve(other, newId);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    ASSERT_EQ(std::isfinite(d[i]), std::isfinite(expected[i])) << i;
+    if (std::isfinite(expected[i]))
+    {
+      ASSERT_NEAR(d[i], expected[i], 1e-9 * expected[i]) << i;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OnBunny, ::testing::Values(1, 3));

@@ -188,6 +188,11 @@ for method, order in (("FastMarching", 1), ("FastMarching", 0), ("Dijkstra", 1),
     assert not np.any(confined & rest), (method, order, np.sum(confined & rest))
     left_out = used & ~confined & ~rest & ~on_loop
     assert not np.any(left_out), (method, order, left_out.sum())
+    # Along edges nothing passes either; but what has no edge but across the loop is not reached.
+    inside.Method = outside.Method = "Dijkstra"
+    along_inside, along_outside = (~np.isnan(testing.array_of(proxy)) for proxy in (inside, outside))
+    assert not np.any(along_inside & ~confined) and not np.any(along_outside & ~rest)
+    assert along_inside.sum() > 0.98 * confined.sum() and along_outside.sum() > 0.98 * rest.sum()
     for proxy in (inside, outside, loop):
         simple.Delete(proxy)
 
