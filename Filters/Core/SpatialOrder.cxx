@@ -102,8 +102,9 @@ BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::u
 {
   std::vector<std::size_t> starts(team.numberOfRanges(points.size()));
   team.run(points.size(),
-    [&](std::size_t range, std::size_t first, std::size_t last)
-    { starts[range] = std::accumulate(&used[first], &used[last], std::size_t{ 0 }); });
+    [&](std::size_t range, std::size_t first, std::size_t last) {
+      starts[range] = std::accumulate(used.begin() + first, used.begin() + last, std::size_t{ 0 });
+    });
   BulkVector<Keyed> keyed(startsOf(starts));
   team.run(points.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)

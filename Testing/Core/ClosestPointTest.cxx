@@ -52,6 +52,32 @@ TEST(ClosestPoint, AgreesWithASearchThroughAllTriangles)
   checkAgainstAllTriangles(planeGrid(30, 3, 1.0, 1.0), {});
 }
 
+TEST(ClosestPoint, AgreesAmongNeedlesAndTrianglesWithoutAnArea)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto anywhere = [&]
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    return Vector3{ x, y, uniform(random) };
+  };
+  Surface soup;
+  for (double width : { 0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1.0 })
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      const Index first = static_cast<Index>(soup.points.size());
+      const Vector3 a = anywhere();
+      const Vector3 b = anywhere();
+      const Vector3 between = a + 0.5 * (1.0 + uniform(random)) * (b - a);
+      soup.points.insert(soup.points.end(), { a, b, between + width * anywhere() });
+      soup.triangles.push_back({ first, first + 1, first + 2 });
+    }
+  }
+  checkAgainstAllTriangles(soup, {});
+}
+
 TEST(ClosestPoint, WorksFarFromTheOrigin)
 {
   checkAgainstAllTriangles(icosphere(2), { 1e6, -2e6, 3e6 });
