@@ -1,15 +1,17 @@
 """Lengths and times of paths by our filter and its peers, between the same pairs of points.
 
-usage: pvpython path_peers.py RESULT.json KIND PLUGIN FOLDER SURFACE...
+usage: pvpython path_peers.py RESULT KIND PLUGIN FOLDER SURFACE FIRST_PAIR
 KIND: ours, with our plugin; bundled, with ParaView's GeodesicMeasurement; dijkstra, with either
 
-FOLDER holds what PathBenchmark --surfaces=FOLDER wrote. For each surface and each pair the result has
-the length of the path, 0 where there is none, the seconds of the filter's Update() and those of the
-whole: properties set, and all that ParaView does to have the output. Processor times.
+FOLDER holds what PathBenchmark --surfaces=FOLDER wrote. For each pair from the first one on, a line of
+JSON is appended to the result: the length of the path, 0 where there is none, the seconds of the
+filter's Update() and those of the whole: properties set, and all that ParaView does to have the output.
+Processor times. A filter that takes far too long on a pair is ended with the process.
 """
 
 import json
 import os
+import signal
 import sys
 import time
 
@@ -96,33 +98,35 @@ def length(path):
                      for a, b in zip(offsets[:-1], offsets[1:])))
 
 
-def measured(kind, points, triangles, pairs):
-    tracer = {"ours": Ours, "bundled": Bundled, "dijkstra": Dijkstra}[kind](
-        polydata(points, triangles))
-    found = {"length": [], "update": [], "whole": []}
-    for source, target in pairs[:, :2].astype(int).tolist():
-        start = time.process_time()
-        if kind == "dijkstra":
-            tracer.set_ids(source, target)
-        else:
-            tracer.set_ends(points[[source, target]])
-        update = time.process_time()
-        tracer.filter.Update()
-        found["update"].append(time.process_time() - update)
-        tracer.finish()
-        found["whole"].append(time.process_time() - start)
-        found["length"].append(length(tracer.filter.GetOutputDataObject(0)))
-    return found
+def limit_time(points):
+    """Tens of times what the slowest filter needs: what takes longer does not end."""
+    # A limit of processor time would make the processor clock coarse.
+    signal.alarm(20 + points // 5000)
 
 
-def main(result, kind, plugin, folder, *surfaces):
+def measured(tracer, points, source, target):
+    start = time.process_time()
+    if isinstance(tracer, Dijkstra):
+        tracer.set_ids(source, target)
+    else:
+        tracer.set_ends(points[[source, target]])
+    update = time.process_time()
+    tracer.filter.Update()
+    updated = time.process_time()
+    tracer.finish()
+    end = time.process_time()
+    return {"length": length(tracer.filter.GetOutputDataObject(0)), "update": updated - update,
+            "whole": end - start}
+
+
+def main(result, kind, plugin, folder, surface, first):
     simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
-    found = {}
-    for surface in surfaces:
-        points, triangles, pairs = read(folder, surface)
-        found[surface] = {"exact": pairs[:, 2].tolist(), **measured(kind, points, triangles, pairs)}
-    with open(result, "w") as file:
-        json.dump(found, file)
+    points, triangles, pairs = read(folder, surface)
+    tracer = {"ours": Ours, "bundled": Bundled, "dijkstra": Dijkstra}[kind](polydata(points, triangles))
+    with open(result, "a") as file:
+        for source, target in pairs[int(first):, :2].astype(int).tolist():
+            limit_time(len(points))
+            print(json.dumps(measured(tracer, points, source, target)), file=file, flush=True)
 
 
 if __name__ == "__main__":

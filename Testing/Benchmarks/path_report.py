@@ -126,7 +126,7 @@ def table_of_peers(core, peers):
     return table(["Surface", "Filter", "Length beyond exact: median", "95 %", "most", "Paths missing",
                   "Update(), median"],
                  [[mesh, name, *excess_cells(peers[kind][mesh]),
-                   number(1e3 * median(peers[kind][mesh]["update"])) + " ms"]
+                   number(1e3 * median(t for t in peers[kind][mesh]["update"] if t)) + " ms"]
                   for mesh in core.curved() for kind, name in KINDS.items()])
 
 
@@ -136,14 +136,19 @@ def table_of_large(core, peers):
         ours = peers["ours"][mesh]
         for kind, name in KINDS.items():
             found = peers[kind][mesh]
+            there = [i for i, length in enumerate(found["length"]) if length]
+            warm = [i for i in there if i > 0]
+            if not warm:
+                rows.append([mesh, name, *["-"] * 4, str(len(found["length"]))])
+                continue
             # Between a pair's own two lengths: what is exact is not known here.
-            over = [length / own - 1 for length, own in zip(found["length"], ours["length"])]
+            over = median(found["length"][i] / ours["length"][i] - 1 for i in there)
             rows.append([mesh, name, number(1e3 * found["update"][0]) + " ms",
-                         number(1e3 * median(found["update"][1:])) + " ms",
-                         number(median(f / o for f, o in zip(found["update"][1:], ours["update"][1:]))),
-                         "-" if kind == "ours" else number(median(over))])
+                         number(1e3 * median(found["update"][i] for i in warm)) + " ms",
+                         number(median(found["update"][i] / ours["update"][i] for i in warm)),
+                         "-" if kind == "ours" else number(over), str(len(found["length"]) - len(there))])
     return table(["Surface", "Filter", "First Update()", "warm, median", "in times of ours",
-                  "Length beyond ours, median"], rows)
+                  "Length beyond ours, median", "Paths missing"], rows)
 
 
 def table_of_exact(core):
