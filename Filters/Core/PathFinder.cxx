@@ -140,7 +140,7 @@ std::optional<SurfacePath> PathFinder::shortestOf(const PathPoint& start) const
   if (!this->Style.straighten && seeds.size() > 1)
   {
     // As traced, and through varying cost, lengths do not tell which seed is the nearest.
-    seeds.resize(1);
+    seeds.erase(seeds.begin() + 1, seeds.end());
   }
   std::optional<SurfacePath> shortest;
   double least = DistanceField::Unreached;
