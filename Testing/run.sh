@@ -3,7 +3,7 @@
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk pvpython gui install. Without any, all tests are run.
 #        bash Testing/run.sh bench [distances|paths]
-# Runs the benchmarks instead, for about ten minutes, and writes Plugin/Documentation/benchmarks.md and
+# Runs the benchmarks instead, for about a quarter of an hour, and writes Plugin/Documentation/benchmarks.md and
 # path_benchmarks.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -99,9 +99,9 @@ def length(path):
 
 
 def limit_time(points):
-    """Tens of times what the slowest filter needs: what takes longer does not end."""
+    """Several times what the slowest filter needs: what takes longer does not end."""
     # A limit of processor time would make the processor clock coarse.
-    signal.alarm(20 + points // 5000)
+    signal.alarm(20 + points // 20000)
 
 
 def measured(tracer, points, source, target):
