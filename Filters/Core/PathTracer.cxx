@@ -95,6 +95,7 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
       }
     });
   std::vector<Index> seeds;
+  seeds.reserve(totals.size());
   for (const auto& [seed, total] : totals)
   {
     seeds.push_back(seed);
