@@ -6,6 +6,7 @@ usage: report.py BUILD_FOLDER/benchmarks/all.json DOCUMENT.md
 import json
 import os
 import platform
+import shutil
 import string
 import subprocess
 import sys
@@ -190,6 +191,13 @@ def output_of(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
 
 
+def commit():
+    """Of these sources; they may have come without git."""
+    if not shutil.which("git"):
+        return "not known: git is not installed"
+    return output_of("git", "-C", os.path.dirname(TEMPLATE), "describe", "--always", "--dirty")
+
+
 def version(package):
     return output_of("dpkg-query", "-W", "-f", "${Version}", package)
 
@@ -201,10 +209,9 @@ def machine(run):
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     caches = ", ".join(f"L{c['level']} {c['size'] // 1024:,} KiB" for c in context["caches"]
                        if c["type"] != "Instruction")
-    commit = output_of("git", "-C", os.path.dirname(TEMPLATE), "describe", "--always", "--dirty")
     return table(["", ""], [
         ["Date", context["date"][:10]],
-        ["Commit", commit],
+        ["Commit", commit()],
         ["Processor", f"{model}, {context['num_cpus']} cores, {caches}; one is used but for setup on two threads"],
         ["Memory", f"{memory:.0f} GiB"],
         ["Load before the start", ", ".join(f"{load:.2f}" for load in context["load_avg"])],
