@@ -192,10 +192,12 @@ def output_of(*command):
 
 
 def commit():
-    """Of these sources; they may have come without git."""
+    """Of these sources; they may have come without git, or belong to somebody else."""
     if not shutil.which("git"):
-        return "not known: git is not installed"
-    return output_of("git", "-C", os.path.dirname(TEMPLATE), "describe", "--always", "--dirty")
+        return "not known"
+    told = subprocess.run(["git", "-C", os.path.dirname(TEMPLATE), "describe", "--always", "--dirty"],
+                          capture_output=True, text=True)
+    return told.stdout.strip() or "not known"
 
 
 def version(package):
