@@ -11,7 +11,8 @@ import sys
 MPIEXEC, PVSERVER, *COMMAND = sys.argv[1:]
 
 with socket.socket() as free:
-    free.bind(("localhost", 0))
+    # By number: a bare system need not know the name localhost.
+    free.bind(("127.0.0.1", 0))
     port = free.getsockname()[1]
 
 server = subprocess.Popen(
@@ -22,7 +23,7 @@ for line in server.stdout:
     if "Accepting connection" in line:
         break
 result = subprocess.run(
-    [argument.replace("URL", f"cs://localhost:{port}") for argument in COMMAND], check=False)
+    [argument.replace("URL", f"cs://127.0.0.1:{port}") for argument in COMMAND], check=False)
 try:
     # It ends when its client has gone.
     server.wait(timeout=30)
