@@ -1,38 +1,12 @@
 #include "ExactPath.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_shortest_path.h>
+#include "CgalMesh.h"
 
 #include <iterator>
-#include <stdexcept>
 
 namespace geodesic::testing
 {
-namespace
-{
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-
-Mesh meshOf(const Surface& surface)
-{
-  Mesh mesh;
-  for (const Vector3& p : surface.points)
-  {
-    mesh.add_vertex({ p.x, p.y, p.z });
-  }
-  for (const Triangle& t : surface.triangles)
-  {
-    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]),
-          Mesh::Vertex_index(t[2])) == Mesh::null_face())
-    {
-      throw std::runtime_error("exact paths need a manifold surface");
-    }
-  }
-  return mesh;
-}
-}
+using namespace cgal;
 
 struct ExactPath::Internals
 {
@@ -43,7 +17,7 @@ struct ExactPath::Internals
   }
 
   Mesh mesh;
-  CGAL::Surface_mesh_shortest_path<Traits> paths;
+  ShortestPath paths;
 };
 
 ExactPath::ExactPath(const Surface& surface, Index source)

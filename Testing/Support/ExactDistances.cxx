@@ -1,45 +1,22 @@
 #include "ExactDistances.h"
 
+#include "CgalMesh.h"
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace geodesic::testing
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
-
-Mesh meshOf(const Surface& surface)
-{
-  Mesh mesh;
-  for (const Vector3& p : surface.points)
-  {
-    mesh.add_vertex({ p.x, p.y, p.z });
-  }
-  for (const Triangle& t : surface.triangles)
-  {
-    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]),
-          Mesh::Vertex_index(t[2])) == Mesh::null_face())
-    {
-      throw std::runtime_error("the exact oracle needs a manifold surface");
-    }
-  }
-  return mesh;
-}
+using namespace cgal;
 
 std::vector<double> distancesBy(ShortestPath& paths, const Mesh& mesh)
 {
