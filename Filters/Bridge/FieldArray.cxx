@@ -59,10 +59,13 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
   return array;
 }
 
-vtkIdType numberOfReachedPoints(const FieldOnInput& input)
+vtkIdType numberOfReachedPoints(
+  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts)
 {
   vtkIdType count = 0;
-  visitPoints(input, [&](Index, Index vertex) { count += vertex == NoIndex ? 0 : 1; });
+  visitPoints(input,
+    [&](Index point, Index vertex)
+    { count += vertex != NoIndex && counts(input.mesh.vertexOfPoint(point)) ? 1 : 0; });
   return count;
 }
 

@@ -3,8 +3,12 @@
 #ifndef geodesic_bridge_FieldArray_h
 #define geodesic_bridge_FieldArray_h
 
+#include "Index.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+
+#include <functional>
 
 class vtkDoubleArray;
 class vtkIdTypeArray;
@@ -34,8 +38,9 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
 /** The numbers of the nearest seeds at the input's points, -1 where there is none. */
 vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
-/** How many of the input's points have a distance. */
-vtkIdType numberOfReachedPoints(const FieldOnInput& input);
+/** How many of the input's points have a distance, of those whose vertex in the mesh counts. */
+vtkIdType numberOfReachedPoints(
+  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts);
 
 }
 

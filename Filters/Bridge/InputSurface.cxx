@@ -43,6 +43,22 @@ struct Known
 std::shared_ptr<const InputSurface> InputSurface::of(
   vtkPolyData* input, CoincidentPoints coincident)
 {
+  auto surface = pieceOf(input, coincident);
+  if (surface->mesh()->numberOfTriangles() == 0)
+  {
+    throw std::invalid_argument(
+      "The input has no surface: " + std::to_string(input->GetNumberOfPoints()) +
+      " points, and no triangle, polygon or strip with an area among its " +
+      std::to_string(input->GetNumberOfCells()) +
+      " cells. Give a surface, for example by "
+      "Extract Surface.");
+  }
+  return surface;
+}
+
+std::shared_ptr<const InputSurface> InputSurface::pieceOf(
+  vtkPolyData* input, CoincidentPoints coincident)
+{
   static std::mutex mutex;
   static std::vector<Known> known;
   const Identity identity = identityOf(input, coincident);
@@ -66,13 +82,9 @@ InputSurface::InputSurface(vtkPolyData* input, CoincidentPoints coincident)
   const std::vector<Vector3> points = pointsOf(input);
   SurfaceTriangles triangles = trianglesOf(input, points);
   this->Mesh = std::make_shared<const TriangleMesh>(points, triangles.corners, coincident);
-  if (this->Mesh->numberOfTriangles() == 0)
+  if (triangles.cells.empty())
   {
-    throw std::invalid_argument("The input has no surface: " + std::to_string(points.size()) +
-      " points, and no triangle, polygon or strip with an area among its " +
-      std::to_string(input->GetNumberOfCells()) +
-      " cells. Give a surface, for example by "
-      "Extract Surface.");
+    return;
   }
   this->FirstCell = triangles.cells.front();
   const bool isConsecutive = triangles.cells.back() - this->FirstCell + 1 == triangles.cells.size();

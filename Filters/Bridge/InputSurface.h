@@ -30,6 +30,9 @@ public:
    * TriangleMesh
    */
   static std::shared_ptr<const InputSurface> of(vtkPolyData* input, CoincidentPoints coincident);
+  /** The same for a piece of a surface, which may be without triangles. */
+  static std::shared_ptr<const InputSurface> pieceOf(
+    vtkPolyData* input, CoincidentPoints coincident);
 
   InputSurface(vtkPolyData* input, CoincidentPoints coincident);
 

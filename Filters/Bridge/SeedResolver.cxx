@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -48,16 +47,6 @@ void visitVertices(const InputSurface& surface, bool ofCells,
 
 }
 
-std::vector<Seed> seedsAtPositions(const InputSurface& surface, std::span<const double> coordinates)
-{
-  std::vector<Seed> seeds;
-  for (const SurfacePoint& point : surfacePointsAt(surface, coordinates, "SeedPositions"))
-  {
-    seeds.push_back(Seed::atPoint(point));
-  }
-  return seeds;
-}
-
 std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
 {
   std::vector<Seed> seeds;
@@ -68,46 +57,14 @@ std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
   return seeds;
 }
 
-std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source)
-{
-  const auto points = surfacePointsOf(surface, source, "SeedSource");
-  const auto lines = linesOf(source);
-  std::vector<bool> isOnLine(points.size(), false);
-  for (const auto& line : lines)
-  {
-    for (vtkIdType id : line)
-    {
-      isOnLine[id] = true;
-    }
-  }
-  std::vector<Seed> seeds;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (!isOnLine[i])
-    {
-      seeds.push_back(Seed::atPoint(points[i]));
-    }
-  }
-  for (const auto& line : lines)
-  {
-    std::vector<SurfacePoint> curve;
-    for (vtkIdType id : line)
-    {
-      curve.push_back(points[id]);
-    }
-    seeds.push_back(Seed::alongCurve(std::move(curve)));
-  }
-  return seeds;
-}
-
-std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells)
+RegionsByValue regionsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells)
 {
   if (array->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) + "\" has " +
       std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
   }
-  std::map<double, std::vector<Index>> regions;
+  RegionsByValue regions;
   visitVertices(surface, isOfCells,
     [&](Index vertex, vtkIdType id)
     {
@@ -117,20 +74,10 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array,
         regions[value].push_back(vertex);
       }
     });
-  if (regions.empty())
-  {
-    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) +
-      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
-  }
-  std::vector<Seed> seeds;
-  for (auto& [value, vertices] : regions)
-  {
-    seeds.push_back(Seed::onRegion(std::move(vertices)));
-  }
-  return seeds;
+  return regions;
 }
 
-std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells)
+RegionsByValue regionOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells)
 {
   std::set<vtkIdType> wanted;
   for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
@@ -152,7 +99,7 @@ std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool
       (areCells ? "cell" : "point") + " of the surface, of " + std::to_string(wanted.size()) +
       " that it names. Select others.");
   }
-  return vertices.empty() ? std::vector<Seed>{} : std::vector<Seed>{ Seed::onRegion(vertices) };
+  return vertices.empty() ? RegionsByValue{} : RegionsByValue{ { 1.0, std::move(vertices) } };
 }
 
 std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)

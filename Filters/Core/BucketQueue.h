@@ -20,7 +20,8 @@ namespace geodesic
 class BucketQueue
 {
 public:
-  /** @param width of a bucket; @param span the most that a pushed key exceeds the last popped one.
+  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
+   * popped one.
    */
   void start(double width, double span)
   {
@@ -55,15 +56,49 @@ public:
     ++this->Count;
   }
 
-  /** @pre not empty */
-  Index pop()
+  /** The bucket of a key, which may be infinite. */
+  std::uint64_t bucketOf(double key) const
   {
-    while (this->Next == this->bucket(this->Current).size())
+    constexpr double last = 1ull << 62;
+    return static_cast<std::uint64_t>(std::clamp(key * this->PerWidth, 0.0, last));
+  }
+
+  /** Whether an item of a bucket before @p end waits; goes to the first such bucket, or to @p end.
+   */
+  bool hasBefore(std::uint64_t end)
+  {
+    if (this->isEmpty())
+    {
+      this->bucket(this->Current).clear();
+      this->Next = 0;
+      this->Current = std::max(this->Current, end);
+      return false;
+    }
+    while (this->Current < end && this->Next == this->bucket(this->Current).size())
     {
       this->bucket(this->Current).clear();
       this->Next = 0;
       ++this->Current;
     }
+    return this->Current < end;
+  }
+
+  /** Where the first bucket that is not empty begins. @pre not empty */
+  double nextKey() const
+  {
+    std::uint64_t number = this->Current;
+    std::size_t taken = this->Next;
+    while (taken == this->Buckets[this->indexOf(number)].size())
+    {
+      ++number;
+      taken = 0;
+    }
+    return static_cast<double>(number) / this->PerWidth;
+  }
+
+  /** @pre hasBefore */
+  Index pop()
+  {
     --this->Count;
     return this->bucket(this->Current)[this->Next++];
   }

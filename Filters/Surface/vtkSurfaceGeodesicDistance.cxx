@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -14,11 +15,17 @@
 #include "vtkSelection.h"
 
 #include "DistanceSolver.h"
+#include "DistributedSolver.h"
+#include "DistributedSurface.h"
 #include "FieldArray.h"
+#include "GlobalPoints.h"
+#include "GlobalSeeds.h"
 #include "GuideResolver.h"
 #include "InputSurface.h"
 #include "ProgressReporter.h"
+#include "RankGroup.h"
 #include "SeedResolver.h"
+#include "SharedGuides.h"
 #include "SolveSurface.h"
 
 #include <iterator>
@@ -28,7 +35,7 @@
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
 {
-  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::bridge::SurfaceLines Lines;
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
@@ -175,7 +182,7 @@ void vtkSurfaceGeodesicDistance::Compute(vtkInformationVector** inputVector, vtk
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
   this->Solve(inputVector);
-  if (!this->GetAbortOutput())
+  if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
     output->ShallowCopy(this->GetSurface(inputVector));
     this->AttachArrays(output);
@@ -192,29 +199,42 @@ void vtkSurfaceGeodesicDistance::Forget()
 void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
 {
   Internals& internal = *this->Internal;
-  internal.Surface = this->FindSurface(this->GetSurface(inputVector));
-  const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(inputVector);
+  geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+  internal.Surface = this->FindDistributedSurface(this->GetSurface(inputVector), ranks);
+  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(inputVector, ranks);
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(inputVector, *internal.Surface, barriers);
-  internal.Lines.update(
-    internal.Surface->mesh(), geodesic::bridge::linesAmong(seeds), std::move(barriers.lines));
-  const geodesic::bridge::SolveSurface surface(internal.Surface->mesh(), internal.Lines, barriers,
-    this->GatherCost(inputVector, *internal.Surface), this->Method == DIJKSTRA);
+  std::vector<double> cost;
+  ranks.together(
+    [&]
+    {
+      this->GatherBarriers(inputVector, internal.Surface->piece(), barriers);
+      if (ranks.size() > 1 && !barriers.lines.empty())
+      {
+        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
+                                    "surface is spread over several ranks. Use BarrierArray, or "
+                                    "run on one rank.");
+      }
+      cost = this->GatherCost(inputVector, internal.Surface->piece());
+    });
+  geodesic::distributed::shareExcluded(ranks, *internal.Surface, barriers.excluded);
+  geodesic::distributed::shareCost(ranks, *internal.Surface, cost);
+  internal.Lines.update(internal.Surface->piece().mesh(), geodesic::bridge::linesAmong(seeds),
+    std::move(barriers.lines));
+  const geodesic::bridge::SolveSurface surface(
+    internal.Surface->piece().mesh(), internal.Lines, barriers, cost, this->Method == DIJKSTRA);
 
   std::vector<geodesic::Triangle> targets;
-  for (const geodesic::SurfacePoint& point : geodesic::bridge::surfacePointsAt(
-         *internal.Surface, this->DestinationCoordinates, "DestinationPositions"))
+  for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(inputVector, ranks))
   {
-    targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), surface.pointOf(point)));
+    for (geodesic::SurfacePoint& here : point.here)
+    {
+      here = surface.pointOf(here);
+    }
+    targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.here));
   }
-  for (geodesic::Index vertex :
-    geodesic::bridge::verticesAtPoints(mesh, this->DestinationPointIds, "Destination"))
-  {
-    const geodesic::SurfacePoint point = surface.pointOf(mesh.pointAtVertex(vertex));
-    targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), point));
-  }
+  geodesic::distributed::DistributedSolver partition(ranks, *internal.Surface);
   geodesic::SolveOptions options = surface.options();
+  options.partition = &partition;
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
                                                                 : geodesic::TargetMode::All;
@@ -231,44 +251,53 @@ void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
     internal.Solver = this->MakeSolver(surface.mesh());
     internal.Method = this->Method;
   }
-  internal.Field = &internal.Solver->solve(surface.seedsOf(seeds), options);
-  this->MaximumDistanceReached = internal.Field->largestDistance();
-  this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints(
-    { mesh, *internal.Field, internal.Lines.split().get() });
+  std::vector<geodesic::Seed> openSeeds;
+  ranks.together([&] { openSeeds = surface.seedsOf(seeds); });
+  internal.Field = &internal.Solver->solve(openSeeds, options);
+  this->ReportWork(ranks, partition);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::ReportWork(
+  geodesic::distributed::RankGroup& ranks, geodesic::distributed::DistributedSolver& partition)
+{
+  const Internals& internal = *this->Internal;
+  double farthest = -internal.Field->largestDistance();
+  ranks.takeLeast({ &farthest, 1 });
+  this->MaximumDistanceReached = -farthest;
+  const vtkIdType visited = geodesic::bridge::numberOfReachedPoints(
+    { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() },
+    [&](geodesic::Index vertex) { return partition.owns(vertex); });
+  this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
+  const geodesic::distributed::DistributedWork work = partition.work();
+  this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
+  this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
+  this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
+  this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
 }
 
 //------------------------------------------------------------------------------
 std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
-  vtkInformationVector** inputVector)
+  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
 {
-  const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  vtkDataArray* globalIds = this->GetSurface(inputVector)->GetPointData()->GetGlobalIds();
   std::vector<geodesic::Seed> seeds;
   const auto add = [&](std::vector<geodesic::Seed> more)
   {
     seeds.insert(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(geodesic::bridge::seedsAtPositions(surface, this->SeedCoordinates));
-  add(geodesic::bridge::seedsAtPoints(*surface.mesh(), this->SeedPointIds));
-  if (vtkPointSet* source = this->GetOptionalPointSet(inputVector[SEED_SOURCE_PORT], "SeedSource"))
-  {
-    add(geodesic::bridge::seedsOfSource(surface, source));
-  }
-  bool isOfCells = false;
-  if (vtkDataArray* array = this->GetChosenArray(SEED_ARRAY, inputVector, isOfCells))
-  {
-    add(geodesic::bridge::seedsOfArray(surface, array, isOfCells));
-  }
-  if (vtkSelection* selection = vtkSelection::GetData(inputVector[SEED_SELECTION_PORT]))
-  {
-    vtkPolyData* input = this->GetSurface(inputVector);
-    vtkNew<vtkIdTypeArray> points;
-    vtkNew<vtkIdTypeArray> cells;
-    vtkConvertSelection::GetSelectedPoints(selection, input, points);
-    vtkConvertSelection::GetSelectedCells(selection, input, cells);
-    add(geodesic::bridge::seedOfIds(surface, points, false));
-    add(geodesic::bridge::seedOfIds(surface, cells, true));
-  }
+  add(geodesic::distributed::seedsAt(
+    geodesic::distributed::globalPointsAt(ranks, surface, this->SeedCoordinates, "SeedPositions")));
+  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsWith(
+    ranks, surface, this->SeedPointIds, globalIds, "Seed")));
+  vtkPointSet* source = nullptr;
+  ranks.together(
+    [&] { source = this->GetOptionalPointSet(inputVector[SEED_SOURCE_PORT], "SeedSource"); });
+  add(geodesic::distributed::seedsOfSource(ranks, surface, source));
+  add(this->GatherArraySeeds(inputVector, ranks));
+  add(this->GatherSelectedSeeds(inputVector, ranks));
   if (seeds.empty())
   {
     throw std::invalid_argument("There is no seed to measure from. Set SeedPositions to x, y and z "
@@ -279,9 +308,82 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
 }
 
 //------------------------------------------------------------------------------
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(
+  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+{
+  std::string name;
+  geodesic::bridge::RegionsByValue regions;
+  ranks.together(
+    [&]
+    {
+      bool isOfCells = false;
+      if (vtkDataArray* array = this->GetChosenArray(SEED_ARRAY, inputVector, isOfCells))
+      {
+        name = array->GetName();
+        regions =
+          geodesic::bridge::regionsOfArray(this->Internal->Surface->piece(), array, isOfCells);
+      }
+    });
+  auto seeds = geodesic::distributed::seedsOfRegions(ranks, std::move(regions));
+  const bool isChosen = ranks.sum(name.empty() ? 0.0 : 1.0) > 0.0;
+  if (isChosen && seeds.empty())
+  {
+    throw std::invalid_argument("SeedArray \"" +
+      std::string(this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME())) +
+      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(
+  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+{
+  geodesic::bridge::RegionsByValue points;
+  geodesic::bridge::RegionsByValue cells;
+  ranks.together(
+    [&]
+    {
+      if (vtkSelection* selection = vtkSelection::GetData(inputVector[SEED_SELECTION_PORT]))
+      {
+        vtkPolyData* input = this->GetSurface(inputVector);
+        const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
+        vtkNew<vtkIdTypeArray> ids;
+        vtkConvertSelection::GetSelectedPoints(selection, input, ids);
+        points = geodesic::bridge::regionOfIds(surface, ids, false);
+        ids->Reset();
+        vtkConvertSelection::GetSelectedCells(selection, input, ids);
+        cells = geodesic::bridge::regionOfIds(surface, ids, true);
+      }
+    });
+  auto seeds = geodesic::distributed::seedsOfRegions(ranks, std::move(points));
+  for (geodesic::Seed& seed : geodesic::distributed::seedsOfRegions(ranks, std::move(cells)))
+  {
+    seeds.push_back(std::move(seed));
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::GatherDestinations(
+  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+{
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  auto points = geodesic::distributed::globalPointsAt(
+    ranks, surface, this->DestinationCoordinates, "DestinationPositions");
+  for (geodesic::distributed::GlobalPoint& point :
+    geodesic::distributed::globalPointsWith(ranks, surface, this->DestinationPointIds,
+      this->GetSurface(inputVector)->GetPointData()->GetGlobalIds(), "Destination"))
+  {
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::AttachArrays(vtkPolyData* output)
 {
-  const geodesic::bridge::FieldOnInput field{ *this->Internal->Surface->mesh(),
+  const geodesic::bridge::FieldOnInput field{ this->Internal->Surface->mesh(),
     *this->Internal->Field, this->Internal->Lines.split().get() };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)
@@ -324,4 +426,8 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "MaximumDistanceReached: " << this->MaximumDistanceReached << "\n";
   os << indent << "NumberOfVisitedPoints: " << this->NumberOfVisitedPoints << "\n";
+  os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
+  os << indent << "NumberOfUpdates: " << this->NumberOfUpdates << "\n";
+  os << indent << "BytesExchanged: " << this->BytesExchanged << "\n";
+  os << indent << "MostPointsOnARank: " << this->MostPointsOnARank << "\n";
 }

@@ -14,8 +14,12 @@
  * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
  * barriers between parts of the surface that do not hang together, a list of coordinates whose
  * length is no multiple of 3, an id that does not exist, an array that does not or has several
- * components, a cost that is not positive, a negative MaximumDistance in use, composite input, more
- * than one rank.
+ * components, a cost that is not positive, a negative MaximumDistance in use, composite input.
+ *
+ * On several ranks (those of the global controller) the pieces of the input are one surface, and an
+ * error on one of them is one on all. Points of the pieces are the same where their global ids are
+ * or, without ids on all ranks, where MergeCoincidentPoints is on and their coordinates are equal.
+ * Point ids are global ids then; lines of seeds or barriers are an error.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -31,6 +35,12 @@
 namespace geodesic
 {
 struct Seed;
+namespace distributed
+{
+class DistributedSolver;
+class RankGroup;
+struct GlobalPoint;
+}
 }
 
 class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicDistance : public vtkSurfaceGeodesicFilter
@@ -184,6 +194,18 @@ public:
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
 
+  ///@{
+  /**
+   * What the last run took, over all ranks: how often they marched and exchanged values (once on
+   * one rank), vertices taken from queues, bytes sent from rank to rank, and the points of the rank
+   * that has most. All 0 before the first run.
+   */
+  vtkGetMacro(NumberOfRounds, vtkIdType);
+  vtkGetMacro(NumberOfUpdates, vtkIdType);
+  vtkGetMacro(BytesExchanged, vtkIdType);
+  vtkGetMacro(MostPointsOnARank, vtkIdType);
+  ///@}
+
 protected:
   vtkSurfaceGeodesicDistance();
   ~vtkSurfaceGeodesicDistance() override;
@@ -205,11 +227,24 @@ protected:
   double UnreachedValue = -1.0;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
+  vtkIdType NumberOfRounds = 0;
+  vtkIdType NumberOfUpdates = 0;
+  vtkIdType BytesExchanged = 0;
+  vtkIdType MostPointsOnARank = 0;
 
 private:
   struct Internals;
   void Solve(vtkInformationVector** inputVector);
-  std::vector<geodesic::Seed> GatherSeeds(vtkInformationVector** inputVector);
+  std::vector<geodesic::Seed> GatherSeeds(
+    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
+  std::vector<geodesic::Seed> GatherArraySeeds(
+    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
+  std::vector<geodesic::Seed> GatherSelectedSeeds(
+    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
+  std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(
+    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
+  void ReportWork(
+    geodesic::distributed::RankGroup& ranks, geodesic::distributed::DistributedSolver& partition);
   void AttachArrays(vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;

@@ -7,18 +7,19 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include "DijkstraSolver.h"
+#include "DistributedSurface.h"
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "GuideResolver.h"
 #include "InputSurface.h"
 #include "PointResolver.h"
+#include "RankGroup.h"
 
 #include <stdexcept>
 #include <string>
@@ -68,13 +69,6 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
 //------------------------------------------------------------------------------
 vtkPolyData* vtkSurfaceGeodesicFilter::GetSurface(vtkInformationVector** inputVector)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
-  if (ranks > 1)
-  {
-    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks) +
-      " ranks; this version measures on one rank only. Run it on one.");
-  }
   vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
   if (!surface)
@@ -118,7 +112,8 @@ vtkDataArray* vtkSurfaceGeodesicFilter::GetChosenArray(
     : static_cast<vtkDataSetAttributes*>(input->GetPointData());
   vtkDataArray* array = attributes->GetArray(wanted.c_str());
   // ParaView's choice of no array is the name None.
-  if (!array && wanted != "None")
+  // A rank without any of the surface may be without its arrays.
+  if (!array && wanted != "None" && input->GetNumberOfPoints() > 0)
   {
     static const char* const roles[] = { "SeedArray", "CostArray", "BarrierArray" };
     throw std::invalid_argument(std::string(roles[number]) + " \"" + wanted + "\" is no " +
@@ -172,6 +167,24 @@ std::shared_ptr<const geodesic::bridge::InputSurface> vtkSurfaceGeodesicFilter::
   return geodesic::bridge::InputSurface::of(input,
     this->MergeCoincidentPoints ? geodesic::CoincidentPoints::Merge
                                 : geodesic::CoincidentPoints::Separate);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const geodesic::distributed::DistributedSurface>
+vtkSurfaceGeodesicFilter::FindDistributedSurface(
+  vtkPolyData* input, geodesic::distributed::RankGroup& ranks)
+{
+  const auto coincident = this->MergeCoincidentPoints ? geodesic::CoincidentPoints::Merge
+                                                      : geodesic::CoincidentPoints::Separate;
+  std::shared_ptr<const geodesic::bridge::InputSurface> piece;
+  ranks.together(
+    [&]
+    {
+      piece = ranks.size() == 1 ? this->FindSurface(input)
+                                : geodesic::bridge::InputSurface::pieceOf(input, coincident);
+    });
+  return geodesic::distributed::DistributedSurface::of(
+    ranks, piece, input->GetPointData()->GetGlobalIds(), coincident);
 }
 
 //------------------------------------------------------------------------------

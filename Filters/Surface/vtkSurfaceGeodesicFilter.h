@@ -9,7 +9,7 @@
  *
  * A request that can't be served ends in one error and an empty output, and yet succeeds: after a
  * request that failed ParaView no longer updates the view, and what it shows is stale. Composite
- * inputs and more than one rank are such requests.
+ * inputs are such requests.
  */
 #ifndef vtkSurfaceGeodesicFilter_h
 #define vtkSurfaceGeodesicFilter_h
@@ -33,6 +33,11 @@ namespace bridge
 {
 class InputSurface;
 struct Barriers;
+}
+namespace distributed
+{
+class DistributedSurface;
+class RankGroup;
 }
 }
 
@@ -132,6 +137,9 @@ protected:
   std::vector<double> GatherCost(
     vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface);
   std::shared_ptr<const geodesic::bridge::InputSurface> FindSurface(vtkPolyData* input);
+  /** The surface of which the input is this rank's piece. */
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> FindDistributedSurface(
+    vtkPolyData* input, geodesic::distributed::RankGroup& ranks);
   std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
     const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
 

@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -154,6 +155,13 @@ void vtkSurfaceGeodesicPath::Compute(vtkInformationVector** inputVector, vtkPoly
   this->CheckRequest();
   Internals& internal = *this->Internal;
   vtkPolyData* input = this->GetSurface(inputVector);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    throw std::invalid_argument("The surface is spread over " +
+      std::to_string(controller->GetNumberOfProcesses()) +
+      " ranks, where this version finds no paths. Run Geodesic Path on one rank.");
+  }
   internal.Surface = this->FindSurface(input);
   const auto waypoints = this->GatherPoints(inputVector[WAYPOINT_SOURCE_PORT],
     this->WaypointCoordinates, "WaypointPositions", "WaypointSource");

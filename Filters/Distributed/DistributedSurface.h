@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_DistributedSurface_h
+#define geodesic_distributed_DistributedSurface_h
+
+#include "InputSurface.h"
+#include "RankGroup.h"
+#include "SharedPoints.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace geodesic::distributed
+{
+
+/**
+ * This rank's piece of a surface, and what it has in common with those of the others: built once
+ * for an input's points and cells and shared by every run of every filter on it.
+ */
+class DistributedSurface
+{
+public:
+  /**
+   * Collective; built now unless all ranks still hold what they built together.
+   * @param surface what InputSurface::of gives for the input; may be without triangles, but not on
+   *                all ranks
+   * @param ids     one global id for each point of the input, or null
+   * @throws std::runtime_error on all ranks where no rank has a triangle, or where nothing tells
+   *         which points are shared
+   */
+  static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
+    const std::shared_ptr<const bridge::InputSurface>& surface, vtkDataArray* ids,
+    CoincidentPoints coincident);
+
+  DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> surface,
+    vtkDataArray* ids, CoincidentPoints coincident);
+
+  const bridge::InputSurface& piece() const { return *this->Piece; }
+  const TriangleMesh& mesh() const { return *this->Piece->mesh(); }
+  const SharedPoints& shared() const { return *this->Shared; }
+
+  /** See Partition::longestEdges. */
+  std::span<const float> longestEdges() const { return this->LongestEdges; }
+  /** By how much the limit of the march grows from round to round, in the unit of length. */
+  double step() const { return this->Step; }
+  /** The number of points on the rank that has most. */
+  vtkIdType mostPointsOnARank() const { return this->MostPoints; }
+
+private:
+  void agreeOnLongestEdges(RankGroup& ranks);
+  void chooseStep(RankGroup& ranks);
+
+  static constexpr double StepInMeanEdges = 8.0;
+
+  std::shared_ptr<const bridge::InputSurface> Piece;
+  std::unique_ptr<const SharedPoints> Shared;
+  std::vector<float> LongestEdges;
+  double Step = 0.0;
+  vtkIdType MostPoints = 0;
+};
+
+}
+
+#endif
