@@ -8,6 +8,7 @@
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace geodesic
@@ -71,6 +72,14 @@ public:
   double nextDistance() const override
   {
     return this->Heap.empty() ? DistanceField::Unreached : this->Heap.front().distance;
+  }
+
+  double meanEdge() const override
+  {
+    const std::span<const double> cost = this->Options.cost;
+    const double sum = std::accumulate(cost.begin(), cost.end(), 0.0);
+    const double mean = cost.empty() ? 1.0 : sum / static_cast<double>(cost.size());
+    return mean * this->Mesh.meanEdgeLength();
   }
 
   std::size_t numberOfUpdates() const override { return this->Control.count(); }

@@ -100,6 +100,7 @@ public:
                                  : this->FirstDistance + this->Queue.nextKey();
   }
 
+  double meanEdge() const override { return this->Queue.width() / BucketWidthInMeanEdges; }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   bool isCancelled() const override { return this->Control.isCancelled(); }
 

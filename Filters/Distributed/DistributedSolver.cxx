@@ -52,6 +52,7 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   {
     known.clear();
   }
+  const double step = this->stepOf(front);
   std::exception_ptr error;
   while (true)
   {
@@ -81,7 +82,7 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     }
     try
     {
-      front.advance(next + this->Surface.step());
+      front.advance(next + step);
     }
     catch (...)
     {
@@ -90,6 +91,14 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     this->exchangeNews(front);
     ++this->Own.rounds;
   }
+}
+
+double DistributedSolver::stepOf(const MarchingFront& front)
+{
+  const auto triangles = static_cast<double>(this->Surface.mesh().numberOfTriangles());
+  const double meanEdge =
+    this->Ranks.sum(triangles * front.meanEdge()) / this->Ranks.sum(triangles);
+  return this->Surface.stepInEdges() * meanEdge;
 }
 
 void DistributedSolver::exchangeNews(MarchingFront& front)

@@ -69,6 +69,8 @@ private:
     double value;
   };
 
+  /** By how much the limit grows from round to round. */
+  double stepOf(const MarchingFront& front);
   void exchangeNews(MarchingFront& front);
   /** One message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);

@@ -127,15 +127,11 @@ void DistributedSurface::agreeOnLongestEdges(RankGroup& ranks)
 
 void DistributedSurface::chooseStep(RankGroup& ranks)
 {
-  if (ranks.size() == 1)
-  {
-    this->Step = std::numeric_limits<double>::infinity();
-    return;
-  }
-  const double triangles = this->mesh().numberOfTriangles();
-  const double all = ranks.sum(triangles);
-  const double meanEdge = ranks.sum(this->mesh().meanEdgeLength() * triangles) / all;
-  this->Step = StepInMeanEdges * meanEdge;
+  const auto vertices = static_cast<double>(this->mesh().numberOfVertices());
+  const auto shared = static_cast<double>(this->Shared->vertices().size());
+  constexpr double atSharedVertex = 0.05;
+  constexpr double least = 0.5;
+  this->StepInEdges = std::max(least, atSharedVertex * ranks.sum(vertices) / ranks.sum(shared));
 }
 
 }

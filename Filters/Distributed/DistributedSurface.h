@@ -47,8 +47,13 @@ public:
 
   /** See Partition::longestEdges. */
   std::span<const float> longestEdges() const { return this->LongestEdges; }
-  /** By how much the limit of the march grows from round to round, in the unit of length. */
-  double step() const { return this->Step; }
+  /**
+   * By how many mean edges the limit of the march grows from round to round. The more vertices are
+   * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
+   * random, half an edge led to twice the work of one rank and one edge to up to ten times. Where
+   * few are, a round is to hold enough work to be worth its messages. Infinite where none are.
+   */
+  double stepInEdges() const { return this->StepInEdges; }
   /** The number of points on the rank that has most. */
   vtkIdType mostPointsOnARank() const { return this->MostPoints; }
 
@@ -56,12 +61,10 @@ private:
   void agreeOnLongestEdges(RankGroup& ranks);
   void chooseStep(RankGroup& ranks);
 
-  static constexpr double StepInMeanEdges = 8.0;
-
   std::shared_ptr<const bridge::InputSurface> Piece;
   std::unique_ptr<const SharedPoints> Shared;
   std::vector<float> LongestEdges;
-  double Step = 0.0;
+  double StepInEdges = 0.0;
   vtkIdType MostPoints = 0;
 };
 
