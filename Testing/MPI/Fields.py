@@ -56,7 +56,7 @@ FIELDS = {
     "cells": ("torus", dict(SeedArray=["CELLS", "CellRegion"])),
     "maximum": ("bunny", dict(SeedPositions=points_on("bunny", 3), UseMaximumDistance=1, MaximumDistance=0.04)),
     "any": ("torus", dict(SeedPositions=[1.4, 0, 0], DestinationPositions=[0, 1.4, 0.0, -1.4, 0, 0])),
-    "all": ("torus", dict(SeedPositions=[1.4, 0, 0], DestinationPositions=[0, 1.4, 0.0, 0, -1.3, 0.1],
+    "all": ("torus", dict(SeedPositions=[1.4, 0, 0], DestinationPositions=[0, 1.4, 0.0, 0.05, -1.45, 0.1],
                           DestinationMode="All")),
 }
 CUTS = ("slabs", "random")
