@@ -64,8 +64,9 @@ vtkIdType numberOfReachedPoints(
 {
   vtkIdType count = 0;
   visitPoints(input,
-    [&](Index point, Index vertex)
-    { count += vertex != NoIndex && counts(input.mesh.vertexOfPoint(point)) ? 1 : 0; });
+    [&](Index point, Index vertex) {
+      count += vertex != NoIndex && (!counts || counts(input.mesh.vertexOfPoint(point))) ? 1 : 0;
+    });
   return count;
 }
 

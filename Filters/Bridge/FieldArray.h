@@ -38,9 +38,10 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
 /** The numbers of the nearest seeds at the input's points, -1 where there is none. */
 vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
-/** How many of the input's points have a distance, of those whose vertex in the mesh counts. */
+/** How many of the input's points have a distance; where a vertex of the mesh is asked whether it
+ * counts, only those of such vertices. */
 vtkIdType numberOfReachedPoints(
-  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts);
+  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts = {});
 
 }
 

@@ -129,7 +129,7 @@ void DistributedSurface::chooseStep(RankGroup& ranks)
 {
   const auto vertices = static_cast<double>(this->mesh().numberOfVertices());
   const auto shared = static_cast<double>(this->Shared->vertices().size());
-  constexpr double atSharedVertex = 0.05;
+  constexpr double atSharedVertex = 0.1;
   constexpr double least = 0.5;
   this->StepInEdges = std::max(least, atSharedVertex * ranks.sum(vertices) / ranks.sum(shared));
 }

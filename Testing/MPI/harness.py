@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 sys.path.append(os.path.dirname(__file__))

@@ -40,21 +40,35 @@ def grid(rows, columns, is_periodic=False):
     return np.vstack([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
 
 
-def sphere(subdivisions=5):
+def icosahedron():
     t = (1 + 5 ** 0.5) / 2
     points = np.array([[-1, t, 0], [1, t, 0], [-1, -t, 0], [1, -t, 0], [0, -1, t], [0, 1, t],
                        [0, -1, -t], [0, 1, -t], [t, 0, -1], [t, 0, 1], [-t, 0, -1], [-t, 0, 1]], float)
     cells = np.array([[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4],
                       [11, 10, 2], [10, 7, 6], [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8],
                       [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]])
-    for _ in range(subdivisions):
+    return points, cells
+
+
+def subdivided(points, cells, times):
+    """Each triangle cut into four; the same points come out of every part of a surface."""
+    for _ in range(times):
         ends = np.sort(np.vstack([cells[:, [0, 1]], cells[:, [1, 2]], cells[:, [2, 0]]]), axis=1)
-        edges, middles = np.unique(ends, axis=0, return_inverse=True)
+        keys, middles = np.unique(ends[:, 0] * len(points) + ends[:, 1], return_inverse=True)
         ab, bc, ca = middles.ravel().reshape(3, -1) + len(points)
-        points = np.vstack([points, points[edges].mean(axis=1)])
+        points = np.vstack([points, (points[keys // len(points)] + points[keys % len(points)]) / 2])
         a, b, c = cells.T
         cells = np.vstack([np.stack(t, -1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
-    return points / np.linalg.norm(points, axis=1)[:, None], cells
+    return points, cells
+
+
+def on_sphere(points):
+    return points / np.sqrt((points * points).sum(axis=1))[:, None]
+
+
+def sphere(subdivisions=5):
+    points, cells = subdivided(*icosahedron(), subdivisions)
+    return on_sphere(points), cells
 
 
 def torus(rows=120, columns=60):
@@ -121,19 +135,35 @@ def owners(points, cells, cut, ranks):
     return owner
 
 
+def polydata(points, corners):
+    data = vtkPolyData()
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    data.SetPoints(coordinates)
+    polygons = vtkCellArray()
+    polygons.SetData(3, numpy_to_vtkIdTypeArray(corners.ravel().astype(np.int64), deep=True))
+    data.SetPolys(polygons)
+    return data
+
+
+def make_large(output, subdivisions):
+    """This rank's slab of an icosphere, of which no rank ever makes more."""
+    rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    coarse = min(4, subdivisions)
+    points, cells = subdivided(*icosahedron(), coarse)
+    mine = cells[owners(points, cells, "slabs", ranks) == rank]
+    used, corners = np.unique(mine, return_inverse=True)
+    points, cells = subdivided(points[used], corners.reshape(-1, 3), subdivisions - coarse)
+    output.ShallowCopy(polydata(on_sphere(points), cells))
+
+
 def make(output, surface, cut, with_ids=False, bad_rank=-1):
     """Fills a polydata with this rank's part."""
     rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
     points, cells = SURFACES[surface]()
     mine = np.flatnonzero(owners(points, cells, cut, ranks) == rank)
     used, corners = np.unique(cells[mine], return_inverse=True)
-    data = vtkPolyData()
-    coordinates = vtkPoints()
-    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points[used]), deep=True))
-    data.SetPoints(coordinates)
-    polygons = vtkCellArray()
-    polygons.SetData(3, numpy_to_vtkIdTypeArray(corners.ravel().astype(np.int64), deep=True))
-    data.SetPolys(polygons)
+    data = polydata(points[used], corners)
 
     def add(attributes, name, values):
         array = numpy_to_vtk(np.ascontiguousarray(values, float), deep=True)
