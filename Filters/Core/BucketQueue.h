@@ -25,8 +25,7 @@ public:
    */
   void start(double width, double span)
   {
-    constexpr double mostBuckets = 1 << 16;
-    const double wanted = std::min(span / width + 2.0, mostBuckets);
+    const double wanted = std::min(span / width + 2.0, static_cast<double>(MostBuckets));
     const std::size_t buckets = std::bit_ceil(static_cast<std::size_t>(wanted));
     for (std::vector<Index>& bucket : this->Buckets)
     {
@@ -84,6 +83,42 @@ public:
     return this->Current < end;
   }
 
+  /**
+   * Goes back to the bucket of a key, so that a key below the last popped one has its place again.
+   * Time O(1), but where more buckets are needed to hold what is between.
+   */
+  void goBackTo(double key)
+  {
+    const std::uint64_t target = this->bucketOf(key);
+    if (target >= this->Current)
+    {
+      return;
+    }
+    std::vector<Index>& current = this->bucket(this->Current);
+    current.erase(current.begin(), current.begin() + static_cast<std::ptrdiff_t>(this->Next));
+    this->Next = 0;
+    std::uint64_t end = this->Current + this->Buckets.size();
+    while (end > this->Current && this->bucket(end - 1).empty())
+    {
+      --end;
+    }
+    const std::uint64_t wanted = end - target + 1;
+    if (wanted > MostBuckets)
+    {
+      return;
+    }
+    if (wanted > this->Buckets.size())
+    {
+      std::vector<std::vector<Index>> buckets(std::bit_ceil(wanted));
+      for (std::uint64_t number = this->Current; number < end; ++number)
+      {
+        buckets[number & (buckets.size() - 1)] = std::move(this->bucket(number));
+      }
+      this->Buckets = std::move(buckets);
+    }
+    this->Current = target;
+  }
+
   /** Where the first bucket that is not empty begins. @pre not empty */
   double nextKey() const
   {
@@ -112,6 +147,8 @@ public:
   }
 
 private:
+  static constexpr std::uint64_t MostBuckets = 1 << 16;
+
   std::size_t indexOf(std::uint64_t number) const { return number & (this->Buckets.size() - 1); }
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 

@@ -79,8 +79,8 @@ class QueuedFront final : public MarchingFront
 {
 public:
   /** @param firstDistance the distance of the queue's key 0 */
-  QueuedFront(const BucketQueue& queue, const MarchControl& control, double firstDistance,
-    Values& values, Advance advance)
+  QueuedFront(BucketQueue& queue, const MarchControl& control, double firstDistance, Values& values,
+    Advance advance)
     : Queue(queue)
     , Control(control)
     , FirstDistance(firstDistance)
@@ -112,11 +112,12 @@ public:
   void lower(Index vertex, Index label, double value) override
   {
     this->FrontValues.setCurrent(label);
+    this->Queue.goBackTo(this->FrontValues.keyOf(value));
     this->FrontValues.propose(vertex, value);
   }
 
 private:
-  const BucketQueue& Queue;
+  BucketQueue& Queue;
   const MarchControl& Control;
   double FirstDistance;
   Values& FrontValues;
@@ -138,6 +139,7 @@ public:
   }
 
   void setCurrent(Index) {}
+  double keyOf(double value) const { return value; }
 
   void visit(Index vertex, const MarchingFront::Visit& visit) const
   {
@@ -241,6 +243,8 @@ public:
   }
 
   double firstDistance() const { return this->First; }
+  /** The place in the queue of a value of the current label. */
+  double keyOf(double value) const { return value + this->Offset - this->First; }
 
   /** The largest value of the current label that a vertex keeps beside its best one. */
   double keptUpTo(Index vertex) const
@@ -284,7 +288,7 @@ public:
     if (!entry.isQueued)
     {
       entry.isQueued = true;
-      this->Context.queue.push(number, distance - this->First);
+      this->Context.queue.push(number, this->keyOf(value));
     }
   }
 
