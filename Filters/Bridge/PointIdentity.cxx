@@ -6,7 +6,6 @@
 #include "NumberText.h"
 
 #include "vtkPolyData.h"
-#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,25 +18,6 @@ namespace geodesic::bridge
 {
 namespace
 {
-
-/** The ids of all points; those of blocks without faces are -1. */
-std::vector<vtkIdType> globalIdsOf(const InputBlocks& blocks)
-{
-  std::vector<vtkIdType> ids;
-  for (const InputBlock& block : blocks)
-  {
-    const vtkIdType count = block.surface->GetNumberOfPoints();
-    if (block.hasFaces())
-    {
-      appendValues(block.globalPointIds(), count, "GlobalPointIds", ids);
-    }
-    else
-    {
-      ids.resize(ids.size() + count, -1);
-    }
-  }
-  return ids;
-}
 
 /** Gives points that are equal in an order the number of the lowest of them. */
 template <class IsBefore>
@@ -102,6 +82,24 @@ PointIdentity identityOf(const InputBlocks& blocks, bool mergeCoincidentPoints, 
   return identity;
 }
 
+std::vector<vtkIdType> globalPointIdsOf(const InputBlocks& blocks)
+{
+  std::vector<vtkIdType> ids;
+  for (const InputBlock& block : blocks)
+  {
+    const vtkIdType count = block.surface->GetNumberOfPoints();
+    if (block.hasFaces())
+    {
+      appendValues(block.globalPointIds(), count, "GlobalPointIds", ids);
+    }
+    else
+    {
+      ids.resize(ids.size() + count, -1);
+    }
+  }
+  return ids;
+}
+
 std::vector<Index> kindsOfPoints(
   const InputBlocks& blocks, const PointIdentity& identity, const std::vector<Vector3>& points)
 {
@@ -110,7 +108,7 @@ std::vector<Index> kindsOfPoints(
   std::vector<vtkIdType> ids;
   if (identity.by == PointIdentity::By::GlobalIds)
   {
-    ids = globalIdsOf(blocks);
+    ids = globalPointIdsOf(blocks);
   }
   const auto join = [&](std::vector<Index> group)
   {

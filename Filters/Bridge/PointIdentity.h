@@ -7,6 +7,8 @@
 #include "InputBlocks.h"
 #include "Vector3.h"
 
+#include "vtkType.h"
+
 #include <vector>
 
 namespace geodesic::bridge
@@ -40,6 +42,12 @@ PointIdentity::By identityBy(bool haveGlobalIds, bool mergeCoincidentPoints);
  * their points are one
  */
 PointIdentity identityOf(const InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
+
+/**
+ * The global id of each point of all blocks, which must have them (see
+ * InputBlocks::haveGlobalPointIds); -1 in blocks without faces.
+ */
+std::vector<vtkIdType> globalPointIdsOf(const InputBlocks& blocks);
 
 /**
  * For each point of all blocks the lowest one that it is the same as.
