@@ -63,6 +63,21 @@ InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& points)
   return version;
 }
 
+/** For all of them, so that they do not grow block by block; polygons may be several triangles. */
+void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTriangles& triangles)
+{
+  vtkIdType numberOfPoints = 0;
+  vtkIdType numberOfPolygons = 0;
+  for (const InputBlock& block : blocks)
+  {
+    numberOfPoints += block.surface->GetNumberOfPoints();
+    numberOfPolygons += block.surface->GetNumberOfPolys();
+  }
+  points.reserve(numberOfPoints);
+  triangles.corners.reserve(numberOfPolygons);
+  triangles.cells.reserve(numberOfPolygons);
+}
+
 std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
   const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
 {
@@ -112,6 +127,7 @@ InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& ident
   std::vector<Vector3> points;
   SurfaceTriangles triangles;
   vtkIdType cells = 0;
+  reserve(blocks, points, triangles);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     appendPoints(blocks[i].surface, points);
