@@ -155,18 +155,15 @@ std::vector<Index> verticesWithIds(
     const auto isVertex = [&](Index point)
     { return surface.mesh()->vertexOfPoint(point) != NoIndex; };
     const auto point = std::find_if(points[i].begin(), points[i].end(), isVertex);
-    if (point != points[i].end())
-    {
-      vertices.push_back(surface.mesh()->vertexOfPoint(*point));
-    }
-    else if (points[i].empty() && (id < 0 || id >= numbering.numberOfIds()))
+    if (id < 0 || (points[i].empty() && id >= numbering.numberOfIds()))
     {
       throwNoPoint(role, id, numbering.numberOfIds());
     }
-    else
+    if (point == points[i].end())
     {
       throwNotOnSurface(role, id);
     }
+    vertices.push_back(surface.mesh()->vertexOfPoint(*point));
   }
   return vertices;
 }

@@ -11,7 +11,7 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
-#include <algorithm>
+#include <map>
 
 namespace geodesic::bridge
 {
@@ -83,16 +83,19 @@ SelectedElements::SelectedElements(
   extract->SetInputDataObject(0, input);
   extract->SetInputDataObject(1, selection);
   extract->Update();
-  const std::vector<DataSetLeaf> selected = leavesOf(extract->GetOutputDataObject(0));
+  std::map<unsigned int, vtkDataSet*> selected;
+  for (const DataSetLeaf& leaf : leavesOf(extract->GetOutputDataObject(0)))
+  {
+    selected[leaf.flatIndex] = leaf.data;
+  }
   for (const InputBlock& block : blocks)
   {
-    const auto found = std::find_if(selected.begin(), selected.end(),
-      [&](const DataSetLeaf& other) { return other.flatIndex == block.flatIndex; });
-    const bool isFound = found != selected.end();
+    const auto found = selected.find(block.flatIndex);
     const auto append = [&](int kind, const char* original, std::vector<std::uint8_t>& all)
     {
-      appendFlags(block, kind, isFound ? flagsOf(found->data, kind) : std::vector<std::uint8_t>{},
-        original, all);
+      const auto flags =
+        found == selected.end() ? std::vector<std::uint8_t>{} : flagsOf(found->second, kind);
+      appendFlags(block, kind, flags, original, all);
     };
     append(vtkDataObject::POINT, "vtkOriginalPointIds", this->points);
     append(vtkDataObject::CELL, "vtkOriginalCellIds", this->cells);
