@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_FieldArray_h
 #define geodesic_bridge_FieldArray_h
 
-#include "Index.h"
+#include "TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -17,7 +17,6 @@ namespace geodesic
 {
 class DistanceField;
 class SplitMesh;
-class TriangleMesh;
 }
 
 namespace geodesic::bridge
@@ -29,6 +28,9 @@ struct FieldOnInput
   const TriangleMesh& mesh;
   const DistanceField& field;
   const SplitMesh* split = nullptr;
+  /** The points that are asked for: all, or those of one block. */
+  Index firstPoint = 0;
+  Index numberOfPoints = mesh.numberOfPoints();
 };
 
 /** The distances at the input's points, @p unreached where there is none; one component. */

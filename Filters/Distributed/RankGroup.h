@@ -33,6 +33,8 @@ public:
   /** The least of what the ranks give for each of the values, which are as many on all. */
   void takeLeast(std::span<double> values);
   double sum(double own);
+  /** Whether it is so on any rank. */
+  bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
 
   /**
    * Runs a step that makes no collective call. Where it throws on one rank, all ranks throw, with

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Grids and images stand for their outer surface: the same field as on what VTK extracts.
+
+#include "InputBlocks.h"
+#include "InputSurface.h"
+#include "Inputs.h"
+#include "PointIdentity.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSurfaceGeodesicDistance.h"
+#include "vtkSurfaceGeodesicPath.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+using namespace geodesic::testing;
+using geodesic::bridge::InputBlocks;
+using geodesic::bridge::InputSurface;
+using geodesic::bridge::PointIdentity;
+
+namespace
+{
+
+/** A box of 6 x 5 x 4 cells with arrays of points and cells. */
+vtkSmartPointer<vtkImageData> box()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(7, 6, 5);
+  vtkNew<vtkDoubleArray> cost;
+  cost->SetName("cost");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    cost->InsertNextValue(1.0 + 0.1 * static_cast<double>(i % 7));
+  }
+  image->GetPointData()->AddArray(cost);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("cells");
+  for (vtkIdType i = 0; i < image->GetNumberOfCells(); ++i)
+  {
+    cells->InsertNextValue(i);
+  }
+  image->GetCellData()->AddArray(cells);
+  return image;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> tetrahedra(vtkDataSet* data)
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputDataObject(data);
+  cut->Update();
+  return cut->GetOutput();
+}
+
+class Grids : public ::testing::Test
+{
+protected:
+  vtkPolyData* run(vtkDataObject* input)
+  {
+    this->Filter->SetInputDataObject(input);
+    EXPECT_EQ(errorsOf(this->Filter.Get()), "");
+    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0));
+  }
+
+  std::string errorWith(vtkDataObject* input)
+  {
+    this->Filter->SetInputDataObject(input);
+    return errorsOf(this->Filter.Get());
+  }
+
+  using Field = std::map<std::array<double, 3>, double>;
+  static Field fieldOf(vtkPolyData* output)
+  {
+    Field field;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      output->GetPoint(i, p.data());
+      field[p] = output->GetPointData()->GetArray("GeodesicDistance")->GetComponent(i, 0);
+    }
+    return field;
+  }
+
+  vtkNew<vtkSurfaceGeodesicDistance> Filter;
+};
+
+}
+
+TEST_F(Grids, AreTheirOuterSurface)
+{
+  this->Filter->AddSeedPosition(1.5, 2.0, 4.0);
+  this->Filter->SetInputArrayToProcess(
+    vtkSurfaceGeodesicDistance::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "cost");
+  for (const vtkSmartPointer<vtkDataSet>& data :
+    { vtkSmartPointer<vtkDataSet>(box()), vtkSmartPointer<vtkDataSet>(tetrahedra(box())) })
+  {
+    vtkNew<vtkDataSetSurfaceFilter> extract;
+    extract->SetInputDataObject(data);
+    extract->Update();
+    const Field truth = fieldOf(this->run(extract->GetOutput()));
+    vtkPolyData* output = this->run(data);
+    const Field found = fieldOf(output);
+    ASSERT_EQ(found.size(), truth.size());
+    for (const auto& [point, distance] : truth)
+    {
+      EXPECT_NEAR(found.at(point), distance, 1e-12);
+    }
+    // The ids lead back to the data set.
+    vtkDataArray* points = output->GetPointData()->GetArray("vtkOriginalPointIds");
+    vtkDataArray* cells = output->GetCellData()->GetArray("vtkOriginalCellIds");
+    ASSERT_TRUE(points && cells);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      std::array<double, 3> q;
+      output->GetPoint(i, p.data());
+      data->GetPoint(static_cast<vtkIdType>(points->GetComponent(i, 0)), q.data());
+      EXPECT_EQ(p, q);
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+      EXPECT_EQ(output->GetCellData()->GetArray("cells")->GetComponent(i, 0),
+        data->GetCellData()->GetArray("cells")->GetComponent(id, 0));
+    }
+  }
+}
+
+TEST_F(Grids, PointIdsAreTheirOwn)
+{
+  // The corners (0, 0, 0) and (6, 0, 0), and a point inside.
+  this->Filter->AddSeedPointId(0);
+  this->Filter->AddDestinationPointId(6);
+  const auto image = box();
+  this->run(image);
+  EXPECT_NEAR(this->Filter->GetMaximumDistanceReached(), 6.0, 1e-9);
+  this->Filter->AddSeedPointId(42 + 7 + 1);
+  EXPECT_NE(
+    this->errorWith(image).find("Seed point id 50 is not on the surface"), std::string::npos);
+  this->Filter->ClearSeedPointIds();
+  this->Filter->AddSeedPointId(210);
+  EXPECT_NE(this->errorWith(image).find("the input has 210 points"), std::string::npos);
+}
+
+TEST_F(Grids, SelectionsAreOfTheirPointsAndCells)
+{
+  const auto image = box();
+  const auto select = [&](int kind, vtkIdType id)
+  {
+    vtkNew<vtkIdTypeArray> list;
+    list->InsertNextValue(id);
+    vtkNew<vtkSelectionNode> node;
+    node->SetFieldType(kind);
+    node->SetContentType(vtkSelectionNode::INDICES);
+    node->SetSelectionList(list);
+    vtkNew<vtkSelection> selection;
+    selection->AddNode(node);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(selection);
+    this->Filter->SetSeedSelectionConnection(producer->GetOutputPort());
+  };
+  select(vtkSelectionNode::POINT, 6);
+  EXPECT_EQ(fieldOf(this->run(image)).at({ 6.0, 0.0, 0.0 }), 0.0);
+  // The cell in that corner has three outer faces.
+  select(vtkSelectionNode::CELL, 5);
+  const Field field = fieldOf(this->run(image));
+  EXPECT_EQ(
+    std::count_if(field.begin(), field.end(), [](const auto& f) { return f.second == 0.0; }), 7);
+  EXPECT_EQ(field.at({ 5.0, 0.0, 1.0 }), 0.0);
+  select(vtkSelectionNode::POINT, 50);
+  EXPECT_NE(this->errorWith(image).find("selects no point of the surface"), std::string::npos);
+}
+
+TEST_F(Grids, MeetOtherBlocks)
+{
+  // A box, and a sheet that goes on from the edge of its top.
+  const auto image = box();
+  vtkNew<vtkImageData> sheet;
+  sheet->SetDimensions(4, 6, 1);
+  sheet->SetOrigin(6.0, 0.0, 4.0);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, sheet);
+  this->Filter->AddSeedPosition(0.0, 2.0, 4.0);
+  this->Filter->SetInputDataObject(blocks);
+  ASSERT_EQ(errorsOf(this->Filter.Get()), "");
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+  auto* first = vtkPolyData::SafeDownCast(output->GetBlock(0));
+  auto* second = vtkPolyData::SafeDownCast(output->GetBlock(1));
+  ASSERT_TRUE(first && second);
+  EXPECT_NEAR(fieldOf(second).at({ 9.0, 2.0, 4.0 }), 9.0, 1e-9);
+  EXPECT_NEAR(fieldOf(first).at({ 6.0, 2.0, 3.0 }), 7.0, 0.01);
+  EXPECT_TRUE(first->GetPointData()->GetArray("vtkOriginalPointIds"));
+  EXPECT_TRUE(second->GetPointData()->GetArray("vtkOriginalPointIds"));
+}
+
+TEST_F(Grids, OfImagesTheFacesHangTogetherByThemselves)
+{
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->MergeCoincidentPointsOff();
+  vtkPolyData* output = this->run(box());
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), output->GetNumberOfPoints());
+}
+
+TEST_F(Grids, PathsNameTheirPoints)
+{
+  const auto image = box();
+  vtkNew<vtkSurfaceGeodesicPath> filter;
+  for (const double x : { 0.0, 0.0, 4.0, 6.0, 0.0, 4.0 })
+  {
+    filter->AddWaypointCoordinate(x);
+  }
+  filter->SetInputDataObject(image);
+  ASSERT_EQ(errorsOf(filter.Get()), "");
+  auto* path = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_NEAR(filter->GetTotalLength(), 6.0, 1e-9);
+  vtkDataArray* ids = path->GetPointData()->GetArray("OriginalPointIds");
+  for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    std::array<double, 3> q;
+    path->GetPoint(i, p.data());
+    image->GetPoint(static_cast<vtkIdType>(ids->GetComponent(i, 0)), q.data());
+    EXPECT_EQ(p, q);
+  }
+}
+
+// What later runs do not do again: the objects are the same.
+TEST(InputSurface, IsBuiltOnceForAnInput)
+{
+  const PointIdentity byCoordinates{ PointIdentity::By::Coordinates, true };
+  const auto image = box();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, square(3));
+  const auto surface = InputSurface::of(InputBlocks(blocks), byCoordinates);
+  const auto outer = InputBlocks(image)[0].outerSurface;
+  EXPECT_EQ(InputSurface::of(InputBlocks(blocks), byCoordinates), surface);
+  EXPECT_EQ(InputBlocks(blocks)[0].outerSurface, outer);
+  vtkNew<vtkMultiBlockDataSet> others;
+  others->ShallowCopy(blocks);
+  others->SetBlock(0, image);
+  EXPECT_EQ(InputSurface::of(InputBlocks(others), byCoordinates), surface);
+  EXPECT_NE(
+    InputSurface::of(InputBlocks(blocks), { PointIdentity::By::Coordinates, false }), surface);
+  image->SetOrigin(1.0, 0.0, 0.0);
+  EXPECT_NE(InputSurface::of(InputBlocks(blocks), byCoordinates), surface);
+}
