@@ -2,13 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OuterSurface.h"
 
+#include "ObjectVersion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGeometryFilter.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnstructuredGridBase.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <array>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -18,12 +31,69 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Modification times are never used twice, so a reused address does not matter. */
-using Identity = std::pair<vtkDataSet*, vtkMTimeType>;
+/**
+ * Tells data sets apart by what they are made of: ParaView hands over a new shallow copy of the
+ * same data set in every run.
+ */
+struct DataVersion
+{
+  std::vector<ObjectVersion> parts;
+  std::vector<double> numbers;
+
+  friend bool operator==(const DataVersion&, const DataVersion&) = default;
+};
+
+void addArrays(vtkDataSetAttributes* attributes, DataVersion& version)
+{
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    version.parts.emplace_back(attributes->GetAbstractArray(i));
+  }
+  std::array<int, vtkDataSetAttributes::NUM_ATTRIBUTES> indices{};
+  attributes->GetAttributeIndices(indices.data());
+  version.numbers.insert(version.numbers.end(), indices.begin(), indices.end());
+}
+
+DataVersion versionOf(vtkDataSet* data)
+{
+  DataVersion version;
+  const auto addNumbers = [&](const auto* first, int count)
+  { version.numbers.insert(version.numbers.end(), first, first + count); };
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    version.parts = { grid->GetPoints(), grid->GetCells(), grid->GetCellTypesArray(),
+      grid->GetFaces() };
+  }
+  else if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    addNumbers(image->GetExtent(), 6);
+    addNumbers(image->GetOrigin(), 3);
+    addNumbers(image->GetSpacing(), 3);
+    addNumbers(image->GetDirectionMatrix()->GetData(), 9);
+  }
+  else if (auto* curved = vtkStructuredGrid::SafeDownCast(data))
+  {
+    version.parts = { curved->GetPoints() };
+    addNumbers(curved->GetExtent(), 6);
+  }
+  else if (auto* straight = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    version.parts = { straight->GetXCoordinates(), straight->GetYCoordinates(),
+      straight->GetZCoordinates() };
+    addNumbers(straight->GetExtent(), 6);
+  }
+  else
+  {
+    version.parts = { data };
+  }
+  addArrays(data->GetPointData(), version);
+  addArrays(data->GetCellData(), version);
+  return version;
+}
 
 struct Known
 {
-  Identity identity;
+  DataVersion version;
   std::weak_ptr<vtkPolyData> surface;
 };
 
@@ -46,23 +116,22 @@ std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
 {
   static std::mutex mutex;
   static std::vector<Known> known;
-  const Identity identity(data, data->GetMTime());
+  DataVersion version = versionOf(data);
   const std::lock_guard lock(mutex);
   std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
   for (const Known& k : known)
   {
     const auto surface = k.surface.lock();
-    if (k.identity == identity && surface)
+    if (k.version == version && surface)
     {
       return surface;
     }
   }
   // Of an image the first would give six sheets that share no points; of a grid the second leaves
   // holes beside hidden cells.
-  auto surface = vtkUnstructuredGridBase::SafeDownCast(data)
-    ? extracted<vtkDataSetSurfaceFilter>(data)
-    : extracted<vtkGeometryFilter>(data);
-  known.push_back({ identity, surface });
+  auto surface = vtkUnstructuredGrid::SafeDownCast(data) ? extracted<vtkDataSetSurfaceFilter>(data)
+                                                         : extracted<vtkGeometryFilter>(data);
+  known.push_back({ std::move(version), surface });
   return surface;
 }
 
