@@ -12,9 +12,11 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkImageDataToPointSet.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkRectilinearGrid.h"
@@ -338,6 +340,16 @@ TEST_F(Grids, AreExtractedOnceWhileTheyStay)
     this->Filter->AddSeedPosition(1.5, 2.0, 4.0);
     const vtkSmartPointer<vtkPoints> points = this->run(copyOf(data))->GetPoints();
     EXPECT_EQ(this->run(copyOf(data))->GetPoints(), points);
+    // What does not change the surface is that of the present data set.
+    vtkNew<vtkDoubleArray> time;
+    time->SetName("time");
+    time->InsertNextValue(7.0);
+    data->GetFieldData()->AddArray(time);
+    data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), 7.0);
+    vtkPolyData* output = this->run(copyOf(data));
+    EXPECT_EQ(output->GetPoints(), points);
+    EXPECT_TRUE(output->GetFieldData()->GetArray("time"));
+    EXPECT_EQ(output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 7.0);
     const double farthest = this->Filter->GetMaximumDistanceReached();
     auto* cost = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray("cost"));
     cost->FillValue(3.0);
