@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGeometryFilter.h"
@@ -23,6 +24,7 @@
 
 #include <array>
 #include <mutex>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -97,17 +99,83 @@ struct Known
   std::weak_ptr<vtkPolyData> surface;
 };
 
+constexpr const char* PointIds = "vtkOriginalPointIds";
+constexpr const char* CellIds = "vtkOriginalCellIds";
+
+bool hasCurvedCells(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
+  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+  {
+    if (!vtkCellTypes::IsLinear(types->GetValue(i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void addIds(vtkDataSetAttributes* attributes, vtkIdType count, const char* name)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(name);
+  ids->SetNumberOfTuples(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 0 });
+  attributes->AddArray(ids);
+}
+
+/** VTK makes points of its own where it cuts curved faces, and interpolates the numbers of others.
+ */
+void forgetMadePoints(vtkDataSet* data, vtkPolyData* surface)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(surface->GetPointData()->GetArray(PointIds));
+  for (vtkIdType i = 0; ids && i < surface->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> made{};
+    std::array<double, 3> original{};
+    surface->GetPoint(i, made.data());
+    data->GetPoint(ids->GetValue(i), original.data());
+    if (made != original)
+    {
+      ids->SetValue(i, -1);
+    }
+  }
+}
+
 template <class Filter>
-std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
+std::shared_ptr<vtkPolyData> extractedBy(vtkDataSet* data, bool passIds)
 {
   vtkNew<Filter> filter;
-  filter->PassThroughPointIdsOn();
-  filter->PassThroughCellIdsOn();
+  filter->SetPassThroughPointIds(passIds);
+  filter->SetPassThroughCellIds(passIds);
   filter->SetInputDataObject(data);
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
   surface->Register(nullptr);
   return { surface, [](vtkPolyData* s) { s->UnRegister(nullptr); } };
+}
+
+std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    // The other filter gives the six sides of an image points of their own.
+    return extractedBy<vtkGeometryFilter>(data, true);
+  }
+  // The other filter leaves holes beside hidden cells.
+  if (!hasCurvedCells(grid))
+  {
+    return extractedBy<vtkDataSetSurfaceFilter>(grid, true);
+  }
+  // The ids that VTK gives here are those of a grid that it made on its way.
+  vtkNew<vtkUnstructuredGrid> numbered;
+  numbered->ShallowCopy(grid);
+  addIds(numbered->GetPointData(), grid->GetNumberOfPoints(), PointIds);
+  addIds(numbered->GetCellData(), grid->GetNumberOfCells(), CellIds);
+  const auto surface = extractedBy<vtkDataSetSurfaceFilter>(numbered, false);
+  forgetMadePoints(grid, surface.get());
+  return surface;
 }
 
 }
@@ -127,10 +195,7 @@ std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
       return surface;
     }
   }
-  // Of an image the first would give six sheets that share no points; of a grid the second leaves
-  // holes beside hidden cells.
-  auto surface = vtkUnstructuredGrid::SafeDownCast(data) ? extracted<vtkDataSetSurfaceFilter>(data)
-                                                         : extracted<vtkGeometryFilter>(data);
+  auto surface = extracted(data);
   known.push_back({ std::move(version), surface });
   return surface;
 }

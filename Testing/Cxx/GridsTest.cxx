@@ -8,7 +8,10 @@
 #include "PointIdentity.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCellTypeSource.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
@@ -179,6 +182,55 @@ TEST_F(Grids, AreOfEveryKind)
   straight->SetYCoordinates(coordinates(6));
   straight->SetZCoordinates(coordinates(5));
   EXPECT_EQ(fieldOf(this->run(straight)), truth);
+}
+
+// VTK's own ids are wrong for these cells.
+TEST_F(Grids, CurvedCellsKnowTheirPoints)
+{
+  for (const int type :
+    { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE })
+  {
+    vtkNew<vtkCellTypeSource> source;
+    source->SetCellType(type);
+    source->SetBlocksDimensions(3, 3, 3);
+    source->Update();
+    vtkUnstructuredGrid* grid = source->GetOutput();
+    this->Filter->ClearSeedPointIds();
+    this->Filter->AddSeedPointId(0);
+    vtkPolyData* output = this->run(grid);
+    vtkDataArray* ids = output->GetPointData()->GetArray("vtkOriginalPointIds");
+    vtkDataArray* cells = output->GetCellData()->GetArray("vtkOriginalCellIds");
+    ASSERT_TRUE(ids && cells);
+    vtkIdType known = 0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
+      if (id >= 0)
+      {
+        std::array<double, 3> p;
+        std::array<double, 3> q;
+        output->GetPoint(i, p.data());
+        grid->GetPoint(id, q.data());
+        EXPECT_EQ(p, q);
+        ++known;
+      }
+    }
+    if (type != VTK_BEZIER_WEDGE)
+    {
+      EXPECT_EQ(known, output->GetNumberOfPoints());
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+    {
+      // A face lies in the bounding box of its cell.
+      const auto id = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+      vtkBoundingBox cellBox(grid->GetCell(id)->GetBounds());
+      cellBox.Inflate(1e-5);
+      EXPECT_TRUE(cellBox.Contains(vtkBoundingBox(output->GetCell(i)->GetBounds())));
+    }
+    double p[3];
+    grid->GetPoint(0, p);
+    EXPECT_EQ(fieldOf(output).at({ p[0], p[1], p[2] }), 0.0);
+  }
 }
 
 // A cell that is hidden, at the corner that the seed is next to, leaves a notch.
