@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurface.h"
 
+#include "ObjectVersion.h"
 #include "PolyDataTriangles.h"
 
 #include "vtkCellArray.h"
@@ -18,28 +19,11 @@ namespace geodesic::bridge
 namespace
 {
 
-/** An object as it is: modification times are never used twice, so a reused address does not
- * matter.
- */
-struct Version
-{
-  Version(vtkObject* o)
-    : object(o)
-    , time(o ? o->GetMTime() : 0)
-  {
-  }
-
-  vtkObject* object;
-  vtkMTimeType time;
-
-  friend bool operator==(const Version&, const Version&) = default;
-};
-
 /** Tells inputs apart. */
 struct InputVersion
 {
   PointIdentity points;
-  std::vector<Version> parts;
+  std::vector<ObjectVersion> parts;
   std::vector<std::string> names;
 
   friend bool operator==(const InputVersion&, const InputVersion&) = default;

@@ -6,8 +6,10 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -31,6 +33,22 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+
+namespace
+{
+
+void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
+{
+  output->ShallowCopy(block.surface);
+  // An outer surface may have been extracted in an earlier run, for another time.
+  output->GetInformation()->CopyEntry(
+    block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(block.data->GetFieldData());
+  output->SetFieldData(fields);
+}
+
+}
 
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
@@ -385,7 +403,7 @@ void vtkSurfaceGeodesicDistance::WriteOutput(
   auto* tree = vtkDataObjectTree::SafeDownCast(output);
   if (!tree)
   {
-    output->ShallowCopy(blocks[0].surface);
+    copyBlock(blocks[0], output);
     this->AttachArrays(0, vtkPolyData::SafeDownCast(output));
     return;
   }
@@ -397,7 +415,7 @@ void vtkSurfaceGeodesicDistance::WriteOutput(
     if (vtkDataSet::SafeDownCast(place->GetCurrentDataObject()))
     {
       vtkNew<vtkPolyData> surface;
-      surface->ShallowCopy(blocks[block].surface);
+      copyBlock(blocks[block], surface);
       this->AttachArrays(block, surface);
       tree->SetDataSet(place, surface);
       ++block;

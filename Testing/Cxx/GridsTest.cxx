@@ -7,23 +7,34 @@
 #include "Inputs.h"
 #include "PointIdentity.h"
 
+#include "vtkAppendFilter.h"
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCellTypeSource.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkImageDataToPointSet.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkStructuredGrid.h"
 #include "vtkSurfaceGeodesicDistance.h"
 #include "vtkSurfaceGeodesicPath.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -63,6 +74,14 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedra(vtkDataSet* data)
   cut->SetInputDataObject(data);
   cut->Update();
   return cut->GetOutput();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> hexahedra(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(data);
+  append->Update();
+  return append->GetOutput();
 }
 
 class Grids : public ::testing::Test
@@ -136,6 +155,102 @@ TEST_F(Grids, AreTheirOuterSurface)
       EXPECT_EQ(output->GetCellData()->GetArray("cells")->GetComponent(i, 0),
         data->GetCellData()->GetArray("cells")->GetComponent(id, 0));
     }
+  }
+}
+
+TEST_F(Grids, AreOfEveryKind)
+{
+  const auto image = box();
+  this->Filter->AddSeedPosition(1.5, 2.0, 4.0);
+  const Field truth = fieldOf(this->run(image));
+  vtkNew<vtkImageDataToPointSet> toCurved;
+  toCurved->SetInputDataObject(image);
+  toCurved->Update();
+  EXPECT_EQ(fieldOf(this->run(toCurved->GetOutput())), truth);
+  vtkNew<vtkRectilinearGrid> straight;
+  straight->SetExtent(image->GetExtent());
+  const auto coordinates = [](int count)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    for (int i = 0; i < count; ++i)
+    {
+      array->InsertNextValue(i);
+    }
+    return array;
+  };
+  straight->SetXCoordinates(coordinates(7));
+  straight->SetYCoordinates(coordinates(6));
+  straight->SetZCoordinates(coordinates(5));
+  EXPECT_EQ(fieldOf(this->run(straight)), truth);
+}
+
+// VTK's own ids are wrong for these cells.
+TEST_F(Grids, CurvedCellsKnowTheirPoints)
+{
+  for (const int type :
+    { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE })
+  {
+    vtkNew<vtkCellTypeSource> source;
+    source->SetCellType(type);
+    source->SetBlocksDimensions(3, 3, 3);
+    source->Update();
+    vtkUnstructuredGrid* grid = source->GetOutput();
+    this->Filter->ClearSeedPointIds();
+    this->Filter->AddSeedPointId(0);
+    vtkPolyData* output = this->run(grid);
+    vtkDataArray* ids = output->GetPointData()->GetArray("vtkOriginalPointIds");
+    vtkDataArray* cells = output->GetCellData()->GetArray("vtkOriginalCellIds");
+    ASSERT_TRUE(ids && cells);
+    vtkIdType known = 0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
+      if (id >= 0)
+      {
+        std::array<double, 3> p;
+        std::array<double, 3> q;
+        output->GetPoint(i, p.data());
+        grid->GetPoint(id, q.data());
+        EXPECT_EQ(p, q);
+        ++known;
+      }
+    }
+    if (type != VTK_BEZIER_WEDGE)
+    {
+      EXPECT_EQ(known, output->GetNumberOfPoints());
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+    {
+      // A face lies in the bounding box of its cell.
+      const auto id = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+      vtkBoundingBox cellBox(grid->GetCell(id)->GetBounds());
+      cellBox.Inflate(1e-5);
+      EXPECT_TRUE(cellBox.Contains(vtkBoundingBox(output->GetCell(i)->GetBounds())));
+    }
+    double p[3];
+    grid->GetPoint(0, p);
+    EXPECT_EQ(fieldOf(output).at({ p[0], p[1], p[2] }), 0.0);
+  }
+}
+
+// A cell that is hidden, at the corner that the seed is next to, leaves a notch.
+TEST_F(Grids, HiddenCellsAreNotThere)
+{
+  this->Filter->AddSeedPosition(1.0, 0.0, 0.0);
+  for (const vtkSmartPointer<vtkDataSet>& data :
+    { vtkSmartPointer<vtkDataSet>(box()), vtkSmartPointer<vtkDataSet>(hexahedra(box())) })
+  {
+    EXPECT_NEAR(fieldOf(this->run(data)).at({ 0.0, 1.0, 0.0 }), std::sqrt(2.0), 1e-9);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(data->GetNumberOfCells());
+    ghosts->FillValue(0);
+    ghosts->SetValue(0, vtkDataSetAttributes::HIDDENCELL);
+    data->GetCellData()->AddArray(ghosts);
+    const Field field = fieldOf(this->run(data));
+    EXPECT_EQ(field.count({ 0.0, 0.0, 0.0 }), 0u);
+    EXPECT_NEAR(field.at({ 0.0, 1.0, 0.0 }), 2.0, 0.01);
+    EXPECT_EQ(field.count({ 1.0, 1.0, 1.0 }), 1u);
   }
 }
 
@@ -258,4 +373,40 @@ TEST(InputSurface, IsBuiltOnceForAnInput)
     InputSurface::of(InputBlocks(blocks), { PointIdentity::By::Coordinates, false }), surface);
   image->SetOrigin(1.0, 0.0, 0.0);
   EXPECT_NE(InputSurface::of(InputBlocks(blocks), byCoordinates), surface);
+}
+
+// ParaView hands over a shallow copy of the grid in every run.
+TEST_F(Grids, AreExtractedOnceWhileTheyStay)
+{
+  const auto copyOf = [](vtkDataSet* data)
+  {
+    const auto copy = vtk::TakeSmartPointer(data->NewInstance());
+    copy->ShallowCopy(data);
+    return copy;
+  };
+  this->Filter->SetInputArrayToProcess(
+    vtkSurfaceGeodesicDistance::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "cost");
+  for (const vtkSmartPointer<vtkDataSet>& data :
+    { vtkSmartPointer<vtkDataSet>(box()), vtkSmartPointer<vtkDataSet>(tetrahedra(box())) })
+  {
+    this->Filter->AddSeedPosition(1.5, 2.0, 4.0);
+    const vtkSmartPointer<vtkPoints> points = this->run(copyOf(data))->GetPoints();
+    EXPECT_EQ(this->run(copyOf(data))->GetPoints(), points);
+    // What does not change the surface is that of the present data set.
+    vtkNew<vtkDoubleArray> time;
+    time->SetName("time");
+    time->InsertNextValue(7.0);
+    data->GetFieldData()->AddArray(time);
+    data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), 7.0);
+    vtkPolyData* output = this->run(copyOf(data));
+    EXPECT_EQ(output->GetPoints(), points);
+    EXPECT_TRUE(output->GetFieldData()->GetArray("time"));
+    EXPECT_EQ(output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 7.0);
+    const double farthest = this->Filter->GetMaximumDistanceReached();
+    auto* cost = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray("cost"));
+    cost->FillValue(3.0);
+    cost->Modified();
+    EXPECT_NE(this->run(copyOf(data))->GetPoints(), points);
+    EXPECT_NE(this->Filter->GetMaximumDistanceReached(), farthest);
+  }
 }
