@@ -58,14 +58,10 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
   return array;
 }
 
-vtkIdType numberOfReachedPoints(
-  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts)
+vtkIdType numberOfReachedPoints(const FieldOnInput& input)
 {
   vtkIdType count = 0;
-  visitPoints(input,
-    [&](Index point, Index vertex) {
-      count += vertex != NoIndex && (!counts || counts(input.mesh.vertexOfPoint(point))) ? 1 : 0;
-    });
+  visitPoints(input, [&](Index, Index vertex) { count += vertex == NoIndex ? 0 : 1; });
   return count;
 }
 

@@ -8,8 +8,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <functional>
-
 class vtkDoubleArray;
 class vtkIdTypeArray;
 
@@ -40,10 +38,8 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
 /** The numbers of the nearest seeds at the input's points, -1 where there is none. */
 vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
-/** How many of the input's points have a distance; where a vertex of the mesh is asked whether it
- * counts, only those of such vertices. */
-vtkIdType numberOfReachedPoints(
-  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts = {});
+/** How many of the points have a distance. */
+vtkIdType numberOfReachedPoints(const FieldOnInput& input);
 
 }
 

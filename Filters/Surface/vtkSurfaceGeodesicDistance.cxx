@@ -30,8 +30,10 @@
 #include "SharedGuides.h"
 #include "SolveSurface.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 namespace
@@ -294,9 +296,12 @@ void vtkSurfaceGeodesicDistance::ReportWork(
   double farthest = -internal.Field->largestDistance();
   ranks.takeLeast({ &farthest, 1 });
   this->MaximumDistanceReached = -farthest;
-  const vtkIdType visited = geodesic::bridge::numberOfReachedPoints(
-    { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() },
-    [&](geodesic::Index vertex) { return partition.owns(vertex); });
+  const std::span<const geodesic::Index> reached = internal.Field->reached();
+  const auto visited = ranks.size() == 1
+    ? geodesic::bridge::numberOfReachedPoints(
+        { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() })
+    : std::count_if(reached.begin(), reached.end(),
+        [&](geodesic::Index vertex) { return partition.owns(vertex); });
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);

@@ -192,7 +192,8 @@ public:
   vtkGetMacro(MaximumDistanceReached, double);
 
   /**
-   * The number of points with a final distance in the last run; 0 before the first.
+   * The number of points with a final distance in the last run; 0 before the first. On several
+   * ranks, points that are one count once.
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
 
