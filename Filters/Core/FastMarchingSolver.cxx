@@ -89,7 +89,8 @@ public:
 
   FrontValue look(Index vertex) const
   {
-    return { this->value(vertex), (this->State[vertex] & Queued) != 0 };
+    const double value = this->value(vertex);
+    return { value, value, (this->State[vertex] & Queued) != 0 };
   }
 
   double ceiling(Index vertex, double value) const
@@ -109,7 +110,7 @@ public:
       return this->look(vertex);
     }
     this->set(vertex, value);
-    return { value, true };
+    return { value, value, true };
   }
 
   void set(Index vertex, double value)
@@ -158,10 +159,10 @@ public:
     const Index known = this->Sets.find(vertex, this->Current);
     if (known == NoIndex)
     {
-      return { DistanceField::Unreached, false };
+      return { DistanceField::Unreached, this->keptUpTo(vertex), false };
     }
     const LabelSets::Entry& entry = this->Sets[known];
-    return { entry.value, entry.isQueued != 0 };
+    return { entry.value, entry.value, entry.isQueued != 0 };
   }
 
   /** The largest value of the current label that a vertex keeps beside its best one. */
@@ -187,10 +188,10 @@ public:
     if (!(value < this->ceiling(vertex, old)) || this->Context.options.isExcluded(vertex) ||
       (!isNew && this->Sets[known].isPinned))
     {
-      return { old, !isNew && this->Sets[known].isQueued };
+      return { old, std::min(old, this->keptUpTo(vertex)), !isNew && this->Sets[known].isQueued };
     }
     this->set(isNew ? this->Sets.add(vertex, this->Current) : known, value);
-    return { value, true };
+    return { value, value, true };
   }
 
   void set(Index number, double value)
@@ -310,6 +311,15 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
   RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
 
+  // Many small fronts spread over more memory than the processor has near.
+  const auto prefetchRound = [&](Index vertex)
+  {
+    for (const RingEntry& entry : mesh.ring(vertex))
+    {
+      __builtin_prefetch(&sets[entry.neighbour()]);
+      __builtin_prefetch(&mesh.position(entry.neighbour()));
+    }
+  };
   for (const StartValue& start : starts)
   {
     values.setCurrent(start.label);
@@ -323,6 +333,10 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
     {
       mesh.prefetch(sets.vertexOf(ahead));
+    }
+    if (const Index next = this->Queue.ahead(0); next != NoIndex)
+    {
+      prefetchRound(sets.vertexOf(next));
     }
     sets[popped].isQueued = false;
     const LabelSets::Entry entry = sets[popped];
