@@ -159,7 +159,9 @@ public:
     const Index known = this->Sets.find(vertex, this->Current);
     if (known == NoIndex)
     {
-      return { DistanceField::Unreached, this->keptUpTo(vertex), false };
+      const double kept =
+        this->Sets.isEmpty(vertex) ? DistanceField::Unreached : this->keptUpTo(vertex);
+      return { DistanceField::Unreached, kept, false };
     }
     const LabelSets::Entry& entry = this->Sets[known];
     return { entry.value, entry.value, entry.isQueued != 0 };
@@ -358,8 +360,9 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   for (Index vertex : field.reached())
   {
     field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
+    sets.clear(vertex);
   }
-  sets.clear(field.reached());
+  sets.finish();
   return !control.isCancelled();
 }
 
