@@ -7,6 +7,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
@@ -207,7 +208,7 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
     return std::nullopt;
   }
   const auto path = isReached ? finder->pathFrom(start) : std::nullopt;
-  if (!path && !this->GetAbortOutput())
+  if (!path && !geodesic::bridge::isAborted(*this))
   {
     throw noRoute(this->BeginPointId, this->GetSeeds(), stop);
   }
