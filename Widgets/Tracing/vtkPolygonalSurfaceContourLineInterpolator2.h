@@ -37,9 +37,13 @@
 
 class vtkIdList;
 
-namespace geodesic::bridge
+// One within the other: the wrapping tools of VTK 9.1 do not know namespace geodesic::bridge.
+namespace geodesic
+{
+namespace bridge
 {
 class PickedPoints;
+}
 }
 
 GEODESICS_ABI_BEGIN
