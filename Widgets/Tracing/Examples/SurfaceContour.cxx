@@ -25,7 +25,6 @@ SurfaceContour::SurfaceContour(SurfaceWindow& window, int method, int order, dou
   placer->AddProp(window.actor());
   placer->GetPolys()->AddItem(window.surface());
   placer->GetCellPicker()->AddLocator(window.locator());
-  placer->SnapToClosestPointOn();
   placer->SetDistanceOffset(heightOffset);
   this->Interpolator->GetPolys()->AddItem(window.surface());
   this->Interpolator->SetGeodesicMethod(method);
@@ -107,20 +106,15 @@ std::vector<vtkIdType> SurfaceContour::nodeIds() const
 
 double SurfaceContour::length() const
 {
-  vtkPolyData* drawn = this->Representation->GetContourRepresentationAsPolyData();
   double length = 0.0;
-  vtkNew<vtkIdList> line;
-  if (drawn->GetNumberOfLines() > 0)
+  for (int i = 0; i < this->numberOfNodes(); ++i)
   {
-    drawn->GetLines()->GetCellAtId(0, line);
-  }
-  for (vtkIdType i = 1; i < line->GetNumberOfIds(); ++i)
-  {
-    double from[3];
-    double to[3];
-    drawn->GetPoint(line->GetId(i - 1), from);
-    drawn->GetPoint(line->GetId(i), to);
-    length += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    const auto& points = this->Representation->GetNthNode(i)->Points;
+    for (std::size_t k = 1; k < points.size(); ++k)
+    {
+      length += std::sqrt(
+        vtkMath::Distance2BetweenPoints(points[k - 1]->WorldPosition, points[k]->WorldPosition));
+    }
   }
   return length;
 }

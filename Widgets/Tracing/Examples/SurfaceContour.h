@@ -48,7 +48,7 @@ public:
   std::vector<vtkIdType> pointIds() const;
   /** Those of the nodes alone. */
   std::vector<vtkIdType> nodeIds() const;
-  /** Of the line as it is drawn. */
+  /** Of the lines between the points of the surface that are nearest to the nodes. */
   double length() const;
 
 private:
