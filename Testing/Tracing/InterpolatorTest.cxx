@@ -5,6 +5,7 @@
 #include "Inputs.h"
 #include "TracedContour.h"
 
+#include "vtkCellArray.h"
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkDoubleArray.h"
 #include "vtkFocalPlanePointPlacer.h"
@@ -72,8 +73,7 @@ TEST_F(Interpolator, HasTheDefaultsOfTheArticle)
   EXPECT_EQ(this->Traced.Interpolator->GetGeodesicMethod(), Dijkstra);
   EXPECT_EQ(this->Traced.Interpolator->GetInterpolationOrder(), 0);
   EXPECT_EQ(this->Traced.Interpolator->GetDistanceOffset(), 0.0);
-  double node[3] = { 0.0, 0.0, 0.0 };
-  EXPECT_EQ(this->Traced.Interpolator->UpdateNode(nullptr, this->Traced.Contour, node, 0), 0);
+  EXPECT_EQ(this->Traced.Interpolator->UpdateNode(nullptr, nullptr, nullptr, 0), 0);
 }
 
 TEST_F(Interpolator, OfOrderZeroRunsThroughPointsAlongEdges)
@@ -275,32 +275,69 @@ TEST_F(Interpolator, DrawsOnSeveralSurfaces)
   EXPECT_EQ(this->Traced.contourIds(), (std::vector<vtkIdType>{ 120, 2 }));
 }
 
-// The placer keeps one record for all places within 0.022, which on the Bunny is an ear's width.
-TEST_F(Interpolator, TellsNodesApartThatThePlacerDoesNot)
+// The placer keeps one record for all places within 0.022, on the Bunny an ear's width, and forgets
+// those before.
+TEST_F(Interpolator, KnowsNodesThatThePlacerForgot)
 {
   const auto surface = readData("Bunny.vtp");
   this->Traced.addSurface(surface);
-  std::vector<vtkIdType> nodes;
+  std::vector<vtkIdType> nodes{ 0 };
   for (vtkIdType id = 0; nodes.size() < 6; ++id)
   {
-    if (distanceBetween(surface, 0, id) < 0.015)
+    const double step = distanceBetween(surface, nodes.back(), id);
+    if (step > 0.01 && step < 0.02 && surface->GetPoint(id)[0] > surface->GetPoint(nodes.back())[0])
     {
       nodes.push_back(id);
     }
   }
+  const auto expectLines = [&]
+  {
+    ASSERT_EQ(this->Traced.Contour->GetNumberOfNodes(), 6);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      const auto line = this->Traced.lineIds(static_cast<int>(i));
+      ASSERT_GE(line.size(), 2u);
+      EXPECT_EQ(line.front(), nodes[i]);
+      EXPECT_EQ(line.back(), nodes[(i + 1) % nodes.size()]);
+      EXPECT_EQ(this->Traced.Contour->GetNthNode(static_cast<int>(i))->PointId, nodes[i]);
+    }
+  };
   for (vtkIdType id : nodes)
   {
     this->Traced.addNode(surface, id);
   }
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-  {
-    EXPECT_EQ(this->Traced.lineIds(static_cast<int>(i)).front(), nodes[i]);
-    EXPECT_EQ(this->Traced.lineIds(static_cast<int>(i)).back(), nodes[i + 1]);
-  }
   this->Traced.Contour->ClosedLoopOn();
-  const auto last = this->Traced.lineIds(5);
-  EXPECT_EQ(last.front(), nodes.back());
-  EXPECT_EQ(last.back(), nodes.front());
+  expectLines();
+  double first[3];
+  surface->GetPoint(nodes[0], first);
+  EXPECT_EQ(this->Traced.Placer->GetNodeAtWorldPosition(first), nullptr);
+  // All lines again.
+  this->Traced.Placer->Modified();
+  this->Traced.Contour->BuildRepresentation();
+  expectLines();
+
+  // All nodes at once.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> loop;
+  for (vtkIdType id : nodes)
+  {
+    loop->InsertNextId(points->InsertNextPoint(surface->GetPoint(id)));
+    ids->InsertNextId(id);
+  }
+  loop->InsertNextId(0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(loop);
+  vtkNew<vtkPolyData> contour;
+  contour->SetPoints(points);
+  contour->SetLines(lines);
+  TracedContour other;
+  other.addSurface(surface);
+  other.Widget->Initialize(contour, 1, ids);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    EXPECT_EQ(other.lineIds(static_cast<int>(i)).front(), nodes[i]);
+  }
 }
 
 TEST_F(Interpolator, ListsEachNodeAndThePointsAfterIt)

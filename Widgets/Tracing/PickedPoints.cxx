@@ -62,30 +62,53 @@ PickedPoint PickedPoints::at(
   vtkContourRepresentation* contour, int node, vtkPolyDataCollection* polys)
 {
   auto* placer = vtkPolygonalSurfacePointPlacer::SafeDownCast(contour->GetPointPlacer());
-  double position[3];
-  if (!placer || !contour->GetNthNodeWorldPosition(node, position))
+  Position position;
+  if (!placer || !contour->GetNthNodeWorldPosition(node, position.data()))
   {
     return {};
   }
-  const vtkPolygonalSurfacePointPlacerNode* record = placer->GetNodeAtWorldPosition(position);
   std::vector<vtkPolyData*> surfaces = surfacesIn(polys);
-  const bool counts = record && record->PolyData &&
-    (surfaces.empty() ||
-      std::find(surfaces.begin(), surfaces.end(), record->PolyData) != surfaces.end());
-  if (!counts)
+  const auto counts = [&](vtkPolyData* surface)
+  {
+    return surface &&
+      (surfaces.empty() || std::find(surfaces.begin(), surfaces.end(), surface) != surfaces.end());
+  };
+  const vtkPolygonalSurfacePointPlacerNode* record =
+    placer->GetNodeAtWorldPosition(position.data());
+  const bool isRecorded = record && counts(record->PolyData);
+  if (isRecorded && std::equal(position.begin(), position.end(), record->WorldPosition))
+  {
+    const PickedPoint point{ record->PolyData, pickedId(*record) };
+    this->remember(position, point);
+    return point;
+  }
+  const auto memory = this->Memories.find(position);
+  if (memory != this->Memories.end() && counts(memory->second.surface))
+  {
+    return { memory->second.surface, memory->second.id };
+  }
+  if (!isRecorded)
   {
     return {};
   }
-  if (std::equal(position, position + 3, record->WorldPosition))
-  {
-    return { record->PolyData, pickedId(*record) };
-  }
-  // The placer takes all places within 0.022 units of length for one, and keeps the last.
   if (surfaces.empty())
   {
     surfaces.push_back(record->PolyData);
   }
-  return this->nearestTo({ position[0], position[1], position[2] }, surfaces);
+  const PickedPoint point = this->nearestTo({ position[0], position[1], position[2] }, surfaces);
+  this->remember(position, point);
+  return point;
+}
+
+void PickedPoints::remember(const Position& position, const PickedPoint& point)
+{
+  // A node that is dragged leaves one behind at each step.
+  constexpr std::size_t most = 100000;
+  if (this->Memories.size() >= most)
+  {
+    this->Memories.clear();
+  }
+  this->Memories[position] = { point.surface, point.id };
 }
 
 PickedPoint PickedPoints::nearestTo(

@@ -7,6 +7,8 @@
 
 #include "vtkWeakPointer.h"
 
+#include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -25,13 +27,18 @@ struct PickedPoint
   vtkIdType id = -1;
 };
 
-/** Finds the points that were picked, and keeps the surfaces that they are on. */
+/**
+ * Finds the points that were picked, and keeps the surfaces that they are on.
+ *
+ * The placer takes all places within 0.022 units of length for one and keeps a record of the last.
+ * On a small surface a node's record is soon another's, or gone; so what it said is remembered.
+ */
 class PickedPoints
 {
 public:
   /**
    * @param polys the surfaces that count; empty: all
-   * @return what the placer knows about a node of a contour
+   * @return what the placer knows about a node of a contour, or knew when the node was last there
    * @throws std::invalid_argument for a surface without faces
    */
   PickedPoint at(vtkContourRepresentation* contour, int node, vtkPolyDataCollection* polys);
@@ -40,9 +47,17 @@ public:
   PickedSurface& surfaceOf(vtkPolyData* input);
 
   /** To be called after an exception, which leaves solvers undefined. */
-  void forget() { this->Known.clear(); }
+  void forgetSurfaces() { this->Known.clear(); }
 
 private:
+  using Position = std::array<double, 3>;
+  struct Memory
+  {
+    vtkWeakPointer<vtkPolyData> surface;
+    vtkIdType id;
+  };
+
+  void remember(const Position& position, const PickedPoint& point);
   PickedPoint nearestTo(const Vector3& position, const std::vector<vtkPolyData*>& surfaces);
 
   struct KnownSurface
@@ -51,6 +66,7 @@ private:
     std::unique_ptr<PickedSurface> surface;
   };
   std::vector<KnownSurface> Known;
+  std::map<Position, Memory> Memories;
 };
 
 }

@@ -92,7 +92,7 @@ int vtkPolygonalSurfaceContourLineInterpolator2::InterpolateLine(
   }
   catch (const std::exception& error)
   {
-    this->Picked->forget();
+    this->Picked->forgetSurfaces();
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
     return 0;
   }
@@ -100,15 +100,39 @@ int vtkPolygonalSurfaceContourLineInterpolator2::InterpolateLine(
 
 //------------------------------------------------------------------------------
 int vtkPolygonalSurfaceContourLineInterpolator2::UpdateNode(vtkRenderer* vtkNotUsed(renderer),
-  vtkContourRepresentation* vtkNotUsed(rep), double* vtkNotUsed(node), int vtkNotUsed(idx))
+  vtkContourRepresentation* rep, double* vtkNotUsed(node), int idx)
 {
+  if (rep)
+  {
+    // The first node is not announced by itself.
+    for (int known = idx == 1 ? 0 : idx; known <= idx; ++known)
+    {
+      this->NoteNode(rep, known);
+    }
+  }
   return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolygonalSurfaceContourLineInterpolator2::NoteNode(vtkContourRepresentation* rep, int idx)
+{
+  try
+  {
+    this->Picked->at(rep, idx, this->Polys);
+  }
+  catch (const std::exception& error)
+  {
+    this->Picked->forgetSurfaces();
+    vtkErrorMacro(<< geodesic::bridge::messageOf(error));
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPolygonalSurfaceContourLineInterpolator2::GetSpan(
   int nodeIndex, vtkIntArray* nodeIndices, vtkContourRepresentation* rep)
 {
+  // A representation asks for this when it has placed or moved a node: the placer still knows it.
+  this->NoteNode(rep, nodeIndex);
   nodeIndices->Initialize();
   nodeIndices->SetNumberOfComponents(2);
   const int count = rep->GetNumberOfNodes();
@@ -148,7 +172,7 @@ void vtkPolygonalSurfaceContourLineInterpolator2::GetContourPointIds(
   }
   catch (const std::exception& error)
   {
-    this->Picked->forget();
+    this->Picked->forgetSurfaces();
     ids->Reset();
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
   }

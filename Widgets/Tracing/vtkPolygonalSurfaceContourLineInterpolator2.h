@@ -128,6 +128,8 @@ protected:
   double DistanceOffset = 0.0;
 
 private:
+  void NoteNode(vtkContourRepresentation* rep, int idx);
+
   std::unique_ptr<geodesic::bridge::PickedPoints> Picked;
 
   vtkPolygonalSurfaceContourLineInterpolator2(
