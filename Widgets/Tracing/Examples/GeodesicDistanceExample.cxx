@@ -6,6 +6,7 @@
 #include "SurfaceContour.h"
 
 #include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkInteractorObserver.h"
 #include "vtkPointData.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -82,11 +83,12 @@ DistanceProgram::DistanceProgram(const DistanceOptions& options, const RunOption
     this->Contour.emplace(
       this->Window, vtkPolygonalSurfaceContourLineInterpolator2::DijkstraMethod, 0, 0.0);
   }
-  // After the contour's widget, which keeps to itself what it uses, and before the camera's style.
+  // After the contour's widget, which keeps to itself what it uses, and before the camera's style,
+  // which does so from the press on, but tells when it is done.
   vtkRenderWindowInteractor* interactor = this->Window.interactor();
   interactor->AddObserver(vtkCommand::LeftButtonPressEvent, this, &DistanceProgram::onPress, 0.1f);
-  interactor->AddObserver(
-    vtkCommand::LeftButtonReleaseEvent, this, &DistanceProgram::onRelease, 0.1f);
+  interactor->GetInteractorStyle()->AddObserver(
+    vtkCommand::EndInteractionEvent, this, &DistanceProgram::onRelease);
 }
 
 void DistanceProgram::setOptions()
