@@ -204,8 +204,10 @@ void measure(const char* name, vtkPolyData* surface, double apart, std::size_t s
   for (Subject& subject : all)
   {
     std::sort(subject.times.begin(), subject.times.end());
-    std::printf("  %-24s median %8.2f ms   largest %8.2f ms   of %zu steps\n", subject.name,
-      subject.times[subject.times.size() / 2], subject.times.back(), subject.times.size());
+    const std::size_t count = subject.times.size();
+    std::printf("  %-24s median %8.2f   90 %% within %8.2f   largest %8.2f ms, of %zu steps\n",
+      subject.name, subject.times[count / 2], subject.times[9 * (count - 1) / 10],
+      subject.times.back(), count);
   }
   std::printf("  lines of up to %d points\n", points);
 }
@@ -220,7 +222,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const std::size_t steps = argc > 2 ? std::stoul(argv[2]) : 50;
-  std::printf("VTK %s\n", vtkVersion::GetVTKVersionFull());
+  std::printf("VTK %s\n", vtkVersion::GetVTKVersion());
   vtkNew<vtkXMLPolyDataReader> bunny;
   bunny->SetFileName(argv[1]);
   bunny->Update();

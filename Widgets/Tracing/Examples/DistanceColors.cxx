@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceColors.h"
 
+#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -14,7 +15,7 @@ namespace geodesic::examples
 namespace
 {
 
-/** From near to far: yellow, green, blue, violet, as light falls off. */
+/** From near to far: yellow, green, blue, violet, each second band darker: isolines show. */
 void fillBands(vtkLookupTable* table, int bands)
 {
   vtkNew<vtkColorTransferFunction> colors;
@@ -29,7 +30,8 @@ void fillBands(vtkLookupTable* table, int bands)
   {
     double color[3];
     colors->GetColor(i / (bands - 1.0), color);
-    table->SetTableValue(i, color[0], color[1], color[2]);
+    const double shade = i % 2 == 0 ? 1.0 : 0.82;
+    table->SetTableValue(i, shade * color[0], shade * color[1], shade * color[2]);
   }
 }
 
@@ -47,6 +49,8 @@ void setText(vtkTextProperty* text)
 DistanceColors::DistanceColors(SurfaceWindow& window)
   : Window(window)
 {
+  // Room for the bar.
+  window.renderer()->GetActiveCamera()->SetWindowCenter(0.17, 0.0);
   fillBands(this->Table, 24);
   this->Table->SetBelowRangeColor(0.8, 0.8, 0.8, 1.0);
   this->Table->UseBelowRangeColorOn();

@@ -69,7 +69,7 @@ SurfaceWindow::SurfaceWindow(
   this->Renderer->AddActor(this->Actor);
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
   this->Renderer->ResetCamera();
-  this->Renderer->GetActiveCamera()->Zoom(1.3);
+  this->Renderer->GetActiveCamera()->Zoom(1.2);
 
   this->Window->SetSize(640, 480);
   this->Window->SetMultiSamples(8);
