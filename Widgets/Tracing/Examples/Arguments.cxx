@@ -85,10 +85,9 @@ bool Arguments::parse(int argc, char* argv[], std::size_t fewest, std::size_t mo
   const std::size_t given = this->Positional.size();
   if (given < fewest || given > most)
   {
-    throw std::invalid_argument(std::to_string(given) + " arguments were given, but " +
-      (fewest == most ? std::to_string(fewest)
-                      : std::to_string(fewest) + " to " + std::to_string(most)) +
-      " are needed.");
+    const std::string upTo = fewest == most ? "" : " to " + std::to_string(most);
+    throw std::invalid_argument("Arguments given: " + std::to_string(given) +
+      ", needed: " + std::to_string(fewest) + upTo + ".");
   }
   return true;
 }

@@ -4,11 +4,11 @@
 
 #include "DistanceColors.h"
 #include "SurfaceContour.h"
+#include "SurfaceFile.h"
 
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkInteractorObserver.h"
 #include "vtkPointData.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <array>
 #include <cmath>
@@ -56,7 +56,6 @@ private:
   /** @return whether seeds can be given: with a contour once that is closed. */
   bool isReady() const { return !this->Contour || this->Contour->isClosed(); }
   void computeFrom(const std::vector<vtkIdType>& seeds);
-  void write() const;
   void onPress(vtkObject*, unsigned long, void*);
   void onRelease(vtkObject*, unsigned long, void*);
 
@@ -147,7 +146,7 @@ void DistanceProgram::computeFrom(const std::vector<vtkIdType>& seeds)
   this->Colors.show(
     output->GetPointData()->GetArray("FMMDist"), this->Distance->GetMaximumDistance());
   this->Colors.markSeeds(seeds);
-  this->write();
+  writeSurface(output, this->Options.output);
   std::cout << "seed";
   for (vtkIdType id : seeds)
   {
@@ -155,19 +154,6 @@ void DistanceProgram::computeFrom(const std::vector<vtkIdType>& seeds)
   }
   std::cout << ", maximum distance " << this->Distance->GetMaximumDistance() << ", points "
             << this->Distance->GetNumberOfVisitedPoints() << std::endl;
-}
-
-void DistanceProgram::write() const
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(this->Distance->GetOutput());
-  writer->SetFileName(this->Options.output.c_str());
-  // Debian 12's ParaView cannot read appended data.
-  writer->SetDataModeToBinary();
-  if (!writer->Write())
-  {
-    throw std::runtime_error("The file " + this->Options.output + " cannot be written.");
-  }
 }
 
 void DistanceProgram::onPress(vtkObject*, unsigned long, void*)

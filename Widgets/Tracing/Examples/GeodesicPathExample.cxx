@@ -3,6 +3,7 @@
 // Traces a contour on a surface, node by node, with the shortest ways between them.
 
 #include "SurfaceContour.h"
+#include "SurfaceFile.h"
 
 #include <cstdlib>
 #include <exception>

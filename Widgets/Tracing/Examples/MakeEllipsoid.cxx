@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes an ellipsoid with the point array Curvature, the mean curvature, which is positive on it.
 
+#include "SurfaceFile.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <string>
 
@@ -66,14 +68,13 @@ int main(int argc, char* argv[])
   ellipsoid->SetPolys(sphere->GetOutput()->GetPolys());
   ellipsoid->GetPointData()->AddArray(curvature);
 
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(ellipsoid);
-  writer->SetFileName(argv[1]);
-  // Debian 12's ParaView cannot read appended data.
-  writer->SetDataModeToBinary();
-  if (!writer->Write())
+  try
   {
-    std::cerr << "MakeEllipsoid: The file " << argv[1] << " cannot be written." << std::endl;
+    geodesic::examples::writeSurface(ellipsoid, argv[1]);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "MakeEllipsoid: " << error.what() << std::endl;
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceWindow.h"
 
+#include "SurfaceFile.h"
+
 #include "vtkCamera.h"
 #include "vtkCellPicker.h"
 #include "vtkInteractorEventRecorder.h"
@@ -10,40 +12,11 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkWindowToImageFilter.h"
-#include "vtkXMLPolyDataReader.h"
-
-#include <vtksys/SystemTools.hxx>
 
 #include <stdexcept>
 
 namespace geodesic::examples
 {
-namespace
-{
-
-void requireFile(const std::string& file)
-{
-  if (!vtksys::SystemTools::FileExists(file, true))
-  {
-    throw std::runtime_error("The file " + file + " does not exist.");
-  }
-}
-
-}
-
-vtkSmartPointer<vtkPolyData> readSurface(const std::string& file)
-{
-  requireFile(file);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkSmartPointer<vtkPolyData> surface = reader->GetOutput();
-  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
-  {
-    throw std::runtime_error("The file " + file + " holds no surface. Give a .vtp with triangles.");
-  }
-  return surface;
-}
 
 SurfaceWindow::SurfaceWindow(
   const std::string& title, vtkPolyData* surface, const RunOptions& options)

@@ -21,9 +21,6 @@
 namespace geodesic::examples
 {
 
-/** @throws std::runtime_error where the file cannot be read, or holds no surface */
-vtkSmartPointer<vtkPolyData> readSurface(const std::string& file);
-
 /** A window that shows a surface, moved by the mouse or by recorded events. */
 class SurfaceWindow
 {
