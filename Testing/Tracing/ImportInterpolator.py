@@ -24,7 +24,6 @@ assert interpolator.IsA("vtkPolygonalSurfaceContourLineInterpolator2")
 assert interpolator.GetGeodesicMethod() == interpolator.DijkstraMethod == 0
 interpolator.SetGeodesicMethodToFastMarching()
 assert interpolator.GetGeodesicMethod() == interpolator.FastMarchingMethod == 1
-interpolator.SetInterpolationOrder(1)
 interpolator.SetDistanceOffset(0.0)
 interpolator.GetPolys().AddItem(surface)
 
