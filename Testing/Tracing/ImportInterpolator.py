@@ -30,6 +30,7 @@ interpolator.GetPolys().AddItem(surface)
 placer = vtkPolygonalSurfacePointPlacer()
 placer.GetPolys().AddItem(surface)
 renderer = vtkRenderer()
+renderer.GetActiveCamera()  # Makes one.
 contour = vtkOrientedGlyphContourRepresentation()
 contour.SetRenderer(renderer)
 contour.SetPointPlacer(placer)

@@ -36,6 +36,7 @@ int main()
   interpolator->SetGeodesicMethodToFastMarching();
   interpolator->SetInterpolationOrder(1);
   vtkNew<vtkRenderer> renderer;
+  renderer->GetActiveCamera(); // Makes one, which the contour needs.
   vtkNew<vtkOrientedGlyphContourRepresentation> contour;
   contour->SetRenderer(renderer);
   contour->SetPointPlacer(placer);
