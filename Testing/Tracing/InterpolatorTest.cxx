@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkDoubleArray.h"
+#include "vtkFastMarchingGeodesicPath.h"
 #include "vtkFocalPlanePointPlacer.h"
 #include "vtkPolyDataCollection.h"
 
@@ -140,6 +141,30 @@ TEST_F(Interpolator, OfOrderOneIsStraightOnThePlane)
       // The nearer end of an edge, none of which is longer than a cell's stretched diagonal.
       EXPECT_LT(std::hypot(p[0] - q[0], p[1] - q[1]), 0.5 * 0.5 * std::sqrt(2.0) * 1.6);
     }
+  }
+}
+
+// The one that the path filter straightens, which is shorter than as it is traced.
+TEST_F(Interpolator, OfOrderOneIsStraightened)
+{
+  const auto surface = readData("Spot.vtp");
+  this->Traced.addSurface(surface);
+  this->useMethod(FastMarching, 1);
+  vtkNew<vtkFastMarchingGeodesicPath> path;
+  path->SetInputData(surface);
+  for (int i = 0; i < 20; ++i)
+  {
+    const vtkIdType begin = this->pick(surface);
+    const vtkIdType end = this->pick(surface);
+    const double length = this->lengthOf(surface, begin, end);
+    path->SetBeginPointId(end);
+    path->SetSeeds(idList({ begin }));
+    path->StraightenOff();
+    path->Update();
+    EXPECT_LT(length, path->GetGeodesicLength() * (1.0 - 1e-9));
+    path->StraightenOn();
+    path->Update();
+    EXPECT_NEAR(length, path->GetGeodesicLength(), 1e-12);
   }
 }
 
