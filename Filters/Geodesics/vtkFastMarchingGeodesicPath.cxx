@@ -227,7 +227,8 @@ void vtkFastMarchingGeodesicPath::Deliver(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(path.size()));
+  // A line has two ends at least, in VTK 9.1 by all means; here they may be one point.
+  lines->InsertNextCell(static_cast<int>(std::max<std::size_t>(path.size(), 2)));
   vtkIdType lastNearest = -1;
   for (const PathPoint& point : path)
   {
@@ -245,6 +246,10 @@ void vtkFastMarchingGeodesicPath::Deliver(
       this->FirstOrderPathPointIds->InsertNextId(nearest);
       this->FirstOrderPathPointIds->InsertNextId(mesh.pointOfVertex(other));
     }
+  }
+  if (path.size() == 1)
+  {
+    lines->InsertCellPoint(0);
   }
   output->SetPoints(points);
   output->SetLines(lines);

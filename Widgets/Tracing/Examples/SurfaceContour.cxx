@@ -153,11 +153,19 @@ void SurfaceContour::restore(const State& state)
     {
       line->InsertNextId(0);
     }
-    vtkNew<vtkCellArray> lines;
-    lines->InsertNextCell(line);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(line);
     vtkNew<vtkPolyData> contour;
     contour->SetPoints(points);
-    contour->SetLines(lines);
+    // A line has two points at least.
+    if (state.nodes.size() > 1)
+    {
+      contour->SetLines(cells);
+    }
+    else
+    {
+      contour->SetVerts(cells);
+    }
     this->Widget->Initialize(contour, state.isFinished ? 1 : 0, ids);
   }
   this->Window.interactor()->Render();
