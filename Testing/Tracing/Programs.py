@@ -23,6 +23,7 @@ os.chdir(folder)
 environment = os.environ | {"PATH": programs + ":" + os.environ["PATH"]}
 distance_program = os.path.join(programs, "GeodesicDistanceExample")
 path_program = os.path.join(programs, "GeodesicPathExample")
+# Points of the Bunny.
 nose, ear, tail = 17857, 10860, 2513
 
 
@@ -140,9 +141,8 @@ def check_scenarios():
     assert 8000 < inside.sum() < 10000
     assert (head[inside] >= distance[inside] * (1 - 1e-9)).all()
 
-    lines = result.stdout.splitlines()
     last_of_dijkstra, last_of_fast_marching = [
-        line for line in lines if f" {tail} " in line and ", closed, length " in line]
+        line for line in result.stdout.splitlines() if ", closed, length " in line]
     nodes_of = lambda line: line.partition(",")[0]
     length_of = lambda line: float(line.rpartition(" ")[2])
     assert nodes_of(last_of_dijkstra) == nodes_of(last_of_fast_marching)
