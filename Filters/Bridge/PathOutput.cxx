@@ -18,12 +18,6 @@ namespace geodesic::bridge
 namespace
 {
 
-Vector3 normalized(const Vector3& v)
-{
-  const double length = norm(v);
-  return length > 0.0 ? 1.0 / length * v : Vector3{ 0.0, 0.0, 1.0 };
-}
-
 /** The vertices that carry a point, nearest first. */
 std::vector<Index> nearestCarriers(const PathPoint& point)
 {
@@ -38,7 +32,7 @@ std::vector<Index> nearestCarriers(const PathPoint& point)
 
 PathOutput::PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double heightOffset)
   : Mesh(mesh)
-  , InputNormals(normals)
+  , NormalsOfSurface(mesh, normals)
   , HeightOffset(heightOffset)
 {
   this->Points->SetDataTypeToDouble();
@@ -68,7 +62,7 @@ double PathOutput::add(const SurfacePath& path, vtkIdType segment, double arcLen
     {
       length += norm(position - path[i - 1].position(this->Mesh));
     }
-    const Vector3 normal = this->normalAt(point);
+    const Vector3 normal = this->NormalsOfSurface.at(point);
     const Vector3 raised = position + this->HeightOffset * normal;
     this->Lines->InsertCellPoint(this->Points->InsertNextPoint(raised.x, raised.y, raised.z));
     const std::vector<Index> nearest = nearestCarriers(point);
@@ -104,41 +98,6 @@ void PathOutput::writeTo(vtkPolyData* output) const
   total->SetName("TotalLength");
   total->InsertNextValue(this->TotalLength);
   output->GetFieldData()->AddArray(total);
-}
-
-Vector3 PathOutput::normalAt(const PathPoint& point) const
-{
-  Vector3 normal;
-  for (Index vertex : point.carriers())
-  {
-    normal = normal + weightOf(point, vertex) * this->normalAtVertex(vertex);
-  }
-  return normalized(normal);
-}
-
-Vector3 PathOutput::normalAtVertex(Index vertex) const
-{
-  if (this->InputNormals)
-  {
-    double n[3];
-    this->InputNormals->GetTuple(this->Mesh.pointOfVertex(vertex), n);
-    return normalized({ n[0], n[1], n[2] });
-  }
-  Vector3 sum;
-  const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (ring[i].opensTriangle())
-    {
-      // Rings have no orientation; the triangle itself has the input's.
-      const std::array<Index, 3> corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
-      const Triangle& t = this->Mesh.triangle(this->Mesh.trianglesWith(corners).front());
-      sum = sum +
-        cross(this->Mesh.position(t[1]) - this->Mesh.position(t[0]),
-          this->Mesh.position(t[2]) - this->Mesh.position(t[0]));
-    }
-  }
-  return normalized(sum);
 }
 
 }

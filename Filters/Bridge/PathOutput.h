@@ -4,6 +4,7 @@
 #define geodesic_bridge_PathOutput_h
 
 #include "PathPoint.h"
+#include "SurfaceNormals.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -29,8 +30,7 @@ class PathOutput
 {
 public:
   /**
-   * @param normals the input's point normals of any length, or null: then they are those of the
-   *                faces round each vertex, weighted by area
+   * @param normals the input's point normals, or null: see SurfaceNormals
    */
   PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double heightOffset);
   ~PathOutput();
@@ -45,11 +45,8 @@ public:
   double totalLength() const { return this->TotalLength; }
 
 private:
-  Vector3 normalAt(const PathPoint& point) const;
-  Vector3 normalAtVertex(Index vertex) const;
-
   const TriangleMesh& Mesh;
-  vtkDataArray* InputNormals;
+  SurfaceNormals NormalsOfSurface;
   double HeightOffset;
   double TotalLength = 0.0;
   vtkNew<vtkPoints> Points;

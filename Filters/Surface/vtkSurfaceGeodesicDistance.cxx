@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include "Abort.h"
 #include "DistanceSolver.h"
 #include "FieldArray.h"
 #include "GuideResolver.h"
@@ -175,7 +176,7 @@ void vtkSurfaceGeodesicDistance::Compute(vtkInformationVector** inputVector, vtk
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
   this->Solve(inputVector);
-  if (!this->GetAbortOutput())
+  if (!geodesic::bridge::isAborted(*this))
   {
     output->ShallowCopy(this->GetSurface(inputVector));
     this->AttachArrays(output);
