@@ -2,16 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedResolver.h"
 
-#include "vtkCell.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointSet.h"
-
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +16,7 @@ namespace
 /** Calls @p visit with each vertex and the number of its point, or of a cell that it is a corner
  * of. */
 void visitVertices(const InputSurface& surface, bool ofCells,
-  const std::function<void(Index vertex, vtkIdType id)>& visit)
+  const std::function<void(Index vertex, Index number)>& visit)
 {
   const TriangleMesh& mesh = *surface.mesh();
   if (ofCells)
@@ -58,26 +51,25 @@ std::vector<Seed> seedsAtPositions(const InputSurface& surface, std::span<const 
   return seeds;
 }
 
-std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
+std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Index> vertices)
 {
   std::vector<Seed> seeds;
-  for (Index vertex : verticesAtPoints(mesh, ids, "Seed"))
+  for (Index vertex : vertices)
   {
     seeds.push_back(Seed::atPoint(mesh.pointAtVertex(vertex)));
   }
   return seeds;
 }
 
-std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source)
+std::vector<Seed> seedsOfSource(const InputSurface& surface, const PointSource& source)
 {
   const auto points = surfacePointsOf(surface, source, "SeedSource");
-  const auto lines = linesOf(source);
   std::vector<bool> isOnLine(points.size(), false);
-  for (const auto& line : lines)
+  for (const auto& line : source.lines)
   {
-    for (vtkIdType id : line)
+    for (std::size_t number : line)
     {
-      isOnLine[id] = true;
+      isOnLine[number] = true;
     }
   }
   std::vector<Seed> seeds;
@@ -88,30 +80,25 @@ std::vector<Seed> seedsOfSource(const InputSurface& surface, vtkPointSet* source
       seeds.push_back(Seed::atPoint(points[i]));
     }
   }
-  for (const auto& line : lines)
+  for (const auto& line : source.lines)
   {
     std::vector<SurfacePoint> curve;
-    for (vtkIdType id : line)
+    for (std::size_t number : line)
     {
-      curve.push_back(points[id]);
+      curve.push_back(points[number]);
     }
     seeds.push_back(Seed::alongCurve(std::move(curve)));
   }
   return seeds;
 }
 
-std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells)
+std::vector<Seed> seedsOfArray(const InputSurface& surface, const ChosenArray& array)
 {
-  if (array->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) + "\" has " +
-      std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
-  }
   std::map<double, std::vector<Index>> regions;
-  visitVertices(surface, isOfCells,
-    [&](Index vertex, vtkIdType id)
+  visitVertices(surface, array.isOfCells,
+    [&](Index vertex, Index number)
     {
-      const double value = array->GetComponent(id, 0);
+      const double value = array.values[number];
       if (value != 0.0 && !std::isnan(value))
       {
         regions[value].push_back(vertex);
@@ -119,8 +106,8 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array,
     });
   if (regions.empty())
   {
-    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) +
-      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
+    throw std::invalid_argument(array.role +
+      " is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
   }
   std::vector<Seed> seeds;
   for (auto& [value, vertices] : regions)
@@ -130,29 +117,33 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, vtkDataArray* array,
   return seeds;
 }
 
-std::vector<Seed> seedOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells)
+std::vector<Seed> seedsOfSelection(const InputSurface& surface, const SelectedElements& selected)
 {
-  std::set<vtkIdType> wanted;
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  std::vector<Seed> seeds;
+  const auto add = [&](bool ofCells, const std::vector<std::uint8_t>& flags)
   {
-    wanted.insert(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
-  }
-  std::vector<Index> vertices;
-  visitVertices(surface, areCells,
-    [&](Index vertex, vtkIdType id)
-    {
-      if (wanted.count(id) > 0)
+    std::vector<Index> vertices;
+    visitVertices(surface, ofCells,
+      [&](Index vertex, Index number)
       {
-        vertices.push_back(vertex);
-      }
-    });
-  if (vertices.empty() && !wanted.empty())
+        if (flags[number] != 0)
+        {
+          vertices.push_back(vertex);
+        }
+      });
+    if (!vertices.empty())
+    {
+      seeds.push_back(Seed::onRegion(std::move(vertices)));
+    }
+  };
+  add(false, selected.points);
+  add(true, selected.cells);
+  if (seeds.empty() && !selected.isEmpty)
   {
-    throw std::invalid_argument(std::string("SeedSelection selects no ") +
-      (areCells ? "cell" : "point") + " of the surface, of " + std::to_string(wanted.size()) +
-      " that it names. Select others.");
+    throw std::invalid_argument(
+      "SeedSelection selects no point of the surface and no cell. Select others.");
   }
-  return vertices.empty() ? std::vector<Seed>{} : std::vector<Seed>{ Seed::onRegion(vertices) };
+  return seeds;
 }
 
 std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)

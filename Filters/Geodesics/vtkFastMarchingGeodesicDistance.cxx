@@ -74,7 +74,8 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
   {
     geodesic::FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
     const geodesic::TriangleMesh& mesh = solver.mesh();
-    const geodesic::bridge::FastMarchingRequest request(*this, mesh, *this);
+    const geodesic::bridge::FastMarchingRequest request(
+      *this, this->Internal->Workspace.surface(), *this);
     const geodesic::DistanceField& field = solver.solve(request.seeds(), request.options());
     this->MaximumDistance = field.largestDistance();
     this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, field });

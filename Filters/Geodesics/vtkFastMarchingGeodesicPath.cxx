@@ -170,7 +170,8 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
   using namespace geodesic;
   FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
   const TriangleMesh& mesh = solver.mesh();
-  const bridge::FastMarchingRequest request(*this->Geodesic, mesh, *this);
+  const bridge::FastMarchingRequest request(
+    *this->Geodesic, this->Internal->Workspace.surface(), *this);
   const PathStyle style{ this->InterpolationOrder == 0 ? PathOrder::Vertices : PathOrder::Edges,
     this->Straighten };
   const Index begin = bridge::vertexAtPoint(mesh, this->BeginPointId, "Begin");

@@ -3,13 +3,15 @@
 #include "vtkSurfaceGeodesicDistance.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkConvertSelection.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
@@ -17,6 +19,7 @@
 #include "DistanceSolver.h"
 #include "FieldArray.h"
 #include "GuideResolver.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
 #include "ProgressReporter.h"
 #include "SeedResolver.h"
@@ -25,6 +28,22 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+
+namespace
+{
+
+void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
+{
+  output->ShallowCopy(block.surface);
+  // An outer surface may have been extracted in an earlier run, for another time.
+  output->GetInformation()->CopyEntry(
+    block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(block.data->GetFieldData());
+  output->SetFieldData(fields);
+}
+
+}
 
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
@@ -155,7 +174,7 @@ const char* vtkSurfaceGeodesicDistance::GetDistanceArrayName()
 //------------------------------------------------------------------------------
 int vtkSurfaceGeodesicDistance::FillInputPortInformation(int port, vtkInformation* info)
 {
-  static const char* const types[NUMBER_OF_PORTS] = { "vtkPolyData", "vtkPointSet", "vtkPointSet",
+  static const char* const types[NUMBER_OF_PORTS] = { "vtkDataSet", "vtkPointSet", "vtkPointSet",
     "vtkSelection" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != SEED_SELECTION_PORT)
@@ -171,15 +190,24 @@ int vtkSurfaceGeodesicDistance::FillInputPortInformation(int port, vtkInformatio
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Compute(vtkInformationVector** inputVector, vtkPolyData* output)
+int vtkSurfaceGeodesicDistance::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* tree = vtkDataObjectTree::GetData(inputVector[SURFACE_PORT]);
+  SetOutputClass(outputVector, tree ? tree->GetClassName() : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::Compute(const geodesic::bridge::InputBlocks& blocks,
+  vtkInformationVector** inputVector, vtkDataObject* output)
 {
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
-  this->Solve(inputVector);
+  this->Solve(blocks, inputVector);
   if (!geodesic::bridge::isAborted(*this))
   {
-    output->ShallowCopy(this->GetSurface(inputVector));
-    this->AttachArrays(output);
+    this->WriteOutput(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output);
   }
 }
 
@@ -190,18 +218,19 @@ void vtkSurfaceGeodesicDistance::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
+void vtkSurfaceGeodesicDistance::Solve(
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector)
 {
   Internals& internal = *this->Internal;
-  internal.Surface = this->FindSurface(this->GetSurface(inputVector));
+  internal.Surface = this->FindSurface(blocks);
   const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(inputVector);
+  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(blocks, inputVector);
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(inputVector, *internal.Surface, barriers);
+  this->GatherBarriers(blocks, inputVector, *internal.Surface, barriers);
   internal.Lines.update(
     internal.Surface->mesh(), geodesic::bridge::linesAmong(seeds), std::move(barriers.lines));
-  const geodesic::bridge::SolveSurface surface(internal.Surface->mesh(), internal.Lines, barriers,
-    this->GatherCost(inputVector, *internal.Surface), this->Method == DIJKSTRA);
+  const geodesic::bridge::SolveSurface surface(internal.Surface, internal.Lines, barriers,
+    this->GatherCost(blocks, *internal.Surface), this->Method == DIJKSTRA);
 
   std::vector<geodesic::Triangle> targets;
   for (const geodesic::SurfacePoint& point : geodesic::bridge::surfacePointsAt(
@@ -210,7 +239,7 @@ void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
     targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), surface.pointOf(point)));
   }
   for (geodesic::Index vertex :
-    geodesic::bridge::verticesAtPoints(mesh, this->DestinationPointIds, "Destination"))
+    geodesic::bridge::verticesWithIds(*internal.Surface, this->DestinationPointIds, "Destination"))
   {
     const geodesic::SurfacePoint point = surface.pointOf(mesh.pointAtVertex(vertex));
     targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), point));
@@ -240,7 +269,7 @@ void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
 
 //------------------------------------------------------------------------------
 std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
-  vtkInformationVector** inputVector)
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector)
 {
   const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
   std::vector<geodesic::Seed> seeds;
@@ -250,25 +279,21 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   add(geodesic::bridge::seedsAtPositions(surface, this->SeedCoordinates));
-  add(geodesic::bridge::seedsAtPoints(*surface.mesh(), this->SeedPointIds));
-  if (vtkPointSet* source = this->GetOptionalPointSet(inputVector[SEED_SOURCE_PORT], "SeedSource"))
+  add(geodesic::bridge::seedsAtVertices(
+    *surface.mesh(), geodesic::bridge::verticesWithIds(surface, this->SeedPointIds, "Seed")));
+  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[SEED_SOURCE_PORT]))
   {
-    add(geodesic::bridge::seedsOfSource(surface, source));
+    add(geodesic::bridge::seedsOfSource(surface, geodesic::bridge::PointSource(source)));
   }
-  bool isOfCells = false;
-  if (vtkDataArray* array = this->GetChosenArray(SEED_ARRAY, inputVector, isOfCells))
+  if (const auto array = this->GetChosenArray(SEED_ARRAY, blocks))
   {
-    add(geodesic::bridge::seedsOfArray(surface, array, isOfCells));
+    add(geodesic::bridge::seedsOfArray(surface, array));
   }
   if (vtkSelection* selection = vtkSelection::GetData(inputVector[SEED_SELECTION_PORT]))
   {
-    vtkPolyData* input = this->GetSurface(inputVector);
-    vtkNew<vtkIdTypeArray> points;
-    vtkNew<vtkIdTypeArray> cells;
-    vtkConvertSelection::GetSelectedPoints(selection, input, points);
-    vtkConvertSelection::GetSelectedCells(selection, input, cells);
-    add(geodesic::bridge::seedOfIds(surface, points, false));
-    add(geodesic::bridge::seedOfIds(surface, cells, true));
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
+    add(geodesic::bridge::seedsOfSelection(
+      surface, geodesic::bridge::SelectedElements(selection, input, blocks)));
   }
   if (seeds.empty())
   {
@@ -280,10 +305,39 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::AttachArrays(vtkPolyData* output)
+void vtkSurfaceGeodesicDistance::WriteOutput(
+  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const
 {
-  const geodesic::bridge::FieldOnInput field{ *this->Internal->Surface->mesh(),
-    *this->Internal->Field, this->Internal->Lines.split().get() };
+  auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  if (!tree)
+  {
+    copyBlock(blocks[0], output);
+    this->AttachArrays(0, vtkPolyData::SafeDownCast(output));
+    return;
+  }
+  tree->ShallowCopy(input);
+  std::size_t block = 0;
+  const auto place = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  {
+    if (vtkDataSet::SafeDownCast(place->GetCurrentDataObject()))
+    {
+      vtkNew<vtkPolyData> surface;
+      copyBlock(blocks[block], surface);
+      this->AttachArrays(block, surface);
+      tree->SetDataSet(place, surface);
+      ++block;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* output) const
+{
+  const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
+  const geodesic::bridge::FieldOnInput field{ *surface.mesh(), *this->Internal->Field,
+    this->Internal->Lines.split().get(), surface.numbering().firstPointOf(block),
+    static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)
   {

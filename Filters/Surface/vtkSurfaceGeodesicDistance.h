@@ -8,14 +8,16 @@
  * nearest point of the surface, on a face, an edge or a vertex, and the distance from the nearest
  * seed is computed for every point of the input's triangles, polygons and strips.
  *
- * The output is the input passed through, together with a point array of distances in the mesh's
- * unit of length, which becomes the active scalars. The input is never modified.
+ * The output is the input passed through, in the same structure of blocks, together with a point
+ * array of distances in the mesh's unit of length, which becomes the active scalars. In the place
+ * of a grid or an image is its outer surface, with the arrays vtkOriginalPointIds and
+ * vtkOriginalCellIds. The input is never modified.
  *
  * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
  * barriers between parts of the surface that do not hang together, a list of coordinates whose
  * length is no multiple of 3, an id that does not exist, an array that does not or has several
- * components, a cost that is not positive, a negative MaximumDistance in use, composite input, more
- * than one rank.
+ * components, a cost that is not positive, a negative MaximumDistance in use, and what
+ * vtkSurfaceGeodesicFilter names.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -27,6 +29,8 @@
 #include <memory> // For members
 #include <string> // For members
 #include <vector> // For members
+
+class vtkPolyData;
 
 namespace geodesic
 {
@@ -76,7 +80,7 @@ public:
 
   ///@{
   /**
-   * Point ids of the input that are seeds. Default: none.
+   * Point ids of the input that are seeds; of several blocks their global ids. Default: none.
    */
   void ClearSeedPointIds();
   void AddSeedPointId(vtkIdType id);
@@ -189,7 +193,10 @@ protected:
   ~vtkSurfaceGeodesicDistance() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void Compute(vtkInformationVector** inputVector, vtkPolyData* output) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void Compute(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+    vtkDataObject* output) override;
   void Forget() override;
 
   std::vector<double> SeedCoordinates;
@@ -208,9 +215,12 @@ protected:
 
 private:
   struct Internals;
-  void Solve(vtkInformationVector** inputVector);
-  std::vector<geodesic::Seed> GatherSeeds(vtkInformationVector** inputVector);
-  void AttachArrays(vtkPolyData* output);
+  void Solve(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector);
+  std::vector<geodesic::Seed> GatherSeeds(
+    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector);
+  void WriteOutput(
+    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const;
+  void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;
 

@@ -4,18 +4,16 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include "Abort.h"
 #include "DistanceSolver.h"
 #include "GuideResolver.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
 #include "NumberText.h"
 #include "PathFinder.h"
@@ -132,7 +130,7 @@ void vtkSurfaceGeodesicPath::SetStartSourceConnection(vtkAlgorithmOutput* source
 int vtkSurfaceGeodesicPath::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == SURFACE_PORT ? "vtkPolyData" : "vtkPointSet");
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == SURFACE_PORT ? "vtkDataSet" : "vtkPointSet");
   // With composite data among the types the executive hands the blocks over whole.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port != SURFACE_PORT)
@@ -149,27 +147,27 @@ void vtkSurfaceGeodesicPath::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::Compute(vtkInformationVector** inputVector, vtkPolyData* output)
+void vtkSurfaceGeodesicPath::Compute(const geodesic::bridge::InputBlocks& blocks,
+  vtkInformationVector** inputVector, vtkDataObject* output)
 {
   this->TotalLength = 0.0;
   this->CheckRequest();
   Internals& internal = *this->Internal;
-  vtkPolyData* input = this->GetSurface(inputVector);
-  internal.Surface = this->FindSurface(input);
+  internal.Surface = this->FindSurface(blocks);
   const auto waypoints = this->GatherPoints(inputVector[WAYPOINT_SOURCE_PORT],
     this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
   const auto starts = this->GatherPoints(
     inputVector[START_SOURCE_PORT], this->StartCoordinates, "StartPositions", "StartSource");
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(inputVector, *internal.Surface, barriers);
-  const std::vector<double> cost = this->GatherCost(inputVector, *internal.Surface);
+  this->GatherBarriers(blocks, inputVector, *internal.Surface, barriers);
+  const std::vector<double> cost = this->GatherCost(blocks, *internal.Surface);
   internal.Lines.update(internal.Surface->mesh(), {}, std::move(barriers.lines));
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && cost.empty() };
   const bool hadMethod = internal.Method == this->Method;
-  internal.setGround(geodesic::bridge::SolveSurface(internal.Surface->mesh(), internal.Lines,
-                       barriers, cost, this->Method == DIJKSTRA),
+  internal.setGround(geodesic::bridge::SolveSurface(
+                       internal.Surface, internal.Lines, barriers, cost, this->Method == DIJKSTRA),
     this->Method, style);
   const geodesic::bridge::SolveSurface& ground = *internal.Ground;
   if (!internal.Solver || &internal.Solver->mesh() != ground.mesh().get() || !hadMethod)
@@ -182,7 +180,7 @@ void vtkSurfaceGeodesicPath::Compute(vtkInformationVector** inputVector, vtkPoly
     : this->TraceToNearest(ground, waypoints, starts);
   if (!geodesic::bridge::isAborted(*this))
   {
-    this->WriteOutput(input, output);
+    this->WriteOutput(blocks, vtkPolyData::SafeDownCast(output));
   }
 }
 
@@ -192,15 +190,16 @@ std::vector<geodesic::SurfacePoint> vtkSurfaceGeodesicPath::GatherPoints(
   const char* source) const
 {
   const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
-  vtkPointSet* points = GetOptionalPointSet(sourceVector, source);
+  vtkDataObject* points = vtkDataObject::GetData(sourceVector);
   if (points && !coordinates.empty())
   {
     throw std::invalid_argument(std::string(positions) + " has " +
       std::to_string(coordinates.size()) + " numbers, and " + source +
       " is set as well: take one of them away.");
   }
-  return points ? geodesic::bridge::surfacePointsOf(surface, points, source)
-                : geodesic::bridge::surfacePointsAt(surface, coordinates, positions);
+  return points
+    ? geodesic::bridge::surfacePointsOf(surface, geodesic::bridge::PointSource(points), source)
+    : geodesic::bridge::surfacePointsAt(surface, coordinates, positions);
 }
 
 //------------------------------------------------------------------------------
@@ -329,11 +328,12 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::WriteOutput(vtkPolyData* input, vtkPolyData* output)
+void vtkSurfaceGeodesicPath::WriteOutput(
+  const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output)
 {
   const Internals& internal = *this->Internal;
   const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  geodesic::bridge::PathOutput paths(mesh, input->GetPointData()->GetNormals(), this->HeightOffset);
+  geodesic::bridge::PathOutput paths(*internal.Surface, blocks, this->HeightOffset);
   const double maximumLength =
     this->UseMaximumPathLength ? this->MaximumPathLength : std::numeric_limits<double>::infinity();
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;

@@ -10,6 +10,9 @@
 #include "vtkPolyDataCollection.h"
 #include "vtkPolygonalSurfacePointPlacer.h"
 
+#include "InputBlocks.h"
+#include "PointIdentity.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -130,7 +133,7 @@ PickedPoint PickedPoints::nearestTo(
 
 PickedSurface& PickedPoints::surfaceOf(vtkPolyData* input)
 {
-  auto surface = InputSurface::of(input, CoincidentPoints::Separate);
+  auto surface = InputSurface::of(InputBlocks(input), PointIdentity());
   const auto known = std::find_if(this->Known.begin(), this->Known.end(),
     [&](const KnownSurface& k) { return k.surface->surface() == surface; });
   if (known != this->Known.end())
