@@ -217,8 +217,8 @@ void measure(const char* name, vtkPolyData* surface, double apart, std::size_t s
     std::sort(subject.times.begin(), subject.times.end());
     const std::size_t count = subject.times.size();
     std::printf("  %-24s median %8.2f   90 %% within %8.2f   largest %8.2f ms, of %zu steps\n",
-      subject.name, subject.times[count / 2], subject.times[9 * count / 10],
-      subject.times.back(), count);
+      subject.name, subject.times[count / 2], subject.times[9 * count / 10], subject.times.back(),
+      count);
   }
   std::printf("  lines of up to %d points\n", points);
 }
