@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FastMarchingRequest.h"
 
+#include "Abort.h"
 #include "PointResolver.h"
 #include "SeedResolver.h"
 #include "TriangleMesh.h"
@@ -53,7 +54,7 @@ bool FastMarchingRequest::mayGoOn(std::size_t taken)
   const bool isAborted = !this->Reporter.report(taken) || this->Filter.GetAbortExecute();
   if (isAborted)
   {
-    this->Runner.SetAbortOutput(true);
+    setAborted(this->Runner);
   }
   return !isAborted;
 }

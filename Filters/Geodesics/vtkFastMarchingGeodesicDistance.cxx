@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
@@ -78,7 +79,7 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
     const geodesic::DistanceField& field = solver.solve(request.seeds(), request.options());
     this->MaximumDistance = field.largestDistance();
     this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, field });
-    if (!this->GetAbortOutput())
+    if (!geodesic::bridge::isAborted(*this))
     {
       output->ShallowCopy(input);
       this->AttachArrays(mesh, field, output);

@@ -7,6 +7,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
@@ -208,7 +209,7 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
     return std::nullopt;
   }
   const auto path = isReached ? finder->pathFrom(start) : std::nullopt;
-  if (!path && !this->GetAbortOutput())
+  if (!path && !geodesic::bridge::isAborted(*this))
   {
     throw noRoute(this->BeginPointId, this->GetSeeds(), stop);
   }
@@ -227,7 +228,8 @@ void vtkFastMarchingGeodesicPath::Deliver(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(path.size()));
+  // A line has two ends at least, in VTK 9.1 by all means; here they may be one point.
+  lines->InsertNextCell(static_cast<int>(std::max<std::size_t>(path.size(), 2)));
   vtkIdType lastNearest = -1;
   for (const PathPoint& point : path)
   {
@@ -245,6 +247,10 @@ void vtkFastMarchingGeodesicPath::Deliver(
       this->FirstOrderPathPointIds->InsertNextId(nearest);
       this->FirstOrderPathPointIds->InsertNextId(mesh.pointOfVertex(other));
     }
+  }
+  if (path.size() == 1)
+  {
+    lines->InsertCellPoint(0);
   }
   output->SetPoints(points);
   output->SetLines(lines);

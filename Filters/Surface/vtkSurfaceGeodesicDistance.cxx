@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include "Abort.h"
 #include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"

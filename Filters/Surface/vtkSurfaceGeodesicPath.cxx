@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "DistanceSolver.h"
 #include "GuideResolver.h"
 #include "InputBlocks.h"
@@ -184,7 +185,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
     ? this->TraceThroughWaypoints(ground, waypoints)
     : this->TraceToNearest(ground, waypoints, starts);
-  if (!this->GetAbortOutput())
+  if (!geodesic::bridge::isAborted(*this))
   {
     this->WriteOutput(blocks, vtkPolyData::SafeDownCast(output));
   }
@@ -238,7 +239,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   std::vector<Segment> segments;
   std::string missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
-  for (std::size_t i = 0; i < count && !this->GetAbortOutput(); ++i)
+  for (std::size_t i = 0; i < count && !geodesic::bridge::isAborted(*this); ++i)
   {
     const std::size_t next = (i + 1) % waypoints.size();
     const Segment* known = internal.find(waypoints[i], waypoints[next]);
@@ -256,7 +257,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
       segments.push_back({ waypoints[i], waypoints[next],
         path ? std::optional(ground.basePathOf(*path)) : std::nullopt });
     }
-    if (!segments.back().Path && !this->GetAbortOutput())
+    if (!segments.back().Path && !geodesic::bridge::isAborted(*this))
     {
       missing += (missing.empty() ? "" : ", or ") + std::string("from waypoint ") +
         std::to_string(i) + " to waypoint " + std::to_string(next);
@@ -301,7 +302,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
 
   std::vector<Segment> segments;
   std::string missing;
-  for (std::size_t i = 0; i < starts.size() && !this->GetAbortOutput(); ++i)
+  for (std::size_t i = 0; i < starts.size() && !geodesic::bridge::isAborted(*this); ++i)
   {
     const auto path = finder.pathFrom(points[i]);
     Segment& segment = segments.emplace_back();
