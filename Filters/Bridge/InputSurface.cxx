@@ -76,6 +76,22 @@ std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const Poin
     points, triangles, kindsOfPoints(blocks, identity, points));
 }
 
+void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
+{
+  if (mesh.numberOfTriangles() == 0)
+  {
+    vtkIdType cells = 0;
+    for (const InputBlock& block : blocks)
+    {
+      cells += block.surface->GetNumberOfCells();
+    }
+    throw std::invalid_argument(
+      "The input has no surface: " + std::to_string(mesh.numberOfPoints()) +
+      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
+      " cells. Give a surface, for example by Extract Surface.");
+  }
+}
+
 struct Known
 {
   InputVersion version;
@@ -85,26 +101,6 @@ struct Known
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  const InputBlocks& blocks, const PointIdentity& points)
-{
-  auto surface = pieceOf(blocks, points);
-  if (surface->mesh()->numberOfTriangles() == 0)
-  {
-    vtkIdType cells = 0;
-    for (const InputBlock& block : blocks)
-    {
-      cells += block.surface->GetNumberOfCells();
-    }
-    throw std::invalid_argument(
-      "The input has no surface: " + std::to_string(surface->mesh()->numberOfPoints()) +
-      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
-      " cells. Give a surface, for example by "
-      "Extract Surface.");
-  }
-  return surface;
-}
-
-std::shared_ptr<const InputSurface> InputSurface::pieceOf(
   const InputBlocks& blocks, const PointIdentity& points)
 {
   static std::mutex mutex;
@@ -121,12 +117,16 @@ std::shared_ptr<const InputSurface> InputSurface::pieceOf(
     }
   }
   auto surface = std::make_shared<const InputSurface>(blocks, points);
+  if (!points.rank)
+  {
+    checkNotEmpty(*surface->mesh(), blocks);
+  }
   known.push_back({ version, surface });
   return surface;
 }
 
 InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& identity)
-  : Numbering(blocks)
+  : Numbering(blocks, identity.rank)
 {
   std::vector<Vector3> points;
   SurfaceTriangles triangles;
