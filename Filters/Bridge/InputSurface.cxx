@@ -63,17 +63,18 @@ void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTri
 }
 
 std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
-  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
+  const ThreadTeam& team)
 {
   const bool areAllSeparate = identity.by == PointIdentity::By::Nothing;
   const bool isWithinBlocks = !identity.acrossBlocks && blocks.size() > 1;
   if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
   {
-    return std::make_shared<const TriangleMesh>(
-      points, triangles, areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge);
+    return std::make_shared<const TriangleMesh>(points, triangles,
+      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team);
   }
   return std::make_shared<const TriangleMesh>(
-    points, triangles, kindsOfPoints(blocks, identity, points));
+    points, triangles, kindsOfPoints(blocks, identity, points), team);
 }
 
 void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
@@ -101,7 +102,7 @@ struct Known
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  const InputBlocks& blocks, const PointIdentity& points)
+  const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
 {
   static std::mutex mutex;
   static std::vector<Known> known;
@@ -116,7 +117,7 @@ std::shared_ptr<const InputSurface> InputSurface::of(
       return surface;
     }
   }
-  auto surface = std::make_shared<const InputSurface>(blocks, points);
+  auto surface = std::make_shared<const InputSurface>(blocks, points, team);
   if (!points.rank)
   {
     checkNotEmpty(*surface->mesh(), blocks);
@@ -125,7 +126,8 @@ std::shared_ptr<const InputSurface> InputSurface::of(
   return surface;
 }
 
-InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& identity)
+InputSurface::InputSurface(
+  const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team)
   : Numbering(blocks, identity.rank)
 {
   std::vector<Vector3> points;
@@ -137,7 +139,7 @@ InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& ident
     appendTriangles(blocks[i].surface, points, this->Numbering.firstPointOf(i),
       this->Numbering.firstCellOf(i), triangles);
   }
-  this->Mesh = meshOf(blocks, identity, points, triangles.corners);
+  this->Mesh = meshOf(blocks, identity, points, triangles.corners, team);
   if (triangles.cells.empty())
   {
     return;

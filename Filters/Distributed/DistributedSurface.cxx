@@ -81,7 +81,8 @@ std::shared_ptr<const DistributedSurface> DistributedSurface::of(RankGroup& rank
   const bridge::PointIdentity identity =
     identityOf(ranks, blocks, mergeCoincidentPoints, connectBlocks);
   std::shared_ptr<const bridge::InputSurface> piece;
-  ranks.together([&] { piece = bridge::InputSurface::of(blocks, identity); });
+  const ThreadTeam team(ranks.threadsOfThisRank());
+  ranks.together([&] { piece = bridge::InputSurface::of(blocks, identity, team); });
   std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
   const auto found = std::find_if(
     known.begin(), known.end(), [&](const Known& k) { return k.piece.lock() == piece; });
