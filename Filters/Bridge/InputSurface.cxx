@@ -63,17 +63,34 @@ void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTri
 }
 
 std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
-  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
+  const ThreadTeam& team)
 {
   const bool areAllSeparate = identity.by == PointIdentity::By::Nothing;
   const bool isWithinBlocks = !identity.acrossBlocks && blocks.size() > 1;
   if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
   {
-    return std::make_shared<const TriangleMesh>(
-      points, triangles, areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge);
+    return std::make_shared<const TriangleMesh>(points, triangles,
+      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team);
   }
   return std::make_shared<const TriangleMesh>(
-    points, triangles, kindsOfPoints(blocks, identity, points));
+    points, triangles, kindsOfPoints(blocks, identity, points), team);
+}
+
+void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
+{
+  if (mesh.numberOfTriangles() == 0)
+  {
+    vtkIdType cells = 0;
+    for (const InputBlock& block : blocks)
+    {
+      cells += block.surface->GetNumberOfCells();
+    }
+    throw std::invalid_argument(
+      "The input has no surface: " + std::to_string(mesh.numberOfPoints()) +
+      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
+      " cells. Give a surface, for example by Extract Surface.");
+  }
 }
 
 struct Known
@@ -85,7 +102,7 @@ struct Known
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  const InputBlocks& blocks, const PointIdentity& points)
+  const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
 {
   static std::mutex mutex;
   static std::vector<Known> known;
@@ -100,32 +117,32 @@ std::shared_ptr<const InputSurface> InputSurface::of(
       return surface;
     }
   }
-  auto surface = std::make_shared<const InputSurface>(blocks, points);
+  auto surface = std::make_shared<const InputSurface>(blocks, points, team);
+  if (!points.rank)
+  {
+    checkNotEmpty(*surface->mesh(), blocks);
+  }
   known.push_back({ version, surface });
   return surface;
 }
 
-InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& identity)
-  : Numbering(blocks)
+InputSurface::InputSurface(
+  const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team)
+  : Numbering(blocks, identity.rank)
 {
   std::vector<Vector3> points;
   SurfaceTriangles triangles;
-  vtkIdType cells = 0;
   reserve(blocks, points, triangles);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     appendPoints(blocks[i].surface, points);
     appendTriangles(blocks[i].surface, points, this->Numbering.firstPointOf(i),
       this->Numbering.firstCellOf(i), triangles);
-    cells += blocks[i].surface->GetNumberOfCells();
   }
-  this->Mesh = meshOf(blocks, identity, points, triangles.corners);
-  if (this->Mesh->numberOfTriangles() == 0)
+  this->Mesh = meshOf(blocks, identity, points, triangles.corners, team);
+  if (triangles.cells.empty())
   {
-    throw std::invalid_argument("The input has no surface: " + std::to_string(points.size()) +
-      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
-      " cells. Give a surface, for example by "
-      "Extract Surface.");
+    return;
   }
   this->FirstCell = triangles.cells.front();
   for (Index t = 0; t < triangles.cells.size(); ++t)

@@ -40,10 +40,8 @@ double shortestHeight(const TriangleMesh& mesh, Index triangle)
   return norm(cross(a, b)) / std::max({ norm(a), norm(b), norm(b - a) });
 }
 
-/**
- * Puts a point on the edge or vertex that it is as near to as single precision can tell: most data
- * sets have such coordinates, and a line along edges should be one.
- */
+}
+
 SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   const Vector3 p = mesh.positionOf(point);
@@ -52,17 +50,14 @@ SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point
   return snapped(point, std::min(blur / shortestHeight(mesh, point.triangle), 0.01));
 }
 
-}
-
-std::vector<SurfacePoint> surfacePointsAt(
-  const InputSurface& surface, std::span<const double> coordinates, const std::string& property)
+std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std::string& property)
 {
   if (coordinates.size() % 3 != 0)
   {
     throw std::invalid_argument(property + " has " + std::to_string(coordinates.size()) +
       " numbers, which is no multiple of 3: give x, y and z of each point.");
   }
-  std::vector<SurfacePoint> points;
+  std::vector<Vector3> positions;
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
   {
     const Vector3 position{ coordinates[i], coordinates[i + 1], coordinates[i + 2] };
@@ -73,6 +68,17 @@ std::vector<SurfacePoint> surfacePointsAt(
               << position.y << ", " << position.z << "); give three finite numbers.";
       throw std::invalid_argument(message.str());
     }
+    positions.push_back(position);
+  }
+  return positions;
+}
+
+std::vector<SurfacePoint> surfacePointsAt(
+  const InputSurface& surface, std::span<const double> coordinates, const std::string& property)
+{
+  std::vector<SurfacePoint> points;
+  for (const Vector3& position : positionsAt(coordinates, property))
+  {
     points.push_back(surface.closestPoints().closestPoint(position).point);
   }
   return points;

@@ -20,6 +20,19 @@ namespace geodesic::bridge
 {
 
 /**
+ * Positions from their coordinates, x y z of one after the other.
+ * @param property what gave them, for the message
+ * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
+ */
+std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std::string& property);
+
+/**
+ * The point on the edge or vertex that it is as near to as single precision can tell: most data
+ * sets have such coordinates, and a line along edges should be one.
+ */
+SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point);
+
+/**
  * Positions projected to the nearest points of the surface.
  * @param coordinates x y z of one after the other
  * @param property    what gave them, for the message

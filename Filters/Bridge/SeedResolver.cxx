@@ -4,9 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
-#include <stdexcept>
-#include <string>
 
 namespace geodesic::bridge
 {
@@ -41,16 +38,6 @@ void visitVertices(const InputSurface& surface, bool ofCells,
 
 }
 
-std::vector<Seed> seedsAtPositions(const InputSurface& surface, std::span<const double> coordinates)
-{
-  std::vector<Seed> seeds;
-  for (const SurfacePoint& point : surfacePointsAt(surface, coordinates, "SeedPositions"))
-  {
-    seeds.push_back(Seed::atPoint(point));
-  }
-  return seeds;
-}
-
 std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Index> vertices)
 {
   std::vector<Seed> seeds;
@@ -61,40 +48,9 @@ std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Inde
   return seeds;
 }
 
-std::vector<Seed> seedsOfSource(const InputSurface& surface, const PointSource& source)
+RegionsByValue regionsOfArray(const InputSurface& surface, const ChosenArray& array)
 {
-  const auto points = surfacePointsOf(surface, source, "SeedSource");
-  std::vector<bool> isOnLine(points.size(), false);
-  for (const auto& line : source.lines)
-  {
-    for (std::size_t number : line)
-    {
-      isOnLine[number] = true;
-    }
-  }
-  std::vector<Seed> seeds;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (!isOnLine[i])
-    {
-      seeds.push_back(Seed::atPoint(points[i]));
-    }
-  }
-  for (const auto& line : source.lines)
-  {
-    std::vector<SurfacePoint> curve;
-    for (std::size_t number : line)
-    {
-      curve.push_back(points[number]);
-    }
-    seeds.push_back(Seed::alongCurve(std::move(curve)));
-  }
-  return seeds;
-}
-
-std::vector<Seed> seedsOfArray(const InputSurface& surface, const ChosenArray& array)
-{
-  std::map<double, std::vector<Index>> regions;
+  RegionsByValue regions;
   visitVertices(surface, array.isOfCells,
     [&](Index vertex, Index number)
     {
@@ -104,46 +60,26 @@ std::vector<Seed> seedsOfArray(const InputSurface& surface, const ChosenArray& a
         regions[value].push_back(vertex);
       }
     });
-  if (regions.empty())
-  {
-    throw std::invalid_argument(array.role +
-      " is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
-  }
-  std::vector<Seed> seeds;
-  for (auto& [value, vertices] : regions)
-  {
-    seeds.push_back(Seed::onRegion(std::move(vertices)));
-  }
-  return seeds;
+  return regions;
 }
 
-std::vector<Seed> seedsOfSelection(const InputSurface& surface, const SelectedElements& selected)
+RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedElements& selected)
 {
-  std::vector<Seed> seeds;
+  RegionsByValue regions;
   const auto add = [&](bool ofCells, const std::vector<std::uint8_t>& flags)
   {
-    std::vector<Index> vertices;
     visitVertices(surface, ofCells,
       [&](Index vertex, Index number)
       {
         if (flags[number] != 0)
         {
-          vertices.push_back(vertex);
+          regions[ofCells ? 1.0 : 0.0].push_back(vertex);
         }
       });
-    if (!vertices.empty())
-    {
-      seeds.push_back(Seed::onRegion(std::move(vertices)));
-    }
   };
   add(false, selected.points);
   add(true, selected.cells);
-  if (seeds.empty() && !selected.isEmpty)
-  {
-    throw std::invalid_argument(
-      "SeedSelection selects no point of the surface and no cell. Select others.");
-  }
-  return seeds;
+  return regions;
 }
 
 std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)

@@ -134,7 +134,10 @@ std::vector<Seed> SolveSurface::seedsOf(const std::vector<Seed>& baseSeeds) cons
     }
     else if (seed.kind == Seed::Kind::Point)
     {
-      seed.points = { this->pointOf(seed.points[0]) };
+      for (SurfacePoint& point : seed.points)
+      {
+        point = this->pointOf(point);
+      }
     }
     for (const SurfacePoint& point : seed.points)
     {

@@ -20,12 +20,12 @@ namespace geodesic
 class BucketQueue
 {
 public:
-  /** @param width of a bucket; @param span the most that a pushed key exceeds the last popped one.
+  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
+   * popped one.
    */
   void start(double width, double span)
   {
-    constexpr double mostBuckets = 1 << 16;
-    const double wanted = std::min(span / width + 2.0, mostBuckets);
+    const double wanted = std::min(span / width + 2.0, static_cast<double>(MostBuckets));
     const std::size_t buckets = std::bit_ceil(static_cast<std::size_t>(wanted));
     for (std::vector<Index>& bucket : this->Buckets)
     {
@@ -41,6 +41,7 @@ public:
     this->Count = 0;
   }
 
+  double width() const { return 1.0 / this->PerWidth; }
   bool isEmpty() const { return this->Count == 0; }
 
   /** A key beyond the last bucket, or before the current one, joins the nearest there is. */
@@ -55,15 +56,85 @@ public:
     ++this->Count;
   }
 
-  /** @pre not empty */
-  Index pop()
+  /** The bucket of a key, which may be infinite. */
+  std::uint64_t bucketOf(double key) const
   {
-    while (this->Next == this->bucket(this->Current).size())
+    constexpr double last = 1ull << 62;
+    return static_cast<std::uint64_t>(std::clamp(key * this->PerWidth, 0.0, last));
+  }
+
+  /** Whether an item of a bucket before @p end waits; goes to the first such bucket, or to @p end.
+   */
+  bool hasBefore(std::uint64_t end)
+  {
+    if (this->isEmpty())
+    {
+      this->bucket(this->Current).clear();
+      this->Next = 0;
+      this->Current = std::max(this->Current, end);
+      return false;
+    }
+    while (this->Current < end && this->Next == this->bucket(this->Current).size())
     {
       this->bucket(this->Current).clear();
       this->Next = 0;
       ++this->Current;
     }
+    return this->Current < end;
+  }
+
+  /**
+   * Goes back to the bucket of a key, so that a key below the last popped one has its place again.
+   * Time O(1), but where more buckets are needed to hold what is between.
+   */
+  void goBackTo(double key)
+  {
+    const std::uint64_t target = this->bucketOf(key);
+    if (target >= this->Current)
+    {
+      return;
+    }
+    std::vector<Index>& current = this->bucket(this->Current);
+    current.erase(current.begin(), current.begin() + static_cast<std::ptrdiff_t>(this->Next));
+    this->Next = 0;
+    std::uint64_t end = this->Current + this->Buckets.size();
+    while (end > this->Current && this->bucket(end - 1).empty())
+    {
+      --end;
+    }
+    const std::uint64_t wanted = end - target + 1;
+    if (wanted > MostBuckets)
+    {
+      return;
+    }
+    if (wanted > this->Buckets.size())
+    {
+      std::vector<std::vector<Index>> buckets(std::bit_ceil(wanted));
+      for (std::uint64_t number = this->Current; number < end; ++number)
+      {
+        buckets[number & (buckets.size() - 1)] = std::move(this->bucket(number));
+      }
+      this->Buckets = std::move(buckets);
+    }
+    this->Current = target;
+  }
+
+  /** Where the first bucket that is not empty begins. @pre not empty */
+  double nextKey() const
+  {
+    std::uint64_t number = this->Current;
+    std::size_t taken = this->Next;
+    while (taken == this->Buckets[this->indexOf(number)].size())
+    {
+      ++number;
+      taken = 0;
+    }
+    return static_cast<double>(number) / this->PerWidth;
+  }
+
+  /** @pre hasBefore */
+  Index pop()
+  {
     --this->Count;
     return this->bucket(this->Current)[this->Next++];
   }
@@ -76,6 +147,8 @@ public:
   }
 
 private:
+  static constexpr std::uint64_t MostBuckets = 1 << 16;
+
   std::size_t indexOf(std::uint64_t number) const { return number & (this->Buckets.size() - 1); }
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 

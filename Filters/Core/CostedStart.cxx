@@ -1,9 +1,13 @@
 #include "CostedStart.h"
 
 #include "DistanceSolver.h"
+#include "Partition.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
 
 namespace geodesic
 {
@@ -12,45 +16,121 @@ namespace
 
 constexpr double DiscInMeanEdges = 3.0;
 
-double meanEdgeAround(const TriangleMesh& mesh, Index vertex)
+/**
+ * Three numbers for each neighbour of a vertex: where it is as seen from there. Pieces of a surface
+ * have some neighbours in common, which are told apart by that.
+ */
+std::vector<double> offsetsAround(const TriangleMesh& mesh, Index vertex)
 {
-  // A ring may hold a neighbour twice.
-  std::vector<Index> neighbours;
+  std::vector<double> offsets;
   for (const RingEntry& entry : mesh.ring(vertex))
   {
-    neighbours.push_back(entry.neighbour());
+    const Vector3 offset = mesh.position(entry.neighbour()) - mesh.position(vertex);
+    offsets.insert(offsets.end(), { offset.x, offset.y, offset.z });
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  double sum = 0.0;
-  for (Index neighbour : neighbours)
-  {
-    sum += norm(mesh.position(neighbour) - mesh.position(vertex));
-  }
-  return sum / static_cast<double>(neighbours.size());
+  return offsets;
 }
 
-bool isConstant(std::span<const double> cost, std::span<const StartValue> values)
+/** The mean length of the edges at a vertex, on all pieces; the same to the last bit on each. */
+double meanOfOffsets(std::span<const double> coordinates)
 {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end(),
-    [&](const StartValue& a, const StartValue& b) { return cost[a.vertex] < cost[b.vertex]; });
-  return cost[most->vertex] <= cost[least->vertex] * (1.0 + 1e-12);
+  std::vector<std::array<double, 3>> offsets;
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    offsets.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
+  }
+  std::sort(offsets.begin(), offsets.end());
+  offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+  double sum = 0.0;
+  for (const auto& [x, y, z] : offsets)
+  {
+    sum += norm(Vector3{ x, y, z });
+  }
+  return sum / static_cast<double>(offsets.size());
+}
+
+/**
+ * The radius of the disc round a label's origin. At the vertices that carry the origin, in the
+ * order of their positions, the edges are those of all pieces.
+ */
+double discRadius(const TriangleMesh& mesh, const SurfacePoint& origin, Partition& partition)
+{
+  std::vector<Index> carriers;
+  if (origin.triangle != NoIndex)
+  {
+    carriers = carriersOf(mesh, origin);
+  }
+  const auto coordinates = [&](Index vertex)
+  {
+    const Vector3& p = mesh.position(vertex);
+    return std::array{ p.x, p.y, p.z };
+  };
+  std::sort(carriers.begin(), carriers.end(),
+    [&](Index a, Index b) { return coordinates(a) < coordinates(b); });
+  std::vector<StartValue> numbered;
+  for (Index i = 0; i < carriers.size(); ++i)
+  {
+    numbered.push_back({ carriers[i], i, 0.0, false });
+  }
+  // Also pieces that have a carrier, but no triangle with the origin.
+  constexpr std::size_t mostCarriers = 3;
+  carriers.resize(mostCarriers, NoIndex);
+  for (const StartValue& other : partition.exchange(numbered))
+  {
+    carriers[other.label] = other.vertex;
+  }
+  double radius = 0.0;
+  for (const Index carrier : carriers)
+  {
+    const auto own = carrier != NoIndex ? offsetsAround(mesh, carrier) : std::vector<double>{};
+    const std::vector<double> offsets = partition.gather(own);
+    if (!offsets.empty())
+    {
+      radius = std::max(radius, DiscInMeanEdges * meanOfOffsets(offsets));
+    }
+  }
+  return radius;
+}
+
+/** Whether the cost is the same at all these vertices on all pieces. */
+bool isConstant(
+  std::span<const double> cost, std::span<const StartValue> values, Partition& partition)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  const auto include = [&](double value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  };
+  for (const StartValue& value : values)
+  {
+    include(cost[value.vertex]);
+  }
+  const std::array own{ least, most };
+  for (double bound : partition.gather(values.empty() ? std::span<const double>{} : own))
+  {
+    include(bound);
+  }
+  return most <= least * (1.0 + 1e-12);
 }
 
 /** The starts of the label, and the vertices of its disc, with lengths as values. */
 std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const Label& source,
-  std::span<const FrontStart> starts, const SolveOptions& options, DistanceSolver& unitSolver)
+  std::span<const FrontStart> starts, const SolveOptions& options, Partition& partition,
+  DistanceSolver& unitSolver)
 {
   SolveOptions near;
   near.excluded = options.excluded;
   near.closedTriangles = options.closedTriangles;
-  near.maximumDistance = 0.0;
-  for (Index vertex : carriersOf(mesh, source.origin))
+  near.maximumDistance = discRadius(mesh, source.origin, partition);
+  near.partition = options.partition;
+  std::vector<SurfacePoint> origin;
+  if (source.origin.triangle != NoIndex)
   {
-    near.maximumDistance =
-      std::max(near.maximumDistance, DiscInMeanEdges * meanEdgeAround(mesh, vertex));
+    origin.push_back(source.origin);
   }
-  const Seed seed = Seed::atPoint(source.origin);
+  const Seed seed = Seed::atPosition(source.position, origin);
   const DistanceField& lengths = unitSolver.solve({ &seed, 1 }, near);
   std::vector<StartValue> disc;
   for (Index vertex : lengths.reached())
@@ -67,9 +147,27 @@ std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const L
   return disc;
 }
 
+/** Adds what other pieces start with at shared vertices. */
+void addStartsOfOthers(std::vector<StartValue>& starts, Partition& partition)
+{
+  const std::vector<StartValue> others = partition.exchange(starts);
+  if (others.empty())
+  {
+    return;
+  }
+  starts.insert(starts.end(), others.begin(), others.end());
+  const auto key = [](const StartValue& start)
+  { return std::tuple(start.label, start.vertex, start.value, !start.isFinal); };
+  std::sort(starts.begin(), starts.end(),
+    [&](const StartValue& a, const StartValue& b) { return key(a) < key(b); });
+  const auto isSame = [](const StartValue& a, const StartValue& b)
+  { return a.label == b.label && a.vertex == b.vertex; };
+  starts.erase(std::unique(starts.begin(), starts.end(), isSame), starts.end());
 }
 
-std::vector<StartValue> unitStarts(const SeedFront& front)
+}
+
+std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
 {
   std::vector<StartValue> values;
   values.reserve(front.starts.size());
@@ -77,18 +175,20 @@ std::vector<StartValue> unitStarts(const SeedFront& front)
   {
     values.push_back({ start.vertex, start.label, start.length, true });
   }
+  addStartsOfOthers(values, partition);
   return values;
 }
 
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, DistanceSolver& unitSolver)
+  const SolveOptions& options, Partition& partition, DistanceSolver& unitSolver)
 {
   std::vector<StartValue> values;
   // The starts of a label stand together.
-  for (auto first = front.starts.begin(); first != front.starts.end();)
+  auto last = front.starts.begin();
+  for (Index label = 0; label < front.labels.size(); ++label)
   {
-    const Index label = first->label;
-    const auto last = std::find_if(
+    auto first = last;
+    last = std::find_if(
       first, front.starts.end(), [&](const FrontStart& start) { return start.label != label; });
     const Label& source = front.labels[label];
     if (source.shape == FrontShape::Straight)
@@ -101,9 +201,9 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
       }
       continue;
     }
-    auto disc = discRound(mesh, label, source, { first, last }, options, unitSolver);
-    const double atOrigin = costAt(mesh, options.cost, source.origin);
-    if (isConstant(options.cost, disc))
+    auto disc = discRound(mesh, label, source, { first, last }, options, partition, unitSolver);
+    const double atOrigin = costAtOrigin(mesh, options.cost, source, partition);
+    if (isConstant(options.cost, disc, partition))
     {
       disc.erase(std::remove_if(disc.begin(), disc.end(),
                    [&](const StartValue& value)
@@ -118,16 +218,23 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
       value.value *= 0.5 * (atOrigin + options.cost[value.vertex]);
     }
     values.insert(values.end(), disc.begin(), disc.end());
-    first = last;
   }
+  addStartsOfOthers(values, partition);
   return values;
 }
 
-double costAt(const TriangleMesh& mesh, std::span<const double> cost, const SurfacePoint& point)
+double costAtOrigin(
+  const TriangleMesh& mesh, std::span<const double> cost, const Label& label, Partition& partition)
 {
-  const Triangle& corners = mesh.triangle(point.triangle);
-  return point.weights[0] * cost[corners[0]] + point.weights[1] * cost[corners[1]] +
-    point.weights[2] * cost[corners[2]];
+  std::vector<double> own;
+  const SurfacePoint& point = label.origin;
+  if (point.triangle != NoIndex)
+  {
+    const Triangle& corners = mesh.triangle(point.triangle);
+    own.push_back(point.weights[0] * cost[corners[0]] + point.weights[1] * cost[corners[1]] +
+      point.weights[2] * cost[corners[2]]);
+  }
+  return partition.gather(own).front();
 }
 
 }

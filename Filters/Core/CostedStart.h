@@ -3,6 +3,7 @@
 
 #include "SeedFront.h"
 #include "SolveOptions.h"
+#include "StartValue.h"
 
 #include <span>
 #include <vector>
@@ -11,20 +12,14 @@ namespace geodesic
 {
 
 class DistanceSolver;
+class Partition;
 class TriangleMesh;
 
-/** A vertex's first value, for a label, without the label's own. */
-struct StartValue
-{
-  Index vertex;
-  Index label;
-  double value;
-  /** Never to be updated for this label. */
-  bool isFinal;
-};
-
-/** The starts as they are where the cost is 1: lengths are values, and final. */
-std::vector<StartValue> unitStarts(const SeedFront& front);
+/**
+ * The starts where the cost is 1: lengths are values, and final. Those at shared vertices are the
+ * same on all pieces, as all starts here.
+ */
+std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition);
 
 /**
  * The starts where each vertex has a cost.
@@ -37,10 +32,11 @@ std::vector<StartValue> unitStarts(const SeedFront& front);
  * @param unitSolver any solver on the mesh; its field is overwritten
  */
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, DistanceSolver& unitSolver);
+  const SolveOptions& options, Partition& partition, DistanceSolver& unitSolver);
 
-/** The cost at a point of the surface. */
-double costAt(const TriangleMesh& mesh, std::span<const double> cost, const SurfacePoint& point);
+/** The cost at the origin of a round label, which may be on another piece. Collective. */
+double costAtOrigin(
+  const TriangleMesh& mesh, std::span<const double> cost, const Label& label, Partition& partition);
 
 }
 

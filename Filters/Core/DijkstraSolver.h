@@ -2,12 +2,21 @@
 #define geodesic_DijkstraSolver_h
 
 #include "DistanceSolver.h"
+#include "StartValue.h"
 
 #include <memory>
 #include <vector>
 
 namespace geodesic
 {
+
+/** A vertex on its way through the heap. */
+struct EdgeTrial
+{
+  double distance;
+  Index vertex;
+  Index seed;
+};
 
 /**
  * Shortest distance along the edges of the mesh, an upper bound of the geodesic distance that does
@@ -26,14 +35,10 @@ protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
 
 private:
-  struct Trial
-  {
-    double distance;
-    Index vertex;
-    Index seed;
-  };
+  /** The first values, without those of the seeds themselves. */
+  std::vector<StartValue> starts(const Request& request) const;
 
-  std::vector<Trial> Heap;
+  std::vector<EdgeTrial> Heap;
 };
 
 }

@@ -13,6 +13,7 @@ namespace geodesic
 {
 
 class ClosedFans;
+class Partition;
 class StopLimit;
 class TriangleMesh;
 
@@ -50,6 +51,9 @@ protected:
     const SeedFront& front;
     const ClosedFans& closed;
     const SolveOptions& options;
+    Partition& partition;
+    /** On all pieces of the surface alike, also on one without vertices. */
+    bool hasCost;
   };
 
   /**

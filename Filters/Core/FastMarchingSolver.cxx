@@ -2,6 +2,7 @@
 
 #include "ClosedFans.h"
 #include "MarchControl.h"
+#include "Partition.h"
 #include "RingSweep.h"
 #include "StopLimit.h"
 #include "TriangleCost.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace geodesic
 {
@@ -39,8 +41,8 @@ double smallestValue(std::span<const Label> labels)
 class StraightLineBound
 {
 public:
-  StraightLineBound(const TriangleMesh& mesh, const Label& label, double smallestCost)
-    : Origin(label.shape == FrontShape::Round ? mesh.positionOf(label.origin) : Vector3{})
+  StraightLineBound(const Label& label, double smallestCost)
+    : Origin(label.position)
     , SquaredCost(label.shape == FrontShape::Round ? smallestCost * smallestCost : 0.0)
   {
   }
@@ -71,6 +73,57 @@ struct MarchContext
   BucketQueue& queue;
 };
 
+/** A march as a Partition sees it; @p Values and @p advance are the march. */
+template <class Values, class Advance>
+class QueuedFront final : public MarchingFront
+{
+public:
+  /** @param firstDistance the distance of the queue's key 0 */
+  QueuedFront(BucketQueue& queue, const MarchControl& control, double firstDistance, Values& values,
+    Advance advance)
+    : Queue(queue)
+    , Control(control)
+    , FirstDistance(firstDistance)
+    , FrontValues(values)
+    , AdvanceBefore(std::move(advance))
+  {
+  }
+
+  void advance(double limit) override
+  {
+    this->AdvanceBefore(this->Queue.bucketOf(limit - this->FirstDistance));
+  }
+
+  double nextDistance() const override
+  {
+    return this->Queue.isEmpty() ? DistanceField::Unreached
+                                 : this->FirstDistance + this->Queue.nextKey();
+  }
+
+  double meanEdge() const override { return this->Queue.width() / BucketWidthInMeanEdges; }
+  std::size_t numberOfUpdates() const override { return this->Control.count(); }
+  bool isCancelled() const override { return this->Control.isCancelled(); }
+
+  void visitValues(Index vertex, const Visit& visit) const override
+  {
+    this->FrontValues.visit(vertex, visit);
+  }
+
+  void lower(Index vertex, Index label, double value) override
+  {
+    this->FrontValues.setCurrent(label);
+    this->Queue.goBackTo(this->FrontValues.keyOf(value));
+    this->FrontValues.propose(vertex, value);
+  }
+
+private:
+  BucketQueue& Queue;
+  const MarchControl& Control;
+  double FirstDistance;
+  Values& FrontValues;
+  Advance AdvanceBefore;
+};
+
 /** The values of the only label: the field itself, but for the value of the seed. */
 template <class Cost>
 class OneLabelValues
@@ -79,10 +132,21 @@ public:
   OneLabelValues(
     const MarchContext<Cost>& context, const Label& label, std::span<std::uint8_t> state)
     : Context(context)
-    , LeastOf(context.mesh, label, context.cost.smallest())
+    , LeastOf(label, context.cost.smallest())
     , Offset(label.value)
     , State(state)
   {
+  }
+
+  void setCurrent(Index) {}
+  double keyOf(double value) const { return value; }
+
+  void visit(Index vertex, const MarchingFront::Visit& visit) const
+  {
+    if (this->Context.field.isReached(vertex))
+    {
+      visit(0, this->value(vertex));
+    }
   }
 
   double value(Index vertex) const { return this->Context.field.distance(vertex) - this->Offset; }
@@ -144,7 +208,7 @@ public:
     this->LeastOf.reserve(labels.size());
     for (const Label& label : labels)
     {
-      this->LeastOf.emplace_back(context.mesh, label, context.cost.smallest());
+      this->LeastOf.emplace_back(label, context.cost.smallest());
     }
   }
 
@@ -166,6 +230,24 @@ public:
     const LabelSets::Entry& entry = this->Sets[known];
     return { entry.value, entry.value, entry.isQueued != 0 };
   }
+
+  /** The values that the vertex keeps, by label. */
+  void visit(Index vertex, const MarchingFront::Visit& visit)
+  {
+    this->Sets.visit(vertex,
+      [&](const LabelSets::Entry& entry)
+      {
+        this->setCurrent(entry.label);
+        if (entry.value <= this->keptUpTo(vertex))
+        {
+          visit(entry.label, entry.value);
+        }
+      });
+  }
+
+  double firstDistance() const { return this->First; }
+  /** The place in the queue of a value of the current label. */
+  double keyOf(double value) const { return value + this->Offset - this->First; }
 
   /** The largest value of the current label that a vertex keeps beside its best one. */
   double keptUpTo(Index vertex) const
@@ -209,7 +291,7 @@ public:
     if (!entry.isQueued)
     {
       entry.isQueued = true;
-      this->Context.queue.push(number, distance - this->First);
+      this->Context.queue.push(number, this->keyOf(value));
     }
   }
 
@@ -233,17 +315,19 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
-  if (request.options.cost.empty())
+  if (!request.hasCost)
   {
-    const UnitCost cost(this->mesh());
-    return this->marchAtCost(cost, unitStarts(request.front), request, limit, field);
+    const UnitCost cost(this->mesh(), request.partition);
+    const auto starts = unitStarts(request.front, request.partition);
+    return this->marchAtCost(cost, starts, request, limit, field);
   }
   if (!this->UnitSolver)
   {
     this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh());
   }
-  const VertexCost cost(this->mesh(), request.options.cost);
-  const auto starts = costedStarts(this->mesh(), request.front, request.options, *this->UnitSolver);
+  const VertexCost cost(this->mesh(), request.options.cost, request.partition);
+  const auto starts = costedStarts(
+    this->mesh(), request.front, request.options, request.partition, *this->UnitSolver);
   return this->marchAtCost(cost, starts, request, limit, field);
 }
 
@@ -251,8 +335,10 @@ template <class Cost>
 bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  this->Queue.start(BucketWidthInMeanEdges * this->mesh().meanEdgeLength() * cost.mean(),
-    2.0 * this->mesh().longestEdgeLength() * cost.largest());
+  const double width = BucketWidthInMeanEdges * this->mesh().meanEdgeLength() * cost.mean();
+  // A piece without triangles has no edges.
+  this->Queue.start(
+    width > 0.0 ? width : 1.0, 2.0 * this->mesh().longestEdgeLength() * cost.largest());
   if (request.front.labels.size() > 1)
   {
     return this->marchManyLabels(cost, starts, request, limit, field);
@@ -279,22 +365,27 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
     values.set(start.vertex, start.value);
     this->State[start.vertex] |= start.isFinal ? Pinned : 0;
   }
-  while (!this->Queue.isEmpty() && control.mayGoOn())
-  {
-    const Index vertex = this->Queue.pop();
-    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+  QueuedFront front(this->Queue, control, label.value, values,
+    [&](std::uint64_t end)
     {
-      mesh.prefetch(ahead);
-    }
-    this->State[vertex] &= ~Queued;
-    ringSweep.sweep(vertex, values.value(vertex));
-  }
+      while (this->Queue.hasBefore(end) && control.mayGoOn())
+      {
+        const Index vertex = this->Queue.pop();
+        if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+        {
+          mesh.prefetch(ahead);
+        }
+        this->State[vertex] &= ~Queued;
+        ringSweep.sweep(vertex, values.value(vertex));
+      }
+    });
+  const bool finished = request.partition.march(front, limit);
   for (Index vertex : field.reached())
   {
     this->State[vertex] = 0;
     field.setNearestSeed(vertex, label.seed);
   }
-  return !control.isCancelled();
+  return finished;
 }
 
 template <class Cost>
@@ -313,13 +404,26 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
   RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
 
-  // Many small fronts spread over more memory than the processor has near.
-  const auto prefetchRound = [&](Index vertex)
+  // Many small fronts spread over more memory than the processor has near. What says where to look
+  // is fetched before what is there.
+  const auto prefetchRound = [&]
   {
-    for (const RingEntry& entry : mesh.ring(vertex))
+    if (const Index far = this->Queue.ahead(2 * Lookahead); far != NoIndex)
     {
-      __builtin_prefetch(&sets[entry.neighbour()]);
-      __builtin_prefetch(&mesh.position(entry.neighbour()));
+      __builtin_prefetch(&sets[far]);
+      mesh.rings().prefetchStart(sets.vertexOf(far));
+    }
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(sets.vertexOf(ahead));
+    }
+    if (const Index next = this->Queue.ahead(1); next != NoIndex)
+    {
+      for (const RingEntry& entry : mesh.ring(sets.vertexOf(next)))
+      {
+        __builtin_prefetch(&sets[entry.neighbour()]);
+        __builtin_prefetch(&mesh.position(entry.neighbour()));
+      }
     }
   };
   for (const StartValue& start : starts)
@@ -329,41 +433,39 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
     values.set(entry, start.value);
     sets[entry].isPinned = start.isFinal;
   }
-  while (!this->Queue.isEmpty() && control.mayGoOn())
-  {
-    const Index popped = this->Queue.pop();
-    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+  QueuedFront front(this->Queue, control, values.firstDistance(), values,
+    [&](std::uint64_t end)
     {
-      mesh.prefetch(sets.vertexOf(ahead));
-    }
-    if (const Index next = this->Queue.ahead(0); next != NoIndex)
-    {
-      prefetchRound(sets.vertexOf(next));
-    }
-    sets[popped].isQueued = false;
-    const LabelSets::Entry entry = sets[popped];
-    const Index vertex = sets.vertexOf(popped);
-    values.setCurrent(entry.label);
-    if (entry.value > values.keptUpTo(vertex))
-    {
-      continue;
-    }
-    if (labels[entry.label].shape == FrontShape::Round)
-    {
-      round.sweep(vertex, entry.value);
-    }
-    else
-    {
-      straight.sweep(vertex, entry.value);
-    }
-  }
+      while (this->Queue.hasBefore(end) && control.mayGoOn())
+      {
+        const Index popped = this->Queue.pop();
+        prefetchRound();
+        sets[popped].isQueued = false;
+        const LabelSets::Entry entry = sets[popped];
+        const Index vertex = sets.vertexOf(popped);
+        values.setCurrent(entry.label);
+        if (entry.value > values.keptUpTo(vertex))
+        {
+          continue;
+        }
+        if (labels[entry.label].shape == FrontShape::Round)
+        {
+          round.sweep(vertex, entry.value);
+        }
+        else
+        {
+          straight.sweep(vertex, entry.value);
+        }
+      }
+    });
+  const bool finished = request.partition.march(front, limit);
   for (Index vertex : field.reached())
   {
     field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
     sets.clear(vertex);
   }
   sets.finish();
-  return !control.isCancelled();
+  return finished;
 }
 
 }

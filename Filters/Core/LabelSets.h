@@ -89,6 +89,19 @@ public:
     return entry;
   }
 
+  /** Calls @p visit with each entry of a vertex. */
+  template <class Visit>
+  void visit(Index vertex, Visit&& visit) const
+  {
+    for (Index e = vertex; e != NoIndex; e = this->Entries[e].next)
+    {
+      if (this->Entries[e].label != NoLabel)
+      {
+        visit(this->Entries[e]);
+      }
+    }
+  }
+
   /** The vertex that an entry belongs to. */
   Index vertexOf(Index entry) const
   {

@@ -58,6 +58,9 @@ public:
     return !this->Cancelled;
   }
 
+  /** How many steps were taken. */
+  std::size_t count() const { return this->Count; }
+
   bool isCancelled() const { return this->Cancelled; }
 
 private:

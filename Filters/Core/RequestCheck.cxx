@@ -2,13 +2,16 @@
 
 #include "ClosedFans.h"
 #include "NumberText.h"
+#include "Partition.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace geodesic
 {
@@ -43,9 +46,54 @@ void checkCost(const TriangleMesh& mesh, std::span<const double> cost)
   }
 }
 
+/** Calls @p visit with each point of the seeds on this piece, and the number of its seed. */
+template <class Visit>
+void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& visit)
+{
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    for (const SurfacePoint& point : seeds[s].points)
+    {
+      visit(point, s);
+    }
+    for (Index vertex : seeds[s].vertices)
+    {
+      visit(mesh.pointAtVertex(vertex), s);
+    }
+  }
+}
+
+/** The vertices that carry seeds and have a triangle which is not closed, on any piece. */
+std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
+  const ClosedFans& closed, Partition& partition)
+{
+  std::set<Index> open;
+  visitPoints(mesh, seeds,
+    [&](const SurfacePoint& point, std::size_t)
+    {
+      for (Index vertex : carriersOf(mesh, point))
+      {
+        if (closed.hasOpenTriangle(vertex))
+        {
+          open.insert(vertex);
+        }
+      }
+    });
+  std::vector<StartValue> own;
+  for (Index vertex : open)
+  {
+    own.push_back({ vertex, 0, 0.0, false });
+  }
+  for (const StartValue& other : partition.exchange(own))
+  {
+    open.insert(other.vertex);
+  }
+  return open;
+}
+
 /** Throws where a front can't leave the point. */
 void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
-  const SolveOptions& options, const ClosedFans& closed)
+  const SolveOptions& options, const std::set<Index>& open)
 {
   const std::vector<Index> carriers = carriersOf(mesh, point);
   const auto excluded = std::find_if(
@@ -60,7 +108,7 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
   }
   const bool isInside = carriers.size() == 3 && options.isClosed(point.triangle);
   const bool isSurrounded = std::none_of(
-    carriers.begin(), carriers.end(), [&](Index vertex) { return closed.hasOpenTriangle(vertex); });
+    carriers.begin(), carriers.end(), [&](Index vertex) { return open.contains(vertex); });
   if (isInside || isSurrounded)
   {
     throw std::invalid_argument(seed + " lies inside a barrier cell, beside point " +
@@ -87,7 +135,8 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
   {
     for (Index vertex : target)
     {
-      if (vertex >= mesh.numberOfVertices())
+      const bool isElsewhere = options.partition && vertex == NoIndex;
+      if (vertex >= mesh.numberOfVertices() && !isElsewhere)
       {
         throw std::invalid_argument("Target vertex " + std::to_string(vertex) +
           " does not exist; the mesh has " + std::to_string(mesh.numberOfVertices()) +
@@ -98,24 +147,20 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
 }
 
 void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
-  const SolveOptions& options, const ClosedFans& closed)
+  const SolveOptions& options, const ClosedFans& closed, Partition& partition)
 {
-  if (options.excluded.empty() && options.closedTriangles.empty())
+  if (!partition.isDivided() && options.excluded.empty() && options.closedTriangles.empty())
   {
     return;
   }
-  for (std::size_t s = 0; s < seeds.size(); ++s)
-  {
-    const std::string name = "Seed " + std::to_string(s);
-    for (const SurfacePoint& point : seeds[s].points)
+  const std::set<Index> open = openCarriers(mesh, seeds, closed, partition);
+  partition.together(
+    [&]
     {
-      checkPointIsOpen(mesh, point, name, options, closed);
-    }
-    for (Index vertex : seeds[s].vertices)
-    {
-      checkPointIsOpen(mesh, mesh.pointAtVertex(vertex), name, options, closed);
-    }
-  }
+      visitPoints(mesh, seeds,
+        [&](const SurfacePoint& point, std::size_t s)
+        { checkPointIsOpen(mesh, point, "Seed " + std::to_string(s), options, open); });
+    });
 }
 
 }

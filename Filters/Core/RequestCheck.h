@@ -10,6 +10,7 @@ namespace geodesic
 {
 
 class ClosedFans;
+class Partition;
 class TriangleMesh;
 
 /** @throws std::invalid_argument for an option that does not fit the mesh, naming value and limit
@@ -22,7 +23,7 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
  * point that is excluded, or on an edge between excluded vertices, or inside a closed triangle
  */
 void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
-  const SolveOptions& options, const ClosedFans& closed);
+  const SolveOptions& options, const ClosedFans& closed, Partition& partition);
 
 }
 

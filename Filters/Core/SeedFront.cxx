@@ -2,12 +2,16 @@
 
 #include "ClosedFans.h"
 #include "NumberText.h"
+#include "Partition.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace geodesic
@@ -34,9 +38,10 @@ void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::
   }
 }
 
-void checkSeed(const TriangleMesh& mesh, const Seed& seed, const std::string& name)
+void checkSeed(
+  const TriangleMesh& mesh, const Seed& seed, const std::string& name, bool mayBeElsewhere)
 {
-  if (seed.points.empty() && seed.vertices.empty())
+  if (seed.points.empty() && seed.vertices.empty() && !mayBeElsewhere)
   {
     throw std::invalid_argument(name + " has no point.");
   }
@@ -102,9 +107,11 @@ double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
 class FrontBuilder
 {
 public:
-  FrontBuilder(const TriangleMesh& mesh, const ClosedFans& closed, SeedFront& front)
+  FrontBuilder(
+    const TriangleMesh& mesh, const ClosedFans& closed, Partition& partition, SeedFront& front)
     : Mesh(mesh)
     , Closed(closed)
+    , Pieces(partition)
     , Front(front)
   {
   }
@@ -116,7 +123,7 @@ public:
     switch (seed.kind)
     {
       case Seed::Kind::Point:
-        this->addPoint(seed.points[0]);
+        this->addSeedPoint(seed);
         break;
       case Seed::Kind::Curve:
         this->addCurve(seed.points);
@@ -133,22 +140,34 @@ private:
   /** Cosine of the angle from which on a curve bends. */
   static constexpr double StraightCosine = 0.985;
 
-  Index addLabel(FrontShape shape, const SurfacePoint& origin = {})
+  Index addLabel(FrontShape shape, const SurfacePoint& origin = {}, const Vector3& position = {})
   {
-    this->Front.labels.push_back({ this->Number, shape, this->Value, origin });
+    this->Front.labels.push_back({ this->Number, shape, this->Value, origin, position });
     return static_cast<Index>(this->Front.labels.size() - 1);
   }
 
-  void addPoint(const SurfacePoint& point)
+  void addSeedPoint(const Seed& seed)
   {
-    const Index label = this->addLabel(FrontShape::Round, point);
+    if (seed.points.empty())
+    {
+      this->addLabel(FrontShape::Round, {}, *seed.position);
+      return;
+    }
+    this->addPoint(
+      seed.points[0], seed.position ? *seed.position : this->Mesh.positionOf(seed.points[0]));
+  }
+
+  void addPoint(const SurfacePoint& point) { this->addPoint(point, this->Mesh.positionOf(point)); }
+
+  void addPoint(const SurfacePoint& point, const Vector3& position)
+  {
+    const Index label = this->addLabel(FrontShape::Round, point, position);
     const std::vector<Index> carriers = carriersOf(this->Mesh, point);
     if (carriers.size() == 1)
     {
       this->Front.starts.push_back({ carriers[0], label, 0.0 });
       return;
     }
-    const Vector3 position = this->Mesh.positionOf(point);
     for (Index vertex : cornersRound(this->Mesh, this->Closed, carriers))
     {
       this->Front.starts.push_back({ vertex, label, norm(this->Mesh.position(vertex) - position) });
@@ -248,11 +267,11 @@ private:
 
   void addRegion(std::vector<Index> vertices)
   {
-    sortUnique(vertices);
+    vertices = this->withThoseOfOthers(std::move(vertices));
     const auto isInside = [&](Index vertex)
     { return std::binary_search(vertices.begin(), vertices.end(), vertex); };
-    std::vector<Index> joined;
-    std::vector<Index> border;
+    std::vector<Index> besideInside;
+    std::vector<Index> besideOutside;
     for (Index vertex : vertices)
     {
       bool hasInside = false;
@@ -261,18 +280,26 @@ private:
       {
         (isInside(entry.neighbour()) ? hasInside : hasOutside) = true;
       }
-      if (!hasInside)
+      if (hasInside)
       {
-        this->addPoint(this->Mesh.pointAtVertex(vertex));
-        continue;
+        besideInside.push_back(vertex);
       }
-      joined.push_back(vertex);
       if (hasOutside)
       {
-        border.push_back(vertex);
+        besideOutside.push_back(vertex);
       }
     }
-    if (!joined.empty())
+    const std::vector<Index> joined = this->withThoseOfOthers(std::move(besideInside));
+    besideOutside = this->withThoseOfOthers(std::move(besideOutside));
+    std::vector<Index> isolated;
+    std::set_difference(
+      vertices.begin(), vertices.end(), joined.begin(), joined.end(), std::back_inserter(isolated));
+    std::vector<Index> border;
+    std::set_intersection(joined.begin(), joined.end(), besideOutside.begin(), besideOutside.end(),
+      std::back_inserter(border));
+
+    this->addVertices(isolated);
+    if (this->isAnywhere(joined))
     {
       const Index label = this->addLabel(FrontShape::Straight);
       for (Index vertex : joined)
@@ -280,17 +307,83 @@ private:
         this->Front.starts.push_back({ vertex, label, 0.0 });
       }
     }
-    if (border.size() <= MostRoundLabels)
+    if (this->countOf(border) <= static_cast<double>(MostRoundLabels))
     {
-      for (Index vertex : border)
+      this->addVertices(border);
+    }
+  }
+
+  /** A set of vertices with those shared ones that other pieces have in theirs, sorted. */
+  std::vector<Index> withThoseOfOthers(std::vector<Index> vertices)
+  {
+    std::vector<StartValue> own;
+    for (Index vertex : vertices)
+    {
+      own.push_back({ vertex, 0, 0.0, false });
+    }
+    for (const StartValue& other : this->Pieces.exchange(own))
+    {
+      vertices.push_back(other.vertex);
+    }
+    sortUnique(vertices);
+    return vertices;
+  }
+
+  /** How many vertices these sets of all pieces have together. */
+  double countOf(const std::vector<Index>& vertices)
+  {
+    const auto owned = static_cast<double>(std::count_if(
+      vertices.begin(), vertices.end(), [&](Index vertex) { return this->Pieces.owns(vertex); }));
+    const std::vector<double> counts = this->Pieces.gather({ &owned, 1 });
+    return std::accumulate(counts.begin(), counts.end(), 0.0);
+  }
+
+  bool isAnywhere(const std::vector<Index>& vertices) { return this->countOf(vertices) > 0.0; }
+
+  /** One round label at each vertex of these sets of all pieces. */
+  void addVertices(const std::vector<Index>& vertices)
+  {
+    if (!this->Pieces.isDivided())
+    {
+      for (Index vertex : vertices)
       {
         this->addPoint(this->Mesh.pointAtVertex(vertex));
+      }
+      return;
+    }
+    std::vector<double> own;
+    std::map<std::array<double, 3>, Index> vertexAt;
+    for (Index vertex : vertices)
+    {
+      const Vector3& p = this->Mesh.position(vertex);
+      // Adding 0 makes -0 one with 0.
+      const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
+      vertexAt.emplace(place, vertex);
+      own.insert(own.end(), place.begin(), place.end());
+    }
+    const std::vector<double> all = this->Pieces.gather(own);
+    std::set<std::array<double, 3>> places;
+    for (std::size_t i = 0; i < all.size(); i += 3)
+    {
+      places.insert({ all[i], all[i + 1], all[i + 2] });
+    }
+    for (const std::array<double, 3>& place : places)
+    {
+      const Vector3 position{ place[0], place[1], place[2] };
+      if (const auto here = vertexAt.find(place); here != vertexAt.end())
+      {
+        this->addPoint(this->Mesh.pointAtVertex(here->second), position);
+      }
+      else
+      {
+        this->addLabel(FrontShape::Round, {}, position);
       }
     }
   }
 
   const TriangleMesh& Mesh;
   const ClosedFans& Closed;
+  Partition& Pieces;
   SeedFront& Front;
   Index Number = 0;
   double Value = 0.0;
@@ -312,13 +405,21 @@ std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& poin
   return carriers;
 }
 
-SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds)
+void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition)
+{
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    checkSeed(mesh, seeds[s], "Seed " + std::to_string(s), partition.isDivided());
+  }
+}
+
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds,
+  Partition& partition)
 {
   SeedFront front;
-  FrontBuilder builder(mesh, closed, front);
+  FrontBuilder builder(mesh, closed, partition, front);
   for (Index s = 0; s < seeds.size(); ++s)
   {
-    checkSeed(mesh, seeds[s], "Seed " + std::to_string(s));
     builder.add(seeds[s], s);
   }
   return front;

@@ -2,6 +2,7 @@
 #define geodesic_SeedFront_h
 
 #include "Seed.h"
+#include "Vector3.h"
 
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@ namespace geodesic
 {
 
 class ClosedFans;
+class Partition;
 class TriangleMesh;
 
 /** How a front was born: round a point, or from a line, which it leaves in a straight front. */
@@ -27,8 +29,9 @@ struct Label
   FrontShape shape;
   /** The seed's value. */
   double value;
-  /** Where a round front starts. */
+  /** Where a round front starts; no triangle where that is on other pieces of the surface only. */
   SurfacePoint origin;
+  Vector3 position;
 };
 
 /** A vertex that a label reaches in a straight line, through one triangle. */
@@ -57,13 +60,21 @@ struct SeedFront
 };
 
 /**
- * @param closed triangles that no front crosses, nor starts through
  * @throws std::invalid_argument naming the first seed that is none: without points, in a triangle
  * that does not exist, of weights that are no barycentric weights, of a value that is negative or
- * not finite, or a curve with a segment that is neither in one face nor along one edge
+ * not finite
  */
-SeedFront seedFront(
-  const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds);
+void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition);
+
+/**
+ * The labels are the same on all pieces of the surface, the starts those of this one.
+ * @pre the seeds are checked
+ * @param closed triangles that no front crosses, nor starts through
+ * @throws std::invalid_argument for a curve with a segment that is neither in one face nor along
+ * one edge
+ */
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds,
+  Partition& partition);
 
 /** The vertices whose weights carry the point: a vertex, the ends of an edge, a face's corners. */
 std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point);

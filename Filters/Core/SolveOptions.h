@@ -18,6 +18,8 @@ enum class TargetMode
   All
 };
 
+class Partition;
+
 struct SolveOptions
 {
   /**
@@ -45,6 +47,12 @@ struct SolveOptions
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;
+  /**
+   * How to solve together with the other pieces of the surface, each of which is given the same
+   * seeds, targets and limits. A target that is on other pieces only has the corners NoIndex. Null:
+   * the surface is in one piece.
+   */
+  Partition* partition = nullptr;
 
   bool isExcluded(Index vertex) const { return !this->excluded.empty() && this->excluded[vertex]; }
   bool isClosed(Index triangle) const

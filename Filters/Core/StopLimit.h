@@ -5,6 +5,8 @@
 #include "SolveOptions.h"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 namespace geodesic
 {
@@ -21,6 +23,7 @@ public:
     : Options(options)
     , Field(field)
     , Limit(options.maximumDistance)
+    , Elsewhere(options.targets.size(), DistanceField::Unreached)
   {
   }
 
@@ -41,6 +44,24 @@ public:
     }
   }
 
+  /** Of each target as far as it is known; infinity for one that is on another piece. */
+  std::vector<double> targetDistances() const
+  {
+    std::vector<double> distances(this->Elsewhere.size());
+    for (std::size_t i = 0; i < distances.size(); ++i)
+    {
+      distances[i] = this->distanceOf(i);
+    }
+    return distances;
+  }
+
+  /** Takes over the distances of the targets that other pieces of the surface know. */
+  void learn(std::span<const double> targetDistances)
+  {
+    this->Elsewhere.assign(targetDistances.begin(), targetDistances.end());
+    this->update();
+  }
+
   StopReason reason() const
   {
     if (!this->Options.targets.empty() && this->distanceOfTargets() <= this->Limit &&
@@ -53,19 +74,24 @@ public:
   }
 
 private:
-  double distanceOf(const Triangle& target) const
+  double distanceOf(std::size_t number) const
   {
-    return std::max({ this->Field.distance(target[0]), this->Field.distance(target[1]),
-      this->Field.distance(target[2]) });
+    const Triangle& target = this->Options.targets[number];
+    const double known = this->Elsewhere[number];
+    return target[0] == NoIndex
+      ? known
+      : std::min(known,
+          std::max({ this->Field.distance(target[0]), this->Field.distance(target[1]),
+            this->Field.distance(target[2]) }));
   }
 
   double distanceOfTargets() const
   {
     const bool isAny = this->Options.targetMode == TargetMode::Any;
     double decisive = isAny ? DistanceField::Unreached : 0.0;
-    for (const Triangle& target : this->Options.targets)
+    for (std::size_t i = 0; i < this->Elsewhere.size(); ++i)
     {
-      const double distance = this->distanceOf(target);
+      const double distance = this->distanceOf(i);
       decisive = isAny ? std::min(decisive, distance) : std::max(decisive, distance);
     }
     return decisive;
@@ -74,6 +100,8 @@ private:
   const SolveOptions& Options;
   const DistanceField& Field;
   double Limit;
+  /** Of each target, the distance that other pieces know. */
+  std::vector<double> Elsewhere;
 };
 
 }

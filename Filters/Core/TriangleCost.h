@@ -1,6 +1,7 @@
 #ifndef geodesic_TriangleCost_h
 #define geodesic_TriangleCost_h
 
+#include "Partition.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
@@ -17,20 +18,26 @@ class UnitCost
 public:
   static constexpr bool isUnit = true;
 
-  explicit UnitCost(const TriangleMesh& mesh)
+  UnitCost(const TriangleMesh& mesh, const Partition& partition)
     : Mesh(mesh)
+    , LongestEdges(partition.longestEdges())
   {
   }
 
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
   /** The most that two vertices of the triangles round a vertex can differ by. */
-  double reach(Index vertex) const { return this->Mesh.longestEdgeAround(vertex); }
+  double reach(Index vertex) const
+  {
+    return this->LongestEdges.empty() ? this->Mesh.longestEdgeAround(vertex)
+                                      : this->LongestEdges[vertex];
+  }
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
 
 private:
   const TriangleMesh& Mesh;
+  std::span<const float> LongestEdges;
 };
 
 /** A cost at each vertex; that of a triangle is the mean of its corners'. Set up in O(n). */
@@ -39,7 +46,7 @@ class VertexCost
 public:
   static constexpr bool isUnit = false;
 
-  VertexCost(const TriangleMesh& mesh, std::span<const double> cost)
+  VertexCost(const TriangleMesh& mesh, std::span<const double> cost, Partition& partition)
     : Cost(cost)
     , Reaches(cost.size())
   {
@@ -50,10 +57,16 @@ public:
       {
         dearest = std::max(dearest, cost[entry.neighbour()]);
       }
-      this->Reaches[v] = dearest * mesh.longestEdgeAround(v);
+      this->Reaches[v] = dearest;
       this->Sum += cost[v];
       this->Smallest = std::min(this->Smallest, cost[v]);
       this->Largest = std::max(this->Largest, cost[v]);
+    }
+    this->agree(partition);
+    const UnitCost length(mesh, partition);
+    for (Index v = 0; v < cost.size(); ++v)
+    {
+      this->Reaches[v] *= length.reach(v);
     }
   }
 
@@ -63,10 +76,29 @@ public:
   }
   double reach(Index vertex) const { return this->Reaches[vertex]; }
   double mean() const { return this->Sum / static_cast<double>(this->Cost.size()); }
+  /** On all pieces of the surface; the mean and the largest are those of this one. */
   double smallest() const { return this->Smallest; }
   double largest() const { return this->Largest; }
 
 private:
+  /** Takes the dearest neighbours of shared vertices, and the smallest cost, over all pieces. */
+  void agree(Partition& partition)
+  {
+    std::vector<StartValue> own;
+    for (Index vertex : partition.sharedVertices())
+    {
+      own.push_back({ vertex, 0, this->Reaches[vertex], false });
+    }
+    for (const StartValue& other : partition.exchange(own))
+    {
+      this->Reaches[other.vertex] = std::max(this->Reaches[other.vertex], other.value);
+    }
+    for (double smallest : partition.gather({ &this->Smallest, 1 }))
+    {
+      this->Smallest = std::min(this->Smallest, smallest);
+    }
+  }
+
   std::span<const double> Cost;
   std::vector<double> Reaches;
   double Sum = 0.0;

@@ -17,16 +17,24 @@
 
 #include "Abort.h"
 #include "DistanceSolver.h"
+#include "DistributedSolver.h"
+#include "DistributedSurface.h"
 #include "FieldArray.h"
+#include "GlobalPoints.h"
+#include "GlobalSeeds.h"
 #include "GuideResolver.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
 #include "ProgressReporter.h"
+#include "RankGroup.h"
 #include "SeedResolver.h"
+#include "SharedGuides.h"
 #include "SolveSurface.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 namespace
@@ -48,7 +56,7 @@ void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
 {
-  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::bridge::SurfaceLines Lines;
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
@@ -199,13 +207,14 @@ int vtkSurfaceGeodesicDistance::RequestDataObject(vtkInformation* vtkNotUsed(req
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Compute(const geodesic::bridge::InputBlocks& blocks,
-  vtkInformationVector** inputVector, vtkDataObject* output)
+void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  vtkDataObject* output)
 {
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
-  this->Solve(blocks, inputVector);
-  if (!geodesic::bridge::isAborted(*this))
+  this->Solve({ ranks, blocks, inputVector });
+  if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
     this->WriteOutput(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output);
   }
@@ -218,33 +227,45 @@ void vtkSurfaceGeodesicDistance::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Solve(
-  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector)
+void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 {
   Internals& internal = *this->Internal;
-  internal.Surface = this->FindSurface(blocks);
-  const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(blocks, inputVector);
+  geodesic::distributed::RankGroup& ranks = run.ranks;
+  internal.Surface = this->FindDistributedSurface(ranks, run.blocks);
+  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(run);
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(blocks, inputVector, *internal.Surface, barriers);
-  internal.Lines.update(
-    internal.Surface->mesh(), geodesic::bridge::linesAmong(seeds), std::move(barriers.lines));
-  const geodesic::bridge::SolveSurface surface(internal.Surface, internal.Lines, barriers,
-    this->GatherCost(blocks, *internal.Surface), this->Method == DIJKSTRA);
+  std::vector<double> cost;
+  ranks.together(
+    [&]
+    {
+      this->GatherBarriers(run.blocks, run.inputVector, internal.Surface->piece(), barriers);
+      if (ranks.size() > 1 && !barriers.lines.empty())
+      {
+        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
+                                    "surface is spread over several ranks. Use BarrierArray, or "
+                                    "run on one rank.");
+      }
+      cost = this->GatherCost(run.blocks, internal.Surface->piece());
+    });
+  geodesic::distributed::shareExcluded(ranks, *internal.Surface, barriers.excluded);
+  geodesic::distributed::shareCost(ranks, *internal.Surface, cost);
+  internal.Lines.update(internal.Surface->piece().mesh(), geodesic::bridge::linesAmong(seeds),
+    std::move(barriers.lines));
+  const geodesic::bridge::SolveSurface surface(
+    internal.Surface->sharedPiece(), internal.Lines, barriers, cost, this->Method == DIJKSTRA);
 
   std::vector<geodesic::Triangle> targets;
-  for (const geodesic::SurfacePoint& point : geodesic::bridge::surfacePointsAt(
-         *internal.Surface, this->DestinationCoordinates, "DestinationPositions"))
+  for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
   {
-    targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), surface.pointOf(point)));
+    for (geodesic::SurfacePoint& here : point.here)
+    {
+      here = surface.pointOf(here);
+    }
+    targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.here));
   }
-  for (geodesic::Index vertex :
-    geodesic::bridge::verticesWithIds(*internal.Surface, this->DestinationPointIds, "Destination"))
-  {
-    const geodesic::SurfacePoint point = surface.pointOf(mesh.pointAtVertex(vertex));
-    targets.push_back(geodesic::bridge::targetAt(*surface.mesh(), point));
-  }
+  geodesic::distributed::DistributedSolver partition(ranks, *internal.Surface);
   geodesic::SolveOptions options = surface.options();
+  options.partition = &partition;
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
                                                                 : geodesic::TargetMode::All;
@@ -261,40 +282,53 @@ void vtkSurfaceGeodesicDistance::Solve(
     internal.Solver = this->MakeSolver(surface.mesh());
     internal.Method = this->Method;
   }
-  internal.Field = &internal.Solver->solve(surface.seedsOf(seeds), options);
-  this->MaximumDistanceReached = internal.Field->largestDistance();
-  this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints(
-    { mesh, *internal.Field, internal.Lines.split().get() });
+  std::vector<geodesic::Seed> openSeeds;
+  ranks.together([&] { openSeeds = surface.seedsOf(seeds); });
+  internal.Field = &internal.Solver->solve(openSeeds, options);
+  this->ReportWork(run, partition);
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
-  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector)
+void vtkSurfaceGeodesicDistance::ReportWork(
+  const Run& run, geodesic::distributed::DistributedSolver& partition)
 {
-  const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
+  geodesic::distributed::RankGroup& ranks = run.ranks;
+  const Internals& internal = *this->Internal;
+  double farthest = -internal.Field->largestDistance();
+  ranks.takeLeast({ &farthest, 1 });
+  this->MaximumDistanceReached = -farthest;
+  const std::span<const geodesic::Index> reached = internal.Field->reached();
+  const auto visited = ranks.size() == 1
+    ? geodesic::bridge::numberOfReachedPoints(
+        { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() })
+    : std::count_if(reached.begin(), reached.end(),
+        [&](geodesic::Index vertex) { return partition.owns(vertex); });
+  this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
+  const geodesic::distributed::DistributedWork work = partition.work();
+  this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
+  this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
+  this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
+  this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(const Run& run)
+{
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
   std::vector<geodesic::Seed> seeds;
   const auto add = [&](std::vector<geodesic::Seed> more)
   {
     seeds.insert(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(geodesic::bridge::seedsAtPositions(surface, this->SeedCoordinates));
-  add(geodesic::bridge::seedsAtVertices(
-    *surface.mesh(), geodesic::bridge::verticesWithIds(surface, this->SeedPointIds, "Seed")));
-  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[SEED_SOURCE_PORT]))
-  {
-    add(geodesic::bridge::seedsOfSource(surface, geodesic::bridge::PointSource(source)));
-  }
-  if (const auto array = this->GetChosenArray(SEED_ARRAY, blocks))
-  {
-    add(geodesic::bridge::seedsOfArray(surface, array));
-  }
-  if (vtkSelection* selection = vtkSelection::GetData(inputVector[SEED_SELECTION_PORT]))
-  {
-    vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
-    add(geodesic::bridge::seedsOfSelection(
-      surface, geodesic::bridge::SelectedElements(selection, input, blocks)));
-  }
+  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsAt(
+    run.ranks, surface, this->SeedCoordinates, "SeedPositions")));
+  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsWith(
+    run.ranks, surface, run.blocks, this->SeedPointIds, "Seed")));
+  add(geodesic::distributed::seedsOfSource(
+    run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
+  add(this->GatherArraySeeds(run));
+  add(this->GatherSelectedSeeds(run));
   if (seeds.empty())
   {
     throw std::invalid_argument("There is no seed to measure from. Set SeedPositions to x, y and z "
@@ -302,6 +336,70 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
                                 "SeedPointIds, SeedSource, SeedArray or SeedSelection.");
   }
   return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(const Run& run)
+{
+  geodesic::bridge::RegionsByValue regions;
+  bool isChosen = false;
+  run.ranks.together(
+    [&]
+    {
+      if (const auto array = this->GetChosenArray(SEED_ARRAY, run.blocks))
+      {
+        isChosen = true;
+        regions = geodesic::bridge::regionsOfArray(this->Internal->Surface->piece(), array);
+      }
+    });
+  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
+  if (run.ranks.isAny(isChosen) && seeds.empty())
+  {
+    const char* name = this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME());
+    throw std::invalid_argument("SeedArray \"" + std::string(name) +
+      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(const Run& run)
+{
+  geodesic::bridge::RegionsByValue regions;
+  bool isEmpty = true;
+  run.ranks.together(
+    [&]
+    {
+      if (vtkSelection* selection = vtkSelection::GetData(run.inputVector[SEED_SELECTION_PORT]))
+      {
+        vtkDataObject* input = vtkDataObject::GetData(run.inputVector[SURFACE_PORT]);
+        const geodesic::bridge::SelectedElements selected(selection, input, run.blocks);
+        isEmpty = selected.isEmpty;
+        regions = geodesic::bridge::regionsOfSelection(this->Internal->Surface->piece(), selected);
+      }
+    });
+  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
+  if (run.ranks.isAny(!isEmpty) && seeds.empty())
+  {
+    throw std::invalid_argument(
+      "SeedSelection selects no point of the surface and no cell. Select others.");
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::GatherDestinations(
+  const Run& run)
+{
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  auto points = geodesic::distributed::globalPointsAt(
+    run.ranks, surface, this->DestinationCoordinates, "DestinationPositions");
+  for (geodesic::distributed::GlobalPoint& point : geodesic::distributed::globalPointsWith(
+         run.ranks, surface, run.blocks, this->DestinationPointIds, "Destination"))
+  {
+    points.push_back(std::move(point));
+  }
+  return points;
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +432,7 @@ void vtkSurfaceGeodesicDistance::WriteOutput(
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* output) const
 {
-  const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
+  const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
   const geodesic::bridge::FieldOnInput field{ *surface.mesh(), *this->Internal->Field,
     this->Internal->Lines.split().get(), surface.numbering().firstPointOf(block),
     static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
@@ -379,4 +477,8 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "MaximumDistanceReached: " << this->MaximumDistanceReached << "\n";
   os << indent << "NumberOfVisitedPoints: " << this->NumberOfVisitedPoints << "\n";
+  os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
+  os << indent << "NumberOfUpdates: " << this->NumberOfUpdates << "\n";
+  os << indent << "BytesExchanged: " << this->BytesExchanged << "\n";
+  os << indent << "MostPointsOnARank: " << this->MostPointsOnARank << "\n";
 }

@@ -18,6 +18,9 @@
  * length is no multiple of 3, an id that does not exist, an array that does not or has several
  * components, a cost that is not positive, a negative MaximumDistance in use, and what
  * vtkSurfaceGeodesicFilter names.
+ *
+ * On several ranks the pieces of the input are one surface. Which of their points are one is told
+ * as for blocks. Point ids are global ids then, and lines of seeds or barriers are an error.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -35,6 +38,11 @@ class vtkPolyData;
 namespace geodesic
 {
 struct Seed;
+namespace distributed
+{
+class DistributedSolver;
+struct GlobalPoint;
+}
 }
 
 class VTKFILTERSSURFACEGEODESICS_EXPORT vtkSurfaceGeodesicDistance : public vtkSurfaceGeodesicFilter
@@ -184,9 +192,22 @@ public:
   vtkGetMacro(MaximumDistanceReached, double);
 
   /**
-   * The number of points with a final distance in the last run; 0 before the first.
+   * The number of points with a final distance in the last run; 0 before the first. On several
+   * ranks, points that are one count once.
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
+
+  ///@{
+  /**
+   * What the last run took, over all ranks: how often they marched and exchanged values (once on
+   * one rank), vertices taken from queues, bytes sent from rank to rank, and the points of the rank
+   * that has most. All 0 before the first run.
+   */
+  vtkGetMacro(NumberOfRounds, vtkIdType);
+  vtkGetMacro(NumberOfUpdates, vtkIdType);
+  vtkGetMacro(BytesExchanged, vtkIdType);
+  vtkGetMacro(MostPointsOnARank, vtkIdType);
+  ///@}
 
 protected:
   vtkSurfaceGeodesicDistance();
@@ -195,8 +216,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void Compute(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
-    vtkDataObject* output) override;
+  void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
+    vtkInformationVector** inputVector, vtkDataObject* output) override;
   void Forget() override;
 
   std::vector<double> SeedCoordinates;
@@ -212,12 +233,26 @@ protected:
   double UnreachedValue = -1.0;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
+  vtkIdType NumberOfRounds = 0;
+  vtkIdType NumberOfUpdates = 0;
+  vtkIdType BytesExchanged = 0;
+  vtkIdType MostPointsOnARank = 0;
 
 private:
   struct Internals;
-  void Solve(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector);
-  std::vector<geodesic::Seed> GatherSeeds(
-    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector);
+  /** What a run works on: the ranks, the input's blocks, and what else is connected. */
+  struct Run
+  {
+    geodesic::distributed::RankGroup& ranks;
+    const geodesic::bridge::InputBlocks& blocks;
+    vtkInformationVector** inputVector;
+  };
+  void Solve(const Run& run);
+  std::vector<geodesic::Seed> GatherSeeds(const Run& run);
+  std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
+  std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
+  std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
+  void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition);
   void WriteOutput(
     const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const;
   void AttachArrays(std::size_t block, vtkPolyData* output) const;

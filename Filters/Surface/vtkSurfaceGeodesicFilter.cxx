@@ -13,6 +13,7 @@
 
 #include "ArrayValues.h"
 #include "DijkstraSolver.h"
+#include "DistributedSurface.h"
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "GuideResolver.h"
@@ -20,7 +21,9 @@
 #include "InputSurface.h"
 #include "PointIdentity.h"
 #include "PointResolver.h"
+#include "RankGroup.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -29,13 +32,6 @@ namespace
 
 void checkRequest(vtkDataObject* input)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
-  if (ranks > 1)
-  {
-    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks) +
-      " ranks; this version measures on one rank only. Run it on one.");
-  }
   if (vtkCompositeDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
   {
     throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
@@ -85,9 +81,16 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   try
   {
-    vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
-    checkRequest(input);
-    this->Compute(geodesic::bridge::InputBlocks(input), inputVector, output);
+    geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    std::optional<geodesic::bridge::InputBlocks> blocks;
+    ranks.together(
+      [&]
+      {
+        vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
+        checkRequest(input);
+        blocks.emplace(input);
+      });
+    this->Compute(ranks, *blocks, inputVector, output);
   }
   catch (const std::exception& error)
   {
@@ -105,7 +108,8 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
   static const char* const properties[] = { "SeedArray", "CostArray", "BarrierArray" };
   vtkInformation* choice = this->GetInputArrayInformation(number);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  if (!name || !*name)
+  // A rank without any of the surface may be without its arrays.
+  if (!name || !*name || blocks.numberWithFaces() == 0)
   {
     return {};
   }
@@ -155,6 +159,15 @@ std::shared_ptr<const geodesic::bridge::InputSurface> vtkSurfaceGeodesicFilter::
 {
   return geodesic::bridge::InputSurface::of(
     blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const geodesic::distributed::DistributedSurface>
+vtkSurfaceGeodesicFilter::FindDistributedSurface(
+  geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
+{
+  return geodesic::distributed::DistributedSurface::of(
+    ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks);
 }
 
 //------------------------------------------------------------------------------

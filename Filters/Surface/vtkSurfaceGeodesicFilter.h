@@ -16,8 +16,9 @@
  * several blocks have faces they are global ids.
  *
  * A request that can't be served ends in one error and an empty output, and yet succeeds: after a
- * request that failed ParaView no longer updates the view, and what it shows is stale. More
- * than one rank is such a request, and so are composite inputs whose blocks overlap (AMR).
+ * request that failed ParaView no longer updates the view, and what it shows is stale. Composite
+ * inputs whose blocks overlap (AMR) are such requests. On several ranks (those of the global
+ * controller) an error on one is one on all, with the same message.
  */
 #ifndef vtkSurfaceGeodesicFilter_h
 #define vtkSurfaceGeodesicFilter_h
@@ -40,6 +41,11 @@ class InputBlocks;
 class InputSurface;
 struct Barriers;
 struct ChosenArray;
+}
+namespace distributed
+{
+class DistributedSurface;
+class RankGroup;
 }
 }
 
@@ -133,8 +139,9 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /** Fills the output, or throws; an aborted run leaves it as it is. */
-  virtual void Compute(const geodesic::bridge::InputBlocks& blocks,
-    vtkInformationVector** inputVector, vtkDataObject* output) = 0;
+  virtual void Compute(geodesic::distributed::RankGroup& ranks,
+    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+    vtkDataObject* output) = 0;
   /** Drops what is kept from run to run, after an error. */
   virtual void Forget() = 0;
 
@@ -152,6 +159,9 @@ protected:
     const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface);
   std::shared_ptr<const geodesic::bridge::InputSurface> FindSurface(
     const geodesic::bridge::InputBlocks& blocks) const;
+  /** The surface of which the input is this rank's piece. */
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> FindDistributedSurface(
+    geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
   std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
     const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
 

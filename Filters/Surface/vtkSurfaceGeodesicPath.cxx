@@ -20,6 +20,7 @@
 #include "PathOutput.h"
 #include "PointResolver.h"
 #include "ProgressReporter.h"
+#include "RankGroup.h"
 #include "SolveSurface.h"
 #include "SplitMesh.h"
 
@@ -147,10 +148,16 @@ void vtkSurfaceGeodesicPath::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::Compute(const geodesic::bridge::InputBlocks& blocks,
-  vtkInformationVector** inputVector, vtkDataObject* output)
+void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  vtkDataObject* output)
 {
   this->TotalLength = 0.0;
+  if (ranks.size() > 1)
+  {
+    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
+      " ranks, where this version finds no paths. Run Geodesic Path on one rank.");
+  }
   this->CheckRequest();
   Internals& internal = *this->Internal;
   internal.Surface = this->FindSurface(blocks);

@@ -173,8 +173,8 @@ protected:
   ~vtkSurfaceGeodesicPath() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void Compute(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
-    vtkDataObject* output) override;
+  void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
+    vtkInformationVector** inputVector, vtkDataObject* output) override;
   void Forget() override;
 
   std::vector<double> WaypointCoordinates;

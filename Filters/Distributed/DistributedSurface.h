@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_DistributedSurface_h
+#define geodesic_distributed_DistributedSurface_h
+
+#include "InputSurface.h"
+#include "RankGroup.h"
+#include "SharedPoints.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace geodesic::distributed
+{
+
+/**
+ * This rank's piece of a surface, and what it has in common with those of the others: built once
+ * for an input's points and cells and shared by every run of every filter on it.
+ */
+class DistributedSurface
+{
+public:
+  /**
+   * Collective; built now unless all ranks still hold what they built together. This rank may be
+   * without triangles. On several ranks points are one by their global ids where all ranks have
+   * them, else by their coordinates.
+   * @throws std::exception on all ranks where no rank has a triangle, or where nothing tells which
+   *         points are one
+   */
+  static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
+    const bridge::InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
+
+  DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> piece,
+    const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
+
+  const bridge::InputSurface& piece() const { return *this->Piece; }
+  const std::shared_ptr<const bridge::InputSurface>& sharedPiece() const { return this->Piece; }
+  const TriangleMesh& mesh() const { return *this->Piece->mesh(); }
+  const SharedPoints& shared() const { return *this->Shared; }
+
+  /** See Partition::longestEdges. */
+  std::span<const float> longestEdges() const { return this->LongestEdges; }
+  /**
+   * By how many mean edges the limit of the march grows from round to round. The more vertices are
+   * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
+   * random, half an edge led to twice the work of one rank and one edge to up to ten times. Where
+   * few are, a round is to hold enough work to be worth its messages. Infinite where none are.
+   */
+  double stepInEdges() const { return this->StepInEdges; }
+  /** The number of points on the rank that has most. */
+  vtkIdType mostPointsOnARank() const { return this->MostPoints; }
+
+private:
+  void agreeOnLongestEdges(RankGroup& ranks);
+  void chooseStep(RankGroup& ranks);
+
+  std::shared_ptr<const bridge::InputSurface> Piece;
+  std::unique_ptr<const SharedPoints> Shared;
+  std::vector<float> LongestEdges;
+  double StepInEdges = 0.0;
+  vtkIdType MostPoints = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_GlobalPoints_h
+#define geodesic_distributed_GlobalPoints_h
+
+#include "DistributedSurface.h"
+#include "RankGroup.h"
+#include "Seed.h"
+
+#include "vtkType.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+class vtkIdList;
+
+namespace geodesic::distributed
+{
+
+/** A point of the whole surface, as this rank knows it. */
+struct GlobalPoint
+{
+  /** The same on all ranks. */
+  Vector3 position;
+  /** The point on this rank's piece: one, or none where the piece does not have it. */
+  std::vector<SurfacePoint> here;
+};
+
+/** Whether points are put where single precision can tell (see bridge::snappedAsSingle). */
+enum class Precision
+{
+  Double,
+  Single
+};
+
+/**
+ * Positions projected to the nearest points of the surface on all ranks; of equally near ones that
+ * of the smallest coordinates. Collective, with the same coordinates on all ranks.
+ * @param property what gave them, for the message
+ * @throws as bridge::positionsAt, on all ranks
+ */
+std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
+  std::span<const double> coordinates, const std::string& property,
+  Precision precision = Precision::Double);
+
+/**
+ * The points that have ids. On one rank these are the input's point ids, on several the global ids
+ * of @p globalIds. Collective, with the same ids on all ranks.
+ * @param role what the points are, for the message
+ * @throws std::exception on all ranks for an id that is on none, or where there are no global ids
+ */
+std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,
+  const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role);
+
+/** A target of the front (see SolveOptions::targets). */
+Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& here);
+
+}
+
+#endif

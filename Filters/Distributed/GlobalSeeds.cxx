@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GlobalSeeds.h"
+
+#include "PointResolver.h"
+
+#include <array>
+#include <set>
+#include <stdexcept>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** x y z of the source's points that no line uses. */
+std::vector<double> loosePoints(const bridge::PointSource& source)
+{
+  std::vector<bool> isOnLine(source.coordinates.size() / 3, false);
+  for (const auto& line : source.lines)
+  {
+    for (const std::size_t number : line)
+    {
+      isOnLine[number] = true;
+    }
+  }
+  std::vector<double> loose;
+  for (std::size_t i = 0; i < isOnLine.size(); ++i)
+  {
+    if (!isOnLine[i])
+    {
+      const double* point = source.coordinates.data() + 3 * i;
+      loose.insert(loose.end(), point, point + 3);
+    }
+  }
+  return loose;
+}
+
+/** The points of all ranks, without those that a lower rank has as well. */
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
+{
+  std::vector<double> points;
+  std::set<std::array<double, 3>> ofLowerRanks;
+  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
+  {
+    std::set<std::array<double, 3>> ofThis;
+    for (std::size_t i = 0; i < ofRank.size(); i += 3)
+    {
+      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
+      if (!ofLowerRanks.contains(point))
+      {
+        points.insert(points.end(), point.begin(), point.end());
+        ofThis.insert(point);
+      }
+    }
+    ofLowerRanks.merge(ofThis);
+  }
+  return points;
+}
+
+}
+
+std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
+{
+  std::vector<Seed> seeds;
+  for (GlobalPoint& point : points)
+  {
+    seeds.push_back(Seed::atPosition(point.position, std::move(point.here)));
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedsOfSource(
+  RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source)
+{
+  std::vector<double> loose;
+  std::vector<std::vector<SurfacePoint>> lines;
+  ranks.together(
+    [&]
+    {
+      if (!source)
+      {
+        return;
+      }
+      const bridge::PointSource points(source);
+      loose = loosePoints(points);
+      if (points.lines.empty())
+      {
+        return;
+      }
+      if (ranks.size() > 1)
+      {
+        throw std::invalid_argument("SeedSource has lines, which are no seeds yet where the "
+                                    "surface is spread over several ranks. Give points, or run "
+                                    "on one rank.");
+      }
+      lines = bridge::surfaceLinesOf(surface.piece(), points, "SeedSource");
+    });
+  std::vector<Seed> seeds = seedsAt(
+    globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single));
+  for (std::vector<SurfacePoint>& line : lines)
+  {
+    seeds.push_back(Seed::alongCurve(std::move(line)));
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions)
+{
+  std::vector<double> own;
+  for (const auto& [value, vertices] : regions)
+  {
+    own.push_back(value);
+  }
+  const std::vector<double> all = ranks.gather(own);
+  std::vector<Seed> seeds;
+  for (const double value : std::set<double>(all.begin(), all.end()))
+  {
+    seeds.push_back(Seed::onRegion(std::move(regions[value])));
+  }
+  return seeds;
+}
+
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_GlobalSeeds_h
+#define geodesic_distributed_GlobalSeeds_h
+
+#include "DistributedSurface.h"
+#include "GlobalPoints.h"
+#include "RankGroup.h"
+#include "SeedResolver.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace geodesic::distributed
+{
+
+/** One seed at each point. */
+std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);
+
+/**
+ * The points of a data set that no line uses, one seed each, then its lines and polylines, one
+ * seed each, a curve; all projected to the nearest point of the surface. On several ranks the
+ * points are those of all ranks, one that a lower rank has as well counted once.
+ * @param source null where this rank has none of it
+ * @throws std::exception on all ranks for lines on several ranks
+ */
+std::vector<Seed> seedsOfSource(
+  RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source);
+
+/**
+ * One seed for each value that is on any rank, by increasing value.
+ * @param regions those of this rank
+ */
+std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions);
+
+}
+
+#endif

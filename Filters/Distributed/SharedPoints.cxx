@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharedPoints.h"
+
+#include "TriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** Low and high corner. */
+using Box = std::array<double, 6>;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+Box boxOf(const TriangleMesh& mesh)
+{
+  Box box{ Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity };
+  for (const Vector3& p : mesh.positions())
+  {
+    box = { std::min(box[0], p.x), std::min(box[1], p.y), std::min(box[2], p.z),
+      std::max(box[3], p.x), std::max(box[4], p.y), std::max(box[5], p.z) };
+  }
+  return box;
+}
+
+/** A little larger: points that are one by their ids may differ by rounding. */
+Box widened(const std::vector<double>& values)
+{
+  Box box;
+  std::copy(values.begin(), values.end(), box.begin());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double margin = 1e-6 * (std::abs(box[axis]) + std::abs(box[axis + 3]));
+    box[axis] -= margin;
+    box[axis + 3] += margin;
+  }
+  return box;
+}
+
+bool isIn(const Box& box, const Vector3& p)
+{
+  return p.x >= box[0] && p.y >= box[1] && p.z >= box[2] && p.x <= box[3] && p.y <= box[4] &&
+    p.z <= box[5];
+}
+
+/** The vertices that other pieces may have. */
+std::vector<Index> candidates(RankGroup& ranks, const TriangleMesh& mesh)
+{
+  std::vector<Box> boxes;
+  for (const std::vector<double>& box : ranks.gatherByRank(boxOf(mesh)))
+  {
+    boxes.push_back(widened(box));
+  }
+  boxes.erase(boxes.begin() + ranks.rank());
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    const Vector3& p = mesh.position(v);
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return isIn(box, p); }))
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+struct KeyedVertex
+{
+  PointKey key;
+  GlobalVertex vertex;
+};
+
+std::size_t hashOf(const PointKey& key)
+{
+  std::uint64_t hash = 0;
+  for (const std::uint64_t part : key)
+  {
+    hash = (hash ^ part) * 0x9e3779b97f4a7c15ull;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+/** One of the vertices that are one point, as the rank of the first one hears of it. */
+struct Copy
+{
+  Index receiver;
+  Index unused;
+  GlobalVertex vertex;
+};
+
+/** A message for every rank; this rank's own does not leave it. */
+template <class T>
+std::vector<T> deliver(RankGroup& ranks, std::vector<RankGroup::Message>& byRank)
+{
+  const std::vector<int> others = ranks.others();
+  std::vector<RankGroup::Message> messages;
+  for (const int rank : others)
+  {
+    messages.push_back(std::move(byRank[rank]));
+  }
+  std::vector<T> all = valuesIn<T>(byRank[ranks.rank()]);
+  for (const RankGroup::Message& message : ranks.exchange(others, messages))
+  {
+    const std::vector<T> values = valuesIn<T>(message);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+/** All vertices that are one point with one of this rank's, next to it and in order of rank. */
+std::vector<Copy> copiesOf(
+  RankGroup& ranks, const std::vector<Index>& vertices, std::span<const PointKey> keys)
+{
+  std::vector<RankGroup::Message> asked(ranks.size());
+  for (const Index vertex : vertices)
+  {
+    const KeyedVertex keyed{ keys[vertex], { ranks.rank(), vertex } };
+    append(asked[hashOf(keyed.key) % ranks.size()], keyed);
+  }
+  auto known = deliver<KeyedVertex>(ranks, asked);
+  std::sort(known.begin(), known.end(),
+    [](const KeyedVertex& a, const KeyedVertex& b)
+    { return std::tie(a.key, a.vertex) < std::tie(b.key, b.vertex); });
+  // Of vertices of one rank with one key, the first stands for all.
+  const auto isSame = [](const KeyedVertex& a, const KeyedVertex& b)
+  { return a.key == b.key && a.vertex.rank == b.vertex.rank; };
+  known.erase(std::unique(known.begin(), known.end(), isSame), known.end());
+
+  std::vector<RankGroup::Message> answers(ranks.size());
+  for (auto first = known.begin(); first != known.end();)
+  {
+    const auto last = std::find_if(
+      first, known.end(), [&](const KeyedVertex& other) { return other.key != first->key; });
+    if (last - first > 1)
+    {
+      for (auto to = first; to != last; ++to)
+      {
+        for (auto copy = first; copy != last; ++copy)
+        {
+          append(answers[to->vertex.rank], Copy{ to->vertex.vertex, 0, copy->vertex });
+        }
+      }
+    }
+    first = last;
+  }
+  auto copies = deliver<Copy>(ranks, answers);
+  std::sort(copies.begin(), copies.end(),
+    [](const Copy& a, const Copy& b)
+    { return std::tie(a.receiver, a.vertex) < std::tie(b.receiver, b.vertex); });
+  return copies;
+}
+
+}
+
+SharedPoints::SharedPoints(
+  RankGroup& ranks, const TriangleMesh& mesh, std::span<const PointKey> keys)
+  : Rank(ranks.rank())
+{
+  this->FirstPlaces.push_back(0);
+  if (ranks.size() == 1)
+  {
+    return;
+  }
+  const std::vector<Copy> copies = copiesOf(ranks, candidates(ranks, mesh), keys);
+  std::map<int, std::vector<std::uint32_t>> slotsOfRank;
+  for (const Copy& copy : copies)
+  {
+    if (this->Vertices.empty() || this->Vertices.back() != copy.receiver)
+    {
+      this->Vertices.push_back(copy.receiver);
+      this->Globals.push_back(copy.vertex);
+    }
+    if (copy.vertex.rank != this->Rank)
+    {
+      const auto slot = static_cast<std::uint32_t>(this->Vertices.size() - 1);
+      slotsOfRank[copy.vertex.rank].push_back(slot);
+    }
+  }
+  const auto isBefore = [this](std::uint32_t a, std::uint32_t b)
+  { return this->Globals[a] < this->Globals[b]; };
+  this->ByGlobal.resize(this->Vertices.size());
+  std::iota(this->ByGlobal.begin(), this->ByGlobal.end(), 0u);
+  std::sort(this->ByGlobal.begin(), this->ByGlobal.end(), isBefore);
+  for (const int rank : ranks.others())
+  {
+    if (const auto found = slotsOfRank.find(rank); found != slotsOfRank.end())
+    {
+      std::sort(found->second.begin(), found->second.end(), isBefore);
+      this->Neighbours.push_back({ rank, std::move(found->second) });
+    }
+  }
+  this->findPlaces();
+}
+
+void SharedPoints::findPlaces()
+{
+  this->FirstPlaces.assign(this->Vertices.size() + 1, 0);
+  for (const Neighbour& neighbour : this->Neighbours)
+  {
+    for (const std::uint32_t slot : neighbour.slots)
+    {
+      ++this->FirstPlaces[slot + 1];
+    }
+  }
+  std::partial_sum(this->FirstPlaces.begin(), this->FirstPlaces.end(), this->FirstPlaces.begin());
+  this->Places.resize(this->FirstPlaces.back());
+  std::vector<std::uint32_t> next(this->FirstPlaces.begin(), this->FirstPlaces.end() - 1);
+  for (std::uint32_t n = 0; n < this->Neighbours.size(); ++n)
+  {
+    const std::vector<std::uint32_t>& slots = this->Neighbours[n].slots;
+    for (std::uint32_t place = 0; place < slots.size(); ++place)
+    {
+      this->Places[next[slots[place]]++] = { n, place };
+    }
+  }
+}
+
+std::vector<StartValue> SharedPoints::exchange(
+  RankGroup& ranks, std::span<const StartValue> own) const
+{
+  std::vector<RankGroup::Message> messages(this->Neighbours.size());
+  std::vector<int> partners;
+  for (const Neighbour& neighbour : this->Neighbours)
+  {
+    partners.push_back(neighbour.rank);
+  }
+  for (const StartValue& start : own)
+  {
+    const Index slot = this->slotOf(start.vertex);
+    if (slot == NoIndex)
+    {
+      continue;
+    }
+    for (const Place& to : this->placesOf(slot))
+    {
+      append(messages[to.neighbour],
+        SentValue{ to.place, start.label, start.isFinal ? 1u : 0u, start.value });
+    }
+  }
+  std::vector<StartValue> others;
+  const auto received = ranks.exchange(partners, messages);
+  for (std::size_t n = 0; n < received.size(); ++n)
+  {
+    for (const SentValue& sent : valuesIn<SentValue>(received[n]))
+    {
+      const Index vertex = this->Vertices[this->Neighbours[n].slots[sent.place]];
+      others.push_back({ vertex, sent.label, sent.value, sent.isFinal != 0 });
+    }
+  }
+  return others;
+}
+
+Index SharedPoints::slotOf(Index vertex) const
+{
+  const auto place = std::lower_bound(this->Vertices.begin(), this->Vertices.end(), vertex);
+  return place != this->Vertices.end() && *place == vertex
+    ? static_cast<Index>(place - this->Vertices.begin())
+    : NoIndex;
+}
+
+GlobalVertex SharedPoints::globalOf(Index vertex) const
+{
+  const Index slot = this->slotOf(vertex);
+  return slot == NoIndex ? GlobalVertex{ this->Rank, vertex } : this->Globals[slot];
+}
+
+Index SharedPoints::find(const GlobalVertex& vertex) const
+{
+  if (vertex.rank == this->Rank)
+  {
+    return vertex.vertex;
+  }
+  const auto place = std::lower_bound(this->ByGlobal.begin(), this->ByGlobal.end(), vertex,
+    [this](std::uint32_t slot, const GlobalVertex& wanted)
+    { return this->Globals[slot] < wanted; });
+  return place != this->ByGlobal.end() && this->Globals[*place] == vertex ? this->Vertices[*place]
+                                                                          : NoIndex;
+}
+
+}

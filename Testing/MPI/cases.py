@@ -1,0 +1,91 @@
+"""What is computed on several ranks and on one, and how the two are compared."""
+
+import os
+
+import numpy as np
+from paraview import simple
+
+import harness
+import pieces
+
+
+def points_on(name, count, on_vertices=False):
+    """Seeds on a surface: of its points, or near the middle of edges and faces."""
+    points, cells = pieces.SURFACES[name]()
+    random = np.random.default_rng(3)
+    if on_vertices:
+        return points[random.integers(len(points), size=count)].ravel().tolist()
+    corners = cells[random.integers(len(cells), size=count)]
+    weights = random.uniform(size=(count, 3))
+    weights[::3, 0] = 0  # on edges
+    weights /= weights.sum(axis=1)[:, None]
+    return np.einsum("ij,ijk->ik", weights, points[corners].astype(float)).ravel().tolist()
+
+
+# What is computed, by the name of the case: surface and properties.
+FIELDS = {
+    "bunny": ("bunny", dict(SeedPositions=points_on("bunny", 1, True))),
+    "sphere": ("sphere", dict(SeedPositions=points_on("sphere", 1))),
+    "torus": ("torus", dict(SeedPositions=points_on("torus", 1))),
+    "thin": ("thin", dict(SeedPositions=[0.02, 0.001, 0])),
+    "edge": ("edge", dict(SeedPositions=[0.3, 0.2, 0])),
+    "corner": ("corner", dict(SeedPositions=[0.3, 0.2, 0])),
+    "triangle": ("triangle", dict(SeedPositions=[0.3, 0.2, 0])),
+    "dijkstra": ("bunny", dict(SeedPositions=points_on("bunny", 7), Method="Dijkstra", ComputeNearestSeed=1)),
+    "seeds": ("bunny", dict(SeedPositions=points_on("bunny", 60), ComputeNearestSeed=1)),
+    "spheres seeds": ("sphere", dict(SeedPositions=points_on("sphere", 30), ComputeNearestSeed=1)),
+    "cost": ("bunny", dict(SeedPositions=points_on("bunny", 1), CostArray=["POINTS", "Cost"])),
+    "costs": ("torus", dict(SeedPositions=points_on("torus", 9), CostArray=["POINTS", "Cost"], ComputeNearestSeed=1)),
+    "speed": ("torus", dict(SeedPositions=points_on("torus", 2), CostArray=["POINTS", "Cost"], CostMode="Speed",
+                            Method="Dijkstra")),
+    "wall": ("torus", dict(SeedPositions=[1.4, 0, 0], BarrierArray=["POINTS", "Wall"])),
+    "closed": ("torus", dict(SeedPositions=[1.4, 0, 0], BarrierArray=["CELLS", "CellWall"])),
+    "region": ("sphere", dict(SeedArray=["POINTS", "Region"], ComputeNearestSeed=1)),
+    "cells": ("torus", dict(SeedArray=["CELLS", "CellRegion"])),
+    "maximum": ("bunny", dict(SeedPositions=points_on("bunny", 3), UseMaximumDistance=1, MaximumDistance=0.04)),
+    # Seeds without a symmetry: else there are points just as far as a destination.
+    "any": ("torus", dict(SeedPositions=[1.3, 0.2, 0.3], DestinationPositions=[0, 1.4, 0.0, -1.4, 0, 0])),
+    "all": ("torus", dict(SeedPositions=[1.3, 0.2, 0.3], DestinationPositions=[0, 1.4, 0.0, 0.05, -1.45, 0.1],
+                          DestinationMode="All")),
+}
+
+
+def compare(case, parts, reference):
+    """The largest difference, relative to the largest distance."""
+    size = int(reference["PointNumber"].max()) + 1
+    truth = harness.joined([reference], "GeodesicDistance", size)[0]
+    least, most = harness.joined(parts, "GeodesicDistance", size)
+    isReached = truth < 1e300
+    assert np.array_equal(isReached, least < 1e300), (case, "reached", np.sum(isReached), np.sum(least < 1e300))
+    largest = truth[isReached].max()
+    error = max(np.abs(found[isReached] - truth[isReached]).max() / largest for found in (least, most))
+    assert error <= 1e-9, (case, "error", error)
+    if "NearestSeed" in reference:
+        seeds = harness.joined([reference], "NearestSeed", size)[0]
+        others = np.logical_or(*(found != seeds for found in harness.joined(parts, "NearestSeed", size)))[isReached]
+        assert np.sum(others) <= 0.001 * size, (case, "nearest seeds", np.sum(others))
+    return error
+
+
+def check(folder, case, source, options):
+    """Computes a case on this cut; FIELD/CUT, one rank leaves what the others are compared with."""
+    distance = simple.GeodesicDistance(Input=source, **options)
+    parts = harness.run(distance, os.path.join(folder, f"{case}.{harness.RANKS}".replace("/", ".")))
+    numbers = [harness.informed(distance, name) for name in (
+        "NumberOfRounds", "NumberOfUpdates", "BytesExchanged", "MostPointsOnARank", "NumberOfVisitedPoints")]
+    reached = harness.informed(distance, "MaximumDistanceReached")
+    simple.Delete(distance)
+    if not harness.IS_FIRST:
+        return
+    path = os.path.join(folder, f"{case.split('/')[0]}.reference.npz")
+    if harness.RANKS == 1:
+        np.savez(path, numbers=numbers, reached=reached, **parts[0])
+        return
+    with np.load(path) as file:
+        reference = dict(file)
+    error = compare(case, parts, reference)
+    assert numbers[4] == reference["numbers"][4], (case, "visited", numbers[4], reference["numbers"][4])
+    assert abs(reached - reference["reached"]) <= 1e-9 * reached, (case, reached, reference["reached"])
+    assert numbers[3] == max(int(part["points"]) for part in parts)
+    print(f"{case:24s} error {error:7.1e}  rounds {numbers[0]:5d}  updates x{numbers[1] / reference['numbers'][1]:5.2f}"
+          f"  bytes {numbers[2]:9d}  points {numbers[3]}", flush=True)

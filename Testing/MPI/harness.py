@@ -1,0 +1,87 @@
+"""Runs a filter on pieces.py's surfaces, in pvbatch with and without --sym, and collects the results."""
+
+import os
+import sys
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+sys.path.append(os.path.dirname(__file__))
+import pieces
+
+RANKS = pieces.controller().GetNumberOfProcesses()
+IS_FIRST = pieces.controller().GetLocalProcessId() == 0
+HERE = f"import sys; sys.path.append({os.path.dirname(os.path.abspath(__file__))!r}); import pieces; "
+
+
+def end_all_ranks(kind, error, traceback):
+    """Ranks that wait for one that failed would wait for ever."""
+    sys.__excepthook__(kind, error, traceback)
+    sys.stderr.flush()
+    os._exit(1)
+
+
+sys.excepthook = end_all_ranks
+
+
+def load(plugin):
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+
+
+def surface(name, cut, with_ids=False, bad_rank=-1):
+    """The source of a surface's pieces."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkPolyData",
+        Script=HERE + f"pieces.make(self.GetOutput(), {name!r}, {cut!r}, {with_ids}, {bad_rank})")
+
+
+def in_blocks(name):
+    """Partitioned data: each rank has its part of the surface in two partitions."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkPartitionedDataSet", Script=HERE + f"pieces.make_blocks(self.GetOutput(), {name!r})")
+
+
+def redistributed(name):
+    """The same cut by ParaView; before that it is whole on the first rank."""
+    parts = simple.RedistributeDataSet(Input=surface(name, "first"))
+    return simple.ExtractSurface(Input=parts)
+
+
+def ghosted(source):
+    return simple.GhostCellsGenerator(Input=source, BuildIfRequired=0)
+
+
+def run(proxy, path):
+    """The arrays of the proxy's output on all ranks, one part a rank; None but on the first rank."""
+    check = simple.ProgrammableFilter(
+        Input=proxy, Script=HERE + f"pieces.store(self.GetInput(), {path!r}); self.GetOutput().ShallowCopy(self.GetInput())")
+    check.UpdatePipeline()
+    return [np.load(pieces.part_path(path, rank)) for rank in range(RANKS)] if IS_FIRST else None
+
+
+def joined(parts, name, size):
+    """By PointNumber: the least and largest value over all ranks."""
+    least, most = np.full(size, np.inf), np.full(size, -np.inf)
+    for part in parts:
+        if "PointNumber" in part and name in part:
+            numbers = part["PointNumber"].astype(int)
+            values = np.nan_to_num(part[name], nan=1e300)
+            np.minimum.at(least, numbers, values)
+            np.maximum.at(most, numbers, values)
+    return least, most
+
+
+def messages_of(action):
+    """What this rank reports while a function runs."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    action()
+    vtkOutputWindow.SetInstance(None)
+    return window.GetOutput()
+
+
+def informed(proxy, name):
+    proxy.UpdatePropertyInformation()
+    return proxy.GetPropertyValue(name)
