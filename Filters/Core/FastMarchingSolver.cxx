@@ -252,8 +252,7 @@ public:
   /** The largest value of the current label that a vertex keeps beside its best one. */
   double keptUpTo(Index vertex) const
   {
-    return this->Context.field.distance(vertex) +
-      LabelSets::MarginInEdges * this->Context.cost.reach(vertex) - this->Offset;
+    return this->Context.field.distance(vertex) + this->Context.cost.margin(vertex) - this->Offset;
   }
 
   double ceiling(Index vertex, double value) const
