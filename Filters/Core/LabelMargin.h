@@ -16,8 +16,8 @@ namespace geodesic
  * wins, sideways to its way: over a side of length c and a height h with a variance of up to
  * c^2 / 4 in a step of at least h. A detour over where values are wrong by e is then as rare as
  * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.75 of
- * it leave less than 1e-10 on an icosphere and at most 4e-9 at single points of a regular grid, as
- * 5 longest sides do, which are enough for thinner triangles.
+ * it leave at most 2e-8 of a distance at single points of icospheres, tori and regular grids, as 5
+ * longest sides do, which are enough for thinner triangles.
  */
 inline double labelMargin(double longestSide, double leastHeight)
 {
