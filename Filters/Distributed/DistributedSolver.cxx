@@ -41,6 +41,11 @@ std::span<const float> DistributedSolver::longestEdges() const
   return this->Surface.longestEdges();
 }
 
+std::span<const float> DistributedSolver::margins() const
+{
+  return this->Surface.margins();
+}
+
 std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)
 {
   return this->Surface.shared().exchange(this->Ranks, own);

@@ -25,13 +25,12 @@ class DistributedSurface
 public:
   /**
    * Collective; built now unless all ranks still hold what they built together. This rank may be
-   * without triangles. On several ranks points are one by their global ids where all ranks have
-   * them, else by their coordinates.
-   * @throws std::exception on all ranks where no rank has a triangle, or where nothing tells which
-   *         points are one
+   * without triangles.
+   * @param identity see identityOf
+   * @throws std::exception on all ranks where no rank has a triangle
    */
-  static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
-    const bridge::InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
+  static std::shared_ptr<const DistributedSurface> of(
+    RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
 
   DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> piece,
     const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
@@ -43,6 +42,7 @@ public:
 
   /** See Partition::longestEdges. */
   std::span<const float> longestEdges() const { return this->LongestEdges; }
+  std::span<const float> margins() const { return this->Margins; }
   /**
    * By how many mean edges the limit of the march grows from round to round. The more vertices are
    * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
@@ -54,12 +54,13 @@ public:
   vtkIdType mostPointsOnARank() const { return this->MostPoints; }
 
 private:
-  void agreeOnLongestEdges(RankGroup& ranks);
+  void agreeOnSizes(RankGroup& ranks);
   void chooseStep(RankGroup& ranks);
 
   std::shared_ptr<const bridge::InputSurface> Piece;
   std::unique_ptr<const SharedPoints> Shared;
   std::vector<float> LongestEdges;
+  std::vector<float> Margins;
   double StepInEdges = 0.0;
   vtkIdType MostPoints = 0;
 };

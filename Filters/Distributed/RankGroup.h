@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -35,6 +36,12 @@ public:
   double sum(double own);
   /** Whether it is so on any rank. */
   bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
+  /**
+   * A number that all ranks get and never got before, for what they made together; more than 0.
+   */
+  double newNumber();
+  /** Whether all ranks give one and the same such number. */
+  bool haveSame(double number);
   /** This rank's share of the processors of its machine, at least 1. */
   unsigned threadsOfThisRank();
 
@@ -43,6 +50,12 @@ public:
    * the message of the lowest one.
    */
   void together(const std::function<void()>& step);
+
+  /**
+   * Throws on all ranks unless all give the same values.
+   * @param what they are, for the message
+   */
+  void requireSame(std::span<const double> values, const std::string& what);
 
   using Message = std::vector<char>;
   /**

@@ -17,12 +17,15 @@
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "GuideResolver.h"
+#include "InnerFaces.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
 #include "PointIdentity.h"
+#include "PointKeys.h"
 #include "PointResolver.h"
 #include "RankGroup.h"
 
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -90,6 +93,12 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
         checkRequest(input);
         blocks.emplace(input);
       });
+    std::vector<double> numbers;
+    this->DescribeRequest(numbers);
+    ranks.requireSame(numbers, "properties");
+    geodesic::distributed::hideInnerFaces(ranks, *blocks,
+      geodesic::distributed::identityOf(
+        ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
     this->Compute(ranks, *blocks, inputVector, output);
   }
   catch (const std::exception& error)
@@ -99,6 +108,21 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(),
+    { static_cast<double>(this->CostMode), static_cast<double>(this->Method),
+      static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks) });
+  for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
+  {
+    vtkInformation* choice = this->GetInputArrayInformation(number);
+    const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+    numbers.push_back(static_cast<double>(std::hash<std::string>{}(name ? name : "")));
+    numbers.push_back(choice->Get(vtkDataObject::FIELD_ASSOCIATION()));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -166,8 +190,9 @@ std::shared_ptr<const geodesic::distributed::DistributedSurface>
 vtkSurfaceGeodesicFilter::FindDistributedSurface(
   geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
-  return geodesic::distributed::DistributedSurface::of(
-    ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks);
+  return geodesic::distributed::DistributedSurface::of(ranks, blocks,
+    geodesic::distributed::identityOf(
+      ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
 }
 
 //------------------------------------------------------------------------------

@@ -53,6 +53,13 @@ expect("lines", torus, SeedSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0
 expect("lines", torus, SeedPositions=SEED, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
+# Each rank runs the script, and may set something else.
+expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else SEED + SEED)
+expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else [])
+expect("same on all ranks", torus, SeedPositions=SEED, MergeCoincidentPoints=int(harness.IS_FIRST))
+expect("same on all ranks", torus, SeedPositions=SEED, CostArray=["POINTS", "Cost" if harness.IS_FIRST else "None"])
+expect("same on all ranks", torus, SeedPositions=SEED, Method="Dijkstra" if harness.IS_FIRST else "FastMarching")
+
 expect_success(torus, SeedPositions=SEED)
 expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # The source is on one rank, or on all alike.
