@@ -22,18 +22,6 @@ bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& aft
   return norm(cross(in, out)) <= StraightSine * norm(in) * norm(out) && dot(in, out) >= 0.0;
 }
 
-SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
-{
-  const Carriers carriers = point.carriers();
-  SurfacePoint result;
-  result.triangle = mesh.trianglesWith({ carriers.begin(), carriers.end() }).front();
-  for (int i = 0; i < 3; ++i)
-  {
-    result.weights[i] = weightOf(point, mesh.triangle(result.triangle)[i]);
-  }
-  return result;
-}
-
 }
 
 SolveSurface::SolveSurface(std::shared_ptr<const TriangleMesh> base, const SurfaceLines& lines,

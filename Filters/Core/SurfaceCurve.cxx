@@ -1,6 +1,6 @@
 #include "SurfaceCurve.h"
 
-#include "DistanceSolver.h"
+#include "DistanceSource.h"
 #include "PathFinder.h"
 
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace geodesic
 {
 
 SurfacePath joinedCurve(
-  DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name)
+  DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name)
 {
   const TriangleMesh& mesh = solver.mesh();
   SurfacePath curve{ PathPoint::at(mesh, points[0]) };
