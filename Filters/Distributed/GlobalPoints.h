@@ -6,9 +6,11 @@
 #include "DistributedSurface.h"
 #include "RankGroup.h"
 #include "Seed.h"
+#include "SharedPoints.h"
 
 #include "vtkType.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +28,11 @@ struct GlobalPoint
   Vector3 position;
   /** The point on this rank's piece: one, or none where the piece does not have it. */
   std::vector<SurfacePoint> here;
+  /** The corners of a triangle that it lies in, and their weights; the same on all ranks. */
+  std::array<GlobalVertex, 3> corners;
+  std::array<double, 3> weights;
+  /** The longest edge at any of the corners. */
+  double longestEdge;
 };
 
 /** Whether points are put where single precision can tell (see bridge::snappedAsSingle). */

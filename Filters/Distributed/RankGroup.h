@@ -20,6 +20,8 @@ namespace geodesic::distributed
 class RankGroup
 {
 public:
+  using Message = std::vector<char>;
+
   /** @param controller null: this process is the only rank */
   explicit RankGroup(vtkMultiProcessController* controller);
 
@@ -33,6 +35,10 @@ public:
   /** The least of what the ranks give for each of the values, which are as many on all. */
   void takeLeast(std::span<double> values);
   double sum(double own);
+  /** What the first rank gives. */
+  Message fromFirst(Message message);
+  /** What each rank gives, on the first rank; nothing on the others. */
+  std::vector<Message> toFirst(const Message& own);
 
   /**
    * Runs a step that makes no collective call. Where it throws on one rank, all ranks throw, with
@@ -40,7 +46,6 @@ public:
    */
   void together(const std::function<void()>& step);
 
-  using Message = std::vector<char>;
   /**
    * Sends a message to each partner and returns theirs.
    * @param partners other ranks, in the order of their number xor this rank's. Then no two ranks

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_SurfacePatch_h
+#define geodesic_distributed_SurfacePatch_h
+
+#include "DistanceField.h"
+#include "DistributedSurface.h"
+#include "SharedPoints.h"
+#include "SolveOptions.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+class vtkDataArray;
+
+namespace geodesic::distributed
+{
+
+/** Which part of a surface is wanted: the triangles with a corner in one of these. */
+struct Ball
+{
+  Vector3 centre;
+  double radius;
+
+  bool contains(const Vector3& position) const
+  {
+    return norm(position - this->centre) <= this->radius;
+  }
+};
+
+/** A vertex as one rank sends it to another, with all that a path needs of it. */
+struct PatchVertex
+{
+  GlobalVertex vertex;
+  Vector3 position;
+  double longestEdge;
+  /** 1 where there are no costs. */
+  double cost;
+  double distance;
+  Index nearestSeed;
+  std::uint32_t isExcluded;
+  /** Its global id; -1 where there are none. */
+  vtkIdType id;
+  /** The input's; 0 where there are none. */
+  Vector3 normal;
+};
+
+struct PatchTriangle
+{
+  /** Places in the patch's list of vertices. */
+  std::array<std::uint32_t, 3> corners;
+  std::uint32_t isClosed;
+};
+
+struct SurfacePatch
+{
+  std::vector<PatchVertex> vertices;
+  std::vector<PatchTriangle> triangles;
+};
+
+/** What the input says of its points, where it does. */
+struct PointAttributes
+{
+  /** One global id a point, or null. */
+  vtkDataArray* ids = nullptr;
+  /** Of any length, or null. */
+  vtkDataArray* normals = nullptr;
+};
+
+/** Cuts patches out of this rank's piece of a surface. */
+class PatchCutter
+{
+public:
+  /**
+   * All must live as long as this. Time O(n).
+   * @param options costs and barriers
+   */
+  PatchCutter(const DistributedSurface& surface, const SolveOptions& options,
+    const PointAttributes& attributes);
+
+  /** @param field null: no vertex has a distance yet */
+  SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
+
+private:
+  /** The box round consecutive vertices, which lie near each other. */
+  struct Block
+  {
+    Vector3 low;
+    Vector3 high;
+
+    bool isNear(const Ball& ball) const;
+  };
+
+  std::vector<Index> verticesIn(std::span<const Ball> balls) const;
+  std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
+  PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
+
+  const DistributedSurface& Surface;
+  const SolveOptions& Options;
+  PointAttributes Attributes;
+  std::vector<Block> Blocks;
+};
+
+}
+
+#endif
