@@ -4,7 +4,6 @@
 
 #include "DistanceField.h"
 #include "SplitMesh.h"
-#include "TriangleMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -18,9 +17,9 @@ namespace
 template <class Visit>
 void visitPoints(const FieldOnInput& input, Visit&& visit)
 {
-  for (Index point = 0; point < input.mesh.numberOfPoints(); ++point)
+  for (Index point = 0; point < input.numberOfPoints; ++point)
   {
-    Index vertex = input.mesh.vertexOfPoint(point);
+    Index vertex = input.mesh.vertexOfPoint(input.firstPoint + point);
     if (input.split && vertex != NoIndex)
     {
       vertex = input.split->vertexOf(vertex);
@@ -36,7 +35,7 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
-  array->SetNumberOfTuples(input.mesh.numberOfPoints());
+  array->SetNumberOfTuples(input.numberOfPoints);
   double* values = array->GetPointer(0);
   visitPoints(input,
     [&](Index point, Index vertex)
@@ -48,7 +47,7 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
 {
   auto array = vtkSmartPointer<vtkIdTypeArray>::New();
   array->SetName(name);
-  array->SetNumberOfTuples(input.mesh.numberOfPoints());
+  array->SetNumberOfTuples(input.numberOfPoints);
   vtkIdType* values = array->GetPointer(0);
   visitPoints(input,
     [&](Index point, Index vertex)
@@ -59,14 +58,10 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
   return array;
 }
 
-vtkIdType numberOfReachedPoints(
-  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts)
+vtkIdType numberOfReachedPoints(const FieldOnInput& input)
 {
   vtkIdType count = 0;
-  visitPoints(input,
-    [&](Index point, Index vertex) {
-      count += vertex != NoIndex && (!counts || counts(input.mesh.vertexOfPoint(point))) ? 1 : 0;
-    });
+  visitPoints(input, [&](Index, Index vertex) { count += vertex == NoIndex ? 0 : 1; });
   return count;
 }
 

@@ -3,12 +3,10 @@
 #ifndef geodesic_bridge_FieldArray_h
 #define geodesic_bridge_FieldArray_h
 
-#include "Index.h"
+#include "TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-#include <functional>
 
 class vtkDoubleArray;
 class vtkIdTypeArray;
@@ -17,7 +15,6 @@ namespace geodesic
 {
 class DistanceField;
 class SplitMesh;
-class TriangleMesh;
 }
 
 namespace geodesic::bridge
@@ -29,6 +26,9 @@ struct FieldOnInput
   const TriangleMesh& mesh;
   const DistanceField& field;
   const SplitMesh* split = nullptr;
+  /** The points that are asked for: all, or those of one block. */
+  Index firstPoint = 0;
+  Index numberOfPoints = mesh.numberOfPoints();
 };
 
 /** The distances at the input's points, @p unreached where there is none; one component. */
@@ -38,10 +38,8 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
 /** The numbers of the nearest seeds at the input's points, -1 where there is none. */
 vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
-/** How many of the input's points have a distance; where a vertex of the mesh is asked whether it
- * counts, only those of such vertices. */
-vtkIdType numberOfReachedPoints(
-  const FieldOnInput& input, const std::function<bool(Index vertex)>& counts = {});
+/** How many of the points have a distance. */
+vtkIdType numberOfReachedPoints(const FieldOnInput& input);
 
 }
 

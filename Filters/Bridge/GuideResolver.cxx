@@ -4,7 +4,6 @@
 
 #include "NumberText.h"
 
-#include "vtkDataArray.h"
 #include "vtkIdList.h"
 
 #include <algorithm>
@@ -23,17 +22,10 @@ bool isSet(double value)
 
 }
 
-std::vector<double> costOfArray(
-  const TriangleMesh& mesh, vtkDataArray* array, CostMeaning meaning, const std::string& role)
+std::vector<double> costOfValues(const InputSurface& surface, std::span<const double> values,
+  CostMeaning meaning, const std::string& role)
 {
-  const vtkIdType points = static_cast<vtkIdType>(mesh.numberOfPoints());
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
-  {
-    throw std::invalid_argument(role + " has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples of " + std::to_string(array->GetNumberOfComponents()) +
-      " components; give one component and a tuple for each of the " + std::to_string(points) +
-      " points.");
-  }
+  const TriangleMesh& mesh = *surface.mesh();
   std::vector<double> cost(mesh.numberOfVertices(), 0.0);
   std::vector<Index> count(mesh.numberOfVertices(), 0);
   for (Index point = 0; point < mesh.numberOfPoints(); ++point)
@@ -43,11 +35,11 @@ std::vector<double> costOfArray(
     {
       continue;
     }
-    const double value = array->GetComponent(point, 0);
+    const double value = values[point];
     if (!(value > 0.0 && std::isfinite(value)))
     {
-      throw std::invalid_argument(role + " is " + textOf(value) + " at point " +
-        std::to_string(point) +
+      throw std::invalid_argument(role + " is " + textOf(value) + " at " +
+        surface.numbering().nameOfPoint(point) +
         "; it must be positive and finite at every point of the surface. Take, for example, the "
         "absolute value plus a small constant.");
     }
@@ -83,21 +75,15 @@ void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers)
   }
 }
 
-void addBarrierArray(
-  const InputSurface& surface, vtkDataArray* array, bool isOfCells, Barriers& barriers)
+void addBarrierArray(const InputSurface& surface, const ChosenArray& array, Barriers& barriers)
 {
   const TriangleMesh& mesh = *surface.mesh();
-  if (array->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("BarrierArray \"" + std::string(array->GetName()) + "\" has " +
-      std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
-  }
-  if (isOfCells)
+  if (array.isOfCells)
   {
     barriers.closed.resize(mesh.numberOfTriangles(), 0);
     for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
     {
-      barriers.closed[t] |= isSet(array->GetComponent(surface.cellOfTriangle(t), 0));
+      barriers.closed[t] |= isSet(array.values[surface.cellOfTriangle(t)]);
     }
     return;
   }
@@ -105,7 +91,7 @@ void addBarrierArray(
   for (Index point = 0; point < mesh.numberOfPoints(); ++point)
   {
     const Index vertex = mesh.vertexOfPoint(point);
-    if (vertex != NoIndex && isSet(array->GetComponent(point, 0)))
+    if (vertex != NoIndex && isSet(array.values[point]))
     {
       barriers.excluded[vertex] = 1;
     }

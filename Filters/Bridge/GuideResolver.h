@@ -3,15 +3,15 @@
 #ifndef geodesic_bridge_GuideResolver_h
 #define geodesic_bridge_GuideResolver_h
 
+#include "ArrayValues.h"
 #include "InputSurface.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkIdList;
-class vtkPointSet;
 
 namespace geodesic::bridge
 {
@@ -25,12 +25,13 @@ enum class CostMeaning
 };
 
 /**
- * The cost at each vertex from an array of the input's points; the mean where points are merged.
- * @throws std::invalid_argument where the array does not have one component and a tuple for each
- * point, or where a value on the surface is not positive and finite, naming the first such point
+ * The cost at each vertex from values at the input's points; the mean where points are merged.
+ * @param role what has the values, for the message
+ * @throws std::invalid_argument where a value on the surface is not positive and finite, naming the
+ * first such point
  */
-std::vector<double> costOfArray(
-  const TriangleMesh& mesh, vtkDataArray* array, CostMeaning meaning, const std::string& role);
+std::vector<double> costOfValues(const InputSurface& surface, std::span<const double> values,
+  CostMeaning meaning, const std::string& role);
 
 /** Where the front may not go. */
 struct Barriers
@@ -48,8 +49,7 @@ struct Barriers
 void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers);
 
 /** Excludes the points, or closes the cells, whose value is neither 0 nor NaN. */
-void addBarrierArray(
-  const InputSurface& surface, vtkDataArray* array, bool isOfCells, Barriers& barriers);
+void addBarrierArray(const InputSurface& surface, const ChosenArray& array, Barriers& barriers);
 
 }
 

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurface.h"
 
+#include "ObjectVersion.h"
 #include "PolyDataTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace geodesic::bridge
@@ -18,38 +19,85 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Tells inputs apart: modification times are never used twice, so a reused address does not
- * matter. */
-using Identity =
-  std::tuple<void*, vtkMTimeType, void*, vtkMTimeType, void*, vtkMTimeType, CoincidentPoints>;
-
-Identity identityOf(vtkPolyData* input, CoincidentPoints coincident)
+/** Tells inputs apart. */
+struct InputVersion
 {
-  vtkPoints* points = input->GetPoints();
-  vtkCellArray* polygons = input->GetPolys();
-  vtkCellArray* strips = input->GetStrips();
-  return { points, points ? points->GetMTime() : 0, polygons, polygons->GetMTime(), strips,
-    strips->GetMTime(), coincident };
+  PointIdentity points;
+  std::vector<ObjectVersion> parts;
+  std::vector<std::string> names;
+
+  friend bool operator==(const InputVersion&, const InputVersion&) = default;
+};
+
+InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& points)
+{
+  InputVersion version{ points, {}, {} };
+  for (const InputBlock& block : blocks)
+  {
+    vtkPolyData* surface = block.surface;
+    version.parts.insert(version.parts.end(),
+      { surface->GetPoints(), surface->GetPolys(), surface->GetStrips(),
+        surface->GetCellGhostArray() });
+    if (points.by == PointIdentity::By::GlobalIds)
+    {
+      version.parts.emplace_back(block.globalPointIds());
+    }
+    version.names.push_back(block.name);
+  }
+  return version;
+}
+
+/** For all of them, so that they do not grow block by block; polygons may be several triangles. */
+void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTriangles& triangles)
+{
+  vtkIdType numberOfPoints = 0;
+  vtkIdType numberOfPolygons = 0;
+  for (const InputBlock& block : blocks)
+  {
+    numberOfPoints += block.surface->GetNumberOfPoints();
+    numberOfPolygons += block.surface->GetNumberOfPolys();
+  }
+  points.reserve(numberOfPoints);
+  triangles.corners.reserve(numberOfPolygons);
+  triangles.cells.reserve(numberOfPolygons);
+}
+
+std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+{
+  const bool areAllSeparate = identity.by == PointIdentity::By::Nothing;
+  const bool isWithinBlocks = !identity.acrossBlocks && blocks.size() > 1;
+  if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
+  {
+    return std::make_shared<const TriangleMesh>(
+      points, triangles, areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge);
+  }
+  return std::make_shared<const TriangleMesh>(
+    points, triangles, kindsOfPoints(blocks, identity, points));
 }
 
 struct Known
 {
-  Identity identity;
+  InputVersion version;
   std::weak_ptr<const InputSurface> surface;
 };
 
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  vtkPolyData* input, CoincidentPoints coincident)
+  const InputBlocks& blocks, const PointIdentity& points)
 {
-  auto surface = pieceOf(input, coincident);
+  auto surface = pieceOf(blocks, points);
   if (surface->mesh()->numberOfTriangles() == 0)
   {
+    vtkIdType cells = 0;
+    for (const InputBlock& block : blocks)
+    {
+      cells += block.surface->GetNumberOfCells();
+    }
     throw std::invalid_argument(
-      "The input has no surface: " + std::to_string(input->GetNumberOfPoints()) +
-      " points, and no triangle, polygon or strip with an area among its " +
-      std::to_string(input->GetNumberOfCells()) +
+      "The input has no surface: " + std::to_string(surface->mesh()->numberOfPoints()) +
+      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
       " cells. Give a surface, for example by "
       "Extract Surface.");
   }
@@ -57,40 +105,51 @@ std::shared_ptr<const InputSurface> InputSurface::of(
 }
 
 std::shared_ptr<const InputSurface> InputSurface::pieceOf(
-  vtkPolyData* input, CoincidentPoints coincident)
+  const InputBlocks& blocks, const PointIdentity& points)
 {
   static std::mutex mutex;
   static std::vector<Known> known;
-  const Identity identity = identityOf(input, coincident);
+  const InputVersion version = versionOf(blocks, points);
   const std::lock_guard lock(mutex);
   std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
   for (const Known& k : known)
   {
     const auto surface = k.surface.lock();
-    if (k.identity == identity && surface)
+    if (k.version == version && surface)
     {
       return surface;
     }
   }
-  auto surface = std::make_shared<const InputSurface>(input, coincident);
-  known.push_back({ identity, surface });
+  auto surface = std::make_shared<const InputSurface>(blocks, points);
+  known.push_back({ version, surface });
   return surface;
 }
 
-InputSurface::InputSurface(vtkPolyData* input, CoincidentPoints coincident)
+InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& identity)
+  : Numbering(blocks)
 {
-  const std::vector<Vector3> points = pointsOf(input);
-  SurfaceTriangles triangles = trianglesOf(input, points);
-  this->Mesh = std::make_shared<const TriangleMesh>(points, triangles.corners, coincident);
+  std::vector<Vector3> points;
+  SurfaceTriangles triangles;
+  reserve(blocks, points, triangles);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    appendPoints(blocks[i].surface, points);
+    appendTriangles(blocks[i].surface, points, this->Numbering.firstPointOf(i),
+      this->Numbering.firstCellOf(i), triangles);
+  }
+  this->Mesh = meshOf(blocks, identity, points, triangles.corners);
   if (triangles.cells.empty())
   {
     return;
   }
   this->FirstCell = triangles.cells.front();
-  const bool isConsecutive = triangles.cells.back() - this->FirstCell + 1 == triangles.cells.size();
-  if (!isConsecutive || static_cast<vtkIdType>(triangles.cells.size()) != input->GetNumberOfPolys())
+  for (Index t = 0; t < triangles.cells.size(); ++t)
   {
-    this->CellOfSource = std::move(triangles.cells);
+    if (triangles.cells[t] != this->FirstCell + t)
+    {
+      this->CellOfSource = std::move(triangles.cells);
+      break;
+    }
   }
 }
 

@@ -3,14 +3,14 @@
 #ifndef geodesic_bridge_InputSurface_h
 #define geodesic_bridge_InputSurface_h
 
+#include "BlockNumbering.h"
 #include "ClosestPointTree.h"
+#include "PointIdentity.h"
 #include "TriangleMesh.h"
 
 #include <memory>
 #include <mutex>
 #include <vector>
-
-class vtkPolyData;
 
 namespace geodesic::bridge
 {
@@ -23,25 +23,29 @@ class InputSurface
 {
 public:
   /**
-   * The surface of a polydata, built now unless some filter still holds it. It is known by the
-   * objects that hold points and cells and by their modification times, so new arrays on the same
-   * surface, or a shallow copy of it, find it again.
+   * The surface of an input, built now unless some filter still holds it. It is known by the
+   * objects that hold points and cells, and ids where they count, and by their modification times,
+   * so new arrays on the same surface, or a shallow copy of it, find it again.
    * @throws std::invalid_argument where there is no triangle, polygon or strip, and see
-   * TriangleMesh
+   * TriangleMesh and kindsOfPoints
    */
-  static std::shared_ptr<const InputSurface> of(vtkPolyData* input, CoincidentPoints coincident);
+  static std::shared_ptr<const InputSurface> of(
+    const InputBlocks& blocks, const PointIdentity& identity);
   /** The same for a piece of a surface, which may be without triangles. */
   static std::shared_ptr<const InputSurface> pieceOf(
-    vtkPolyData* input, CoincidentPoints coincident);
+    const InputBlocks& blocks, const PointIdentity& identity);
 
-  InputSurface(vtkPolyData* input, CoincidentPoints coincident);
+  InputSurface(const InputBlocks& blocks, const PointIdentity& identity);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const ClosestPointTree& closestPoints() const;
-  /** The input's cell that a triangle of the mesh was cut from. */
+  /** How the mesh's points and the cells of all blocks are numbered. */
+  const BlockNumbering& numbering() const { return this->Numbering; }
+  /** The cell that a triangle of the mesh was cut from. */
   Index cellOfTriangle(Index triangle) const;
 
 private:
+  BlockNumbering Numbering;
   /** By the source triangle; empty where the cells are the triangles, counted from FirstCell. */
   std::vector<Index> CellOfSource;
   Index FirstCell = 0;

@@ -36,9 +36,10 @@ std::vector<Index> nearestCarriers(const PathPoint& point)
 
 }
 
-PathOutput::PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double heightOffset)
-  : Mesh(mesh)
-  , InputNormals(normals)
+PathOutput::PathOutput(const InputSurface& surface, const InputBlocks& blocks, double heightOffset)
+  : Surface(surface)
+  , Mesh(*surface.mesh())
+  , Blocks(blocks)
   , HeightOffset(heightOffset)
 {
   this->Points->SetDataTypeToDouble();
@@ -46,6 +47,9 @@ PathOutput::PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double h
   this->OriginalPointIds->SetName("OriginalPointIds");
   this->EdgePointIds->SetName("EdgePointIds");
   this->EdgePointIds->SetNumberOfComponents(2);
+  this->OriginalBlocks->SetName("OriginalBlocks");
+  this->EdgeBlocks->SetName("EdgeBlocks");
+  this->EdgeBlocks->SetNumberOfComponents(2);
   this->Normals->SetName("Normals");
   this->Normals->SetNumberOfComponents(3);
   this->Segments->SetName("Segment");
@@ -72,13 +76,17 @@ double PathOutput::add(const SurfacePath& path, vtkIdType segment, double arcLen
     const Vector3 raised = position + this->HeightOffset * normal;
     this->Lines->InsertCellPoint(this->Points->InsertNextPoint(raised.x, raised.y, raised.z));
     const std::vector<Index> nearest = nearestCarriers(point);
-    const auto first = static_cast<vtkIdType>(this->Mesh.pointOfVertex(nearest[0]));
-    const auto second =
-      static_cast<vtkIdType>(this->Mesh.pointOfVertex(nearest[nearest.size() > 1 ? 1 : 0]));
+    const Index first = this->Mesh.pointOfVertex(nearest[0]);
+    const Index second = this->Mesh.pointOfVertex(nearest[nearest.size() > 1 ? 1 : 0]);
+    const BlockNumbering& numbering = this->Surface.numbering();
     this->ArcLengths->InsertNextValue(arcLength + length);
-    this->OriginalPointIds->InsertNextValue(first);
-    this->EdgePointIds->InsertNextValue(first);
-    this->EdgePointIds->InsertNextValue(second);
+    this->OriginalPointIds->InsertNextValue(numbering.idOfPoint(first));
+    this->OriginalBlocks->InsertNextValue(numbering.flatIndexOf(first));
+    for (Index end : { first, second })
+    {
+      this->EdgePointIds->InsertNextValue(numbering.idOfPoint(end));
+      this->EdgeBlocks->InsertNextValue(numbering.flatIndexOf(end));
+    }
     this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
   }
   this->Segments->InsertNextValue(segment);
@@ -97,6 +105,11 @@ void PathOutput::writeTo(vtkPolyData* output) const
   pointData->SetScalars(this->ArcLengths);
   pointData->AddArray(this->OriginalPointIds);
   pointData->AddArray(this->EdgePointIds);
+  if (!this->Surface.numbering().hasUniqueIds())
+  {
+    pointData->AddArray(this->OriginalBlocks);
+    pointData->AddArray(this->EdgeBlocks);
+  }
   pointData->SetNormals(this->Normals);
   output->GetCellData()->AddArray(this->Segments);
   output->GetCellData()->AddArray(this->Lengths);
@@ -118,10 +131,13 @@ Vector3 PathOutput::normalAt(const PathPoint& point) const
 
 Vector3 PathOutput::normalAtVertex(Index vertex) const
 {
-  if (this->InputNormals)
+  const BlockNumbering& numbering = this->Surface.numbering();
+  const Index point = this->Mesh.pointOfVertex(vertex);
+  const std::size_t block = numbering.blockOfPoint(point);
+  if (vtkDataArray* normals = this->Blocks[block].surface->GetPointData()->GetNormals())
   {
     double n[3];
-    this->InputNormals->GetTuple(this->Mesh.pointOfVertex(vertex), n);
+    normals->GetTuple(point - numbering.firstPointOf(block), n);
     return normalized({ n[0], n[1], n[2] });
   }
   Vector3 sum;

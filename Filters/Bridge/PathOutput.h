@@ -3,13 +3,13 @@
 #ifndef geodesic_bridge_PathOutput_h
 #define geodesic_bridge_PathOutput_h
 
+#include "InputSurface.h"
 #include "PathPoint.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
 class vtkCellArray;
-class vtkDataArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkPoints;
@@ -23,16 +23,18 @@ namespace geodesic::bridge
  * Of points: ArcLength (the scalars; from the beginning of the path, or of the chain of paths),
  * OriginalPointIds (the nearest of the input's points that carry the path's), EdgePointIds (the two
  * ends of the edge, nearest first; at a vertex twice the same; inside a face the two nearest
- * corners), Normals (of length 1). Of cells: Segment, Length. Of the field: TotalLength.
+ * corners), Normals (of length 1); where ids do not tell of which block the points are, also
+ * OriginalBlocks and EdgeBlocks, their blocks' numbers in the composite data set. Of cells:
+ * Segment, Length. Of the field: TotalLength.
  */
 class PathOutput
 {
 public:
   /**
-   * @param normals the input's point normals of any length, or null: then they are those of the
-   *                faces round each vertex, weighted by area
+   * @param blocks the input, whose point normals of any length are taken; where a block has none
+   *               they are those of the faces round each vertex, weighted by area
    */
-  PathOutput(const TriangleMesh& mesh, vtkDataArray* normals, double heightOffset);
+  PathOutput(const InputSurface& surface, const InputBlocks& blocks, double heightOffset);
   ~PathOutput();
 
   /**
@@ -48,8 +50,9 @@ private:
   Vector3 normalAt(const PathPoint& point) const;
   Vector3 normalAtVertex(Index vertex) const;
 
+  const InputSurface& Surface;
   const TriangleMesh& Mesh;
-  vtkDataArray* InputNormals;
+  const InputBlocks& Blocks;
   double HeightOffset;
   double TotalLength = 0.0;
   vtkNew<vtkPoints> Points;
@@ -57,6 +60,8 @@ private:
   vtkNew<vtkDoubleArray> ArcLengths;
   vtkNew<vtkIdTypeArray> OriginalPointIds;
   vtkNew<vtkIdTypeArray> EdgePointIds;
+  vtkNew<vtkIdTypeArray> OriginalBlocks;
+  vtkNew<vtkIdTypeArray> EdgeBlocks;
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkIdTypeArray> Segments;
   vtkNew<vtkDoubleArray> Lengths;

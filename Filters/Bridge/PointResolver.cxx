@@ -4,10 +4,7 @@
 
 #include "SeedFront.h"
 
-#include "vtkCell.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +16,20 @@ namespace geodesic::bridge
 {
 namespace
 {
+
+[[noreturn]] void throwNoPoint(const std::string& role, vtkIdType id, vtkIdType count)
+{
+  throw std::invalid_argument(role + " point id " + std::to_string(id) + " does not exist: " +
+    (count > 0 ? "the input has " + std::to_string(count) + " points, numbered from 0"
+               : std::string("it is none of the input's GlobalPointIds")) +
+    ". Choose one of them.");
+}
+
+[[noreturn]] void throwNotOnSurface(const std::string& role, vtkIdType id)
+{
+  throw std::invalid_argument(role + " point id " + std::to_string(id) +
+    " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
+}
 
 /** The height over the longest side: the shortest way from a corner to the opposite side. */
 double shortestHeight(const TriangleMesh& mesh, Index triangle)
@@ -62,16 +73,6 @@ std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std:
   return positions;
 }
 
-std::vector<double> coordinatesOf(vtkPointSet* source)
-{
-  std::vector<double> coordinates(3 * source->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
-  {
-    source->GetPoint(i, coordinates.data() + 3 * i);
-  }
-  return coordinates;
-}
-
 std::vector<SurfacePoint> surfacePointsAt(
   const InputSurface& surface, std::span<const double> coordinates, const std::string& property)
 {
@@ -84,9 +85,9 @@ std::vector<SurfacePoint> surfacePointsAt(
 }
 
 std::vector<SurfacePoint> surfacePointsOf(
-  const InputSurface& surface, vtkPointSet* source, const std::string& property)
+  const InputSurface& surface, const PointSource& source, const std::string& property)
 {
-  std::vector<SurfacePoint> points = surfacePointsAt(surface, coordinatesOf(source), property);
+  std::vector<SurfacePoint> points = surfacePointsAt(surface, source.coordinates, property);
   for (SurfacePoint& point : points)
   {
     point = snappedAsSingle(*surface.mesh(), point);
@@ -94,33 +95,17 @@ std::vector<SurfacePoint> surfacePointsOf(
   return points;
 }
 
-std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source)
-{
-  std::vector<std::vector<vtkIdType>> lines;
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < source->GetNumberOfCells(); ++cell)
-  {
-    const int type = source->GetCellType(cell);
-    if (type == VTK_LINE || type == VTK_POLY_LINE)
-    {
-      source->GetCellPoints(cell, points);
-      lines.emplace_back(points->begin(), points->end());
-    }
-  }
-  return lines;
-}
-
 std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
-  const InputSurface& surface, vtkPointSet* source, const std::string& property)
+  const InputSurface& surface, const PointSource& source, const std::string& property)
 {
   const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, property);
   std::vector<std::vector<SurfacePoint>> lines;
-  for (const std::vector<vtkIdType>& ids : linesOf(source))
+  for (const std::vector<std::size_t>& numbers : source.lines)
   {
     std::vector<SurfacePoint>& line = lines.emplace_back();
-    for (vtkIdType id : ids)
+    for (std::size_t number : numbers)
     {
-      line.push_back(points[id]);
+      line.push_back(points[number]);
     }
   }
   return lines;
@@ -128,17 +113,15 @@ std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
 
 Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& role)
 {
-  if (id < 0 || id >= static_cast<vtkIdType>(mesh.numberOfPoints()))
+  const auto count = static_cast<vtkIdType>(mesh.numberOfPoints());
+  if (id < 0 || id >= count)
   {
-    throw std::invalid_argument(role + " point id " + std::to_string(id) +
-      " does not exist: the input has " + std::to_string(mesh.numberOfPoints()) +
-      " points, numbered from 0. Choose one of them.");
+    throwNoPoint(role, id, count);
   }
   const Index vertex = mesh.vertexOfPoint(static_cast<Index>(id));
   if (vertex == NoIndex)
   {
-    throw std::invalid_argument(role + " point id " + std::to_string(id) +
-      " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
+    throwNotOnSurface(role, id);
   }
   return vertex;
 }
@@ -151,6 +134,42 @@ std::vector<Index> verticesAtPoints(
   for (vtkIdType i = 0; i < count; ++i)
   {
     vertices.push_back(vertexAtPoint(mesh, ids->GetId(i), role));
+  }
+  return vertices;
+}
+
+std::vector<Index> verticesWithIds(
+  const InputSurface& surface, vtkIdList* ids, const std::string& role)
+{
+  const BlockNumbering& numbering = surface.numbering();
+  if (!ids || ids->GetNumberOfIds() == 0)
+  {
+    return {};
+  }
+  if (!numbering.hasUniqueIds())
+  {
+    throw std::invalid_argument(role + " point id " + std::to_string(ids->GetId(0)) +
+      " does not tell of which of the input's " + std::to_string(numbering.numberOfBlocks()) +
+      " blocks. Make GlobalPointIds for all of them, by Generate Global Ids, and give those, or "
+      "give positions.");
+  }
+  const auto points = numbering.pointsWithIds({ ids->begin(), ids->end() });
+  std::vector<Index> vertices;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const vtkIdType id = ids->GetId(static_cast<vtkIdType>(i));
+    const auto isVertex = [&](Index point)
+    { return surface.mesh()->vertexOfPoint(point) != NoIndex; };
+    const auto point = std::find_if(points[i].begin(), points[i].end(), isVertex);
+    if (id < 0 || (points[i].empty() && id >= numbering.numberOfIds()))
+    {
+      throwNoPoint(role, id, numbering.numberOfIds());
+    }
+    if (point == points[i].end())
+    {
+      throwNotOnSurface(role, id);
+    }
+    vertices.push_back(surface.mesh()->vertexOfPoint(*point));
   }
   return vertices;
 }

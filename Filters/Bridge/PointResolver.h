@@ -4,6 +4,7 @@
 #define geodesic_bridge_PointResolver_h
 
 #include "InputSurface.h"
+#include "PointSource.h"
 #include "SurfacePoint.h"
 
 #include "vtkType.h"
@@ -14,7 +15,6 @@
 #include <vector>
 
 class vtkIdList;
-class vtkPointSet;
 
 namespace geodesic::bridge
 {
@@ -25,9 +25,6 @@ namespace geodesic::bridge
  * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
  */
 std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std::string& property);
-
-/** x y z of all points of a data set. */
-std::vector<double> coordinatesOf(vtkPointSet* source);
 
 /**
  * The point on the edge or vertex that it is as near to as single precision can tell: most data
@@ -45,19 +42,16 @@ std::vector<SurfacePoint> surfacePointsAt(
   const InputSurface& surface, std::span<const double> coordinates, const std::string& property);
 
 /**
- * All points of a data set, projected, and put on the edge or vertex that they can't be told from
- * in single precision.
- * @param property what gave the data set, for the message
+ * All points of a source, projected, and put on the edge or vertex that they can't be told from in
+ * single precision.
+ * @param property what gave the source, for the message
  */
 std::vector<SurfacePoint> surfacePointsOf(
-  const InputSurface& surface, vtkPointSet* source, const std::string& property);
+  const InputSurface& surface, const PointSource& source, const std::string& property);
 
-/** The point ids of each line and polyline of a data set. */
-std::vector<std::vector<vtkIdType>> linesOf(vtkPointSet* source);
-
-/** The points of each line and polyline of a data set on the surface, as by surfacePointsOf. */
+/** The points of each line of a source on the surface, as by surfacePointsOf. */
 std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
-  const InputSurface& surface, vtkPointSet* source, const std::string& property);
+  const InputSurface& surface, const PointSource& source, const std::string& property);
 
 /**
  * The vertex that stands for a point of the input.
@@ -69,6 +63,13 @@ Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& r
 /** The same for several points; @p ids may be null: none. */
 std::vector<Index> verticesAtPoints(
   const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
+
+/**
+ * The vertices of points that the user names by their ids (see BlockNumbering).
+ * @throws as vertexAtPoint, and where the ids do not tell points apart
+ */
+std::vector<Index> verticesWithIds(
+  const InputSurface& surface, vtkIdList* ids, const std::string& role);
 
 /** A target of the front (see SolveOptions::targets): the corners round a point, or a vertex. */
 Triangle targetAt(const TriangleMesh& mesh, const SurfacePoint& point);

@@ -5,11 +5,13 @@
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,12 +27,11 @@ namespace
 struct CopyCoordinates
 {
   template <class Array>
-  void operator()(Array* array, std::vector<Vector3>& points) const
+  void operator()(Array* array, Vector3* points) const
   {
-    std::size_t i = 0;
     for (const auto tuple : vtk::DataArrayTupleRange<3>(array))
     {
-      points[i++] = { static_cast<double>(tuple[0]), static_cast<double>(tuple[1]),
+      *points++ = { static_cast<double>(tuple[0]), static_cast<double>(tuple[1]),
         static_cast<double>(tuple[2]) };
     }
   }
@@ -153,7 +154,7 @@ private:
 struct VisitCells
 {
   template <class CellState, class Add>
-  void operator()(CellState& state, std::size_t numberOfPoints, Add&& add) const
+  void operator()(CellState& state, std::size_t numberOfPoints, Index firstPoint, Add&& add) const
   {
     const auto* offsets = state.GetOffsets()->GetPointer(0);
     const auto* connectivity = state.GetConnectivity()->GetPointer(0);
@@ -169,7 +170,7 @@ struct VisitCells
           throw std::invalid_argument("A cell of the input uses point " + std::to_string(id) +
             ", but the input has " + std::to_string(numberOfPoints) + " points. Clean the input.");
         }
-        corners.push_back(static_cast<Index>(id));
+        corners.push_back(firstPoint + static_cast<Index>(id));
       }
       add(std::span<const Index>(corners));
     }
@@ -178,52 +179,59 @@ struct VisitCells
 
 }
 
-std::vector<Vector3> pointsOf(vtkPolyData* surface)
+void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points)
 {
-  const vtkIdType count = surface->GetNumberOfPoints();
-  if (count >= static_cast<vtkIdType>(NoIndex))
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  const std::size_t first = points.size();
+  if (first + count >= NoIndex)
   {
-    throw std::length_error("The input has " + std::to_string(count) +
+    throw std::length_error("The input has " + std::to_string(first + count) +
       " points; one process holds at most " + std::to_string(NoIndex - 1) +
       ". Spread it over more ranks.");
   }
-  std::vector<Vector3> points(count);
+  points.resize(first + count);
   if (count > 0)
   {
     vtkDataArray* array = surface->GetPoints()->GetData();
     CopyCoordinates copy;
     using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-    if (!Dispatcher::Execute(array, copy, points))
+    if (!Dispatcher::Execute(array, copy, points.data() + first))
     {
-      copy(array, points);
+      copy(array, points.data() + first);
     }
   }
-  return points;
 }
 
-SurfaceTriangles trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points)
+void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, Index firstPoint,
+  Index firstCell, SurfaceTriangles& triangles)
 {
-  SurfaceTriangles triangles;
-  triangles.corners.reserve(surface->GetNumberOfPolys());
-  triangles.cells.reserve(surface->GetNumberOfPolys());
+  vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray();
+  const auto isHidden = [&](vtkIdType cell)
+  { return ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0; };
   Triangulator triangulator(points, triangles.corners);
   // A polydata numbers its vertices first, then lines, polygons and strips.
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   const auto noteCell = [&]
-  { triangles.cells.resize(triangles.corners.size(), static_cast<Index>(cell++)); };
-  surface->GetPolys()->Visit(VisitCells{}, points.size(),
+  { triangles.cells.resize(triangles.corners.size(), firstCell + static_cast<Index>(cell++)); };
+  const auto numberOfPoints = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  surface->GetPolys()->Visit(VisitCells{}, numberOfPoints, firstPoint,
     [&](std::span<const Index> corners)
     {
-      triangulator.addPolygon(corners);
+      if (!isHidden(cell))
+      {
+        triangulator.addPolygon(corners);
+      }
       noteCell();
     });
-  surface->GetStrips()->Visit(VisitCells{}, points.size(),
+  surface->GetStrips()->Visit(VisitCells{}, numberOfPoints, firstPoint,
     [&](std::span<const Index> corners)
     {
-      triangulator.addStrip(corners);
+      if (!isHidden(cell))
+      {
+        triangulator.addStrip(corners);
+      }
       noteCell();
     });
-  return triangles;
 }
 
 }

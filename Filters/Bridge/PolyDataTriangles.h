@@ -14,26 +14,31 @@ namespace geodesic::bridge
 {
 
 /**
- * The coordinates of all points, whatever their type.
+ * Appends the coordinates of all points, whatever their type.
  * @throws std::length_error for more points than an Index can tell apart
  */
-std::vector<Vector3> pointsOf(vtkPolyData* surface);
+void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points);
 
-/** The triangles of a surface and the cells that they are cut from. */
+/** Triangles and the cells that they are cut from. */
 struct SurfaceTriangles
 {
   std::vector<Triangle> corners;
-  /** One cell id of the input a triangle. */
+  /** The number of a cell a triangle. */
   std::vector<Index> cells;
 };
 
 /**
- * The triangles of the surface's polygons and strips, as ids of @p points. A quadrilateral is cut
- * along its shorter inner diagonal, a larger polygon by vtkPolygon; one that has no proper inside
- * becomes a fan round its first point. Vertices and lines are no surface.
+ * Appends the triangles of the surface's polygons and strips. A quadrilateral is cut along its
+ * shorter inner diagonal, a larger polygon by vtkPolygon; one that has no proper inside becomes a
+ * fan round its first point. Vertices and lines are no surface, and neither are cells that the
+ * array vtkGhostType marks as hidden.
+ * @param points      the surface's, from @p firstPoint on
+ * @param firstPoint  the number of its point 0 in @p triangles
+ * @param firstCell   the number of its cell 0 in @p triangles
  * @throws std::invalid_argument for a cell that names a point which does not exist
  */
-SurfaceTriangles trianglesOf(vtkPolyData* surface, const std::vector<Vector3>& points);
+void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, Index firstPoint,
+  Index firstCell, SurfaceTriangles& triangles);
 
 }
 

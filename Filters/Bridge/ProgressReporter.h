@@ -3,6 +3,7 @@
 #ifndef geodesic_bridge_ProgressReporter_h
 #define geodesic_bridge_ProgressReporter_h
 
+#include "Abort.h"
 #include "Index.h"
 
 #include "vtkAlgorithm.h"
@@ -36,7 +37,7 @@ public:
     }
     this->Reported = fraction;
     this->Filter.UpdateProgress(fraction);
-    return !this->Filter.CheckAbort();
+    return !checkAbort(this->Filter);
   }
 
 private:

@@ -2,17 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedResolver.h"
 
-#include "vtkCell.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointSet.h"
-
 #include <cmath>
 #include <functional>
-#include <set>
-#include <stdexcept>
-#include <string>
 
 namespace geodesic::bridge
 {
@@ -22,7 +13,7 @@ namespace
 /** Calls @p visit with each vertex and the number of its point, or of a cell that it is a corner
  * of. */
 void visitVertices(const InputSurface& surface, bool ofCells,
-  const std::function<void(Index vertex, vtkIdType id)>& visit)
+  const std::function<void(Index vertex, Index number)>& visit)
 {
   const TriangleMesh& mesh = *surface.mesh();
   if (ofCells)
@@ -47,28 +38,23 @@ void visitVertices(const InputSurface& surface, bool ofCells,
 
 }
 
-std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids)
+std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Index> vertices)
 {
   std::vector<Seed> seeds;
-  for (Index vertex : verticesAtPoints(mesh, ids, "Seed"))
+  for (Index vertex : vertices)
   {
     seeds.push_back(Seed::atPoint(mesh.pointAtVertex(vertex)));
   }
   return seeds;
 }
 
-RegionsByValue regionsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells)
+RegionsByValue regionsOfArray(const InputSurface& surface, const ChosenArray& array)
 {
-  if (array->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("SeedArray \"" + std::string(array->GetName()) + "\" has " +
-      std::to_string(array->GetNumberOfComponents()) + " components; give an array of one.");
-  }
   RegionsByValue regions;
-  visitVertices(surface, isOfCells,
-    [&](Index vertex, vtkIdType id)
+  visitVertices(surface, array.isOfCells,
+    [&](Index vertex, Index number)
     {
-      const double value = array->GetComponent(id, 0);
+      const double value = array.values[number];
       if (value != 0.0 && !std::isnan(value))
       {
         regions[value].push_back(vertex);
@@ -77,29 +63,23 @@ RegionsByValue regionsOfArray(const InputSurface& surface, vtkDataArray* array, 
   return regions;
 }
 
-RegionsByValue regionOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells)
+RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedElements& selected)
 {
-  std::set<vtkIdType> wanted;
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  RegionsByValue regions;
+  const auto add = [&](bool ofCells, const std::vector<std::uint8_t>& flags)
   {
-    wanted.insert(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
-  }
-  std::vector<Index> vertices;
-  visitVertices(surface, areCells,
-    [&](Index vertex, vtkIdType id)
-    {
-      if (wanted.count(id) > 0)
+    visitVertices(surface, ofCells,
+      [&](Index vertex, Index number)
       {
-        vertices.push_back(vertex);
-      }
-    });
-  if (vertices.empty() && !wanted.empty())
-  {
-    throw std::invalid_argument(std::string("SeedSelection selects no ") +
-      (areCells ? "cell" : "point") + " of the surface, of " + std::to_string(wanted.size()) +
-      " that it names. Select others.");
-  }
-  return vertices.empty() ? RegionsByValue{} : RegionsByValue{ { 1.0, std::move(vertices) } };
+        if (flags[number] != 0)
+        {
+          regions[ofCells ? 1.0 : 0.0].push_back(vertex);
+        }
+      });
+  };
+  add(false, selected.points);
+  add(true, selected.cells);
+  return regions;
 }
 
 std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)

@@ -3,38 +3,30 @@
 #ifndef geodesic_bridge_SeedResolver_h
 #define geodesic_bridge_SeedResolver_h
 
+#include "ArrayValues.h"
 #include "InputSurface.h"
 #include "PointResolver.h"
 #include "Seed.h"
+#include "SelectedElements.h"
 
 #include <map>
 #include <span>
 #include <vector>
 
-class vtkDataArray;
-class vtkIdList;
-
 namespace geodesic::bridge
 {
 
-/** One seed at each point; throws as verticesAtPoints. */
-std::vector<Seed> seedsAtPoints(const TriangleMesh& mesh, vtkIdList* ids);
+/** One seed at each vertex. */
+std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Index> vertices);
 
 /** The vertices of the points or cells that have a value. */
 using RegionsByValue = std::map<double, std::vector<Index>>;
 
-/**
- * The regions of each value of the array but 0. NaN is 0.
- * @param isOfCells whether the array belongs to the input's cells
- * @throws std::invalid_argument where the array has several components
- */
-RegionsByValue regionsOfArray(const InputSurface& surface, vtkDataArray* array, bool isOfCells);
+/** The regions of each value of the array but 0. NaN is 0. */
+RegionsByValue regionsOfArray(const InputSurface& surface, const ChosenArray& array);
 
-/**
- * The one region of all these points, or of all these cells; none where the list is empty.
- * @throws std::invalid_argument where none of them belongs to the surface
- */
-RegionsByValue regionOfIds(const InputSurface& surface, vtkDataArray* ids, bool areCells);
+/** The region of all selected points, by 0, and that of all selected cells, by 1. */
+RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedElements& selected);
 
 /** The points of those seeds that are curves. */
 std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds);

@@ -24,10 +24,10 @@ bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& aft
 
 }
 
-SolveSurface::SolveSurface(std::shared_ptr<const TriangleMesh> base, const SurfaceLines& lines,
+SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base, const SurfaceLines& lines,
   const Barriers& barriers, const std::vector<double>& cost, bool alongEdges)
   : Base(std::move(base))
-  , Mesh(lines.split() ? lines.split()->mesh() : this->Base)
+  , Mesh(lines.split() ? lines.split()->mesh() : this->Base->mesh())
   , Split(lines.split())
   , SeedLines(lines.seeds())
 {
@@ -86,9 +86,9 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
   if (isExcluded)
   {
     const Index vertex = this->Split ? this->Split->origin(carriers[0]).carriers()[0] : carriers[0];
-    throw std::invalid_argument(name + " is at point " +
-      std::to_string(this->Base->pointOfVertex(vertex)) +
-      " of a barrier, where nothing may be; move it off the barrier.");
+    throw std::invalid_argument(name + " is at " +
+      this->Base->numbering().nameOfPoint(this->Base->mesh()->pointOfVertex(vertex)) +
+      ", on a barrier, where nothing may be; move it off the barrier.");
   }
 }
 
@@ -111,7 +111,7 @@ std::vector<Seed> SolveSurface::seedsOf(const std::vector<Seed>& baseSeeds) cons
       {
         for (const PathPoint& point : this->SeedLines[line])
         {
-          seed.points.push_back(surfacePointOf(*this->Base, point));
+          seed.points.push_back(surfacePointOf(*this->Base->mesh(), point));
         }
       }
       ++line;

@@ -27,7 +27,7 @@ public:
    * @param alongEdges whether ways go along edges only: then they also keep off the points that
    *                   the splitting made on barriers
    */
-  SolveSurface(std::shared_ptr<const TriangleMesh> base, const SurfaceLines& lines,
+  SolveSurface(std::shared_ptr<const InputSurface> base, const SurfaceLines& lines,
     const Barriers& barriers, const std::vector<double>& cost, bool alongEdges);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
@@ -52,7 +52,7 @@ public:
 private:
   void checkOpen(const SurfacePoint& point, const std::string& name) const;
 
-  std::shared_ptr<const TriangleMesh> Base;
+  std::shared_ptr<const InputSurface> Base;
   std::shared_ptr<const TriangleMesh> Mesh;
   std::shared_ptr<const SplitMesh> Split;
   std::vector<SurfacePath> SeedLines;

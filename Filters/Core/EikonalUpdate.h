@@ -29,18 +29,6 @@ struct FlatTriangle
 };
 
 /**
- * A lower bound of every update of v over the edge, at cost @p w a unit of length: the distance on
- * the edge is w-Lipschitz, so nowhere on it less than (a + b - w c) / 2. Cheap, and most updates of
- * a march end here.
- */
-inline double updateLowerBound(const FlatTriangle& t, double a, double b, double w = 1.0)
-{
-  const double low = std::min(a, b);
-  const double high = std::min(std::max(a, b), low + w * t.c);
-  return 0.5 * (low + high - w * t.c) + w * t.h;
-}
-
-/**
  * The least distance at v over the inside of the edge, where the distances @p a and @p b at its
  * ends define a flat point source whose straight line to v crosses the edge, or that lies on the
  * edge; +infinity where they don't. A part of pointSourceUpdate, which see.

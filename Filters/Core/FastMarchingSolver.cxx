@@ -153,7 +153,8 @@ public:
 
   FrontValue look(Index vertex) const
   {
-    return { this->value(vertex), (this->State[vertex] & Queued) != 0 };
+    const double value = this->value(vertex);
+    return { value, value, (this->State[vertex] & Queued) != 0 };
   }
 
   double ceiling(Index vertex, double value) const
@@ -173,7 +174,7 @@ public:
       return this->look(vertex);
     }
     this->set(vertex, value);
-    return { value, true };
+    return { value, value, true };
   }
 
   void set(Index vertex, double value)
@@ -222,10 +223,12 @@ public:
     const Index known = this->Sets.find(vertex, this->Current);
     if (known == NoIndex)
     {
-      return { DistanceField::Unreached, false };
+      const double kept =
+        this->Sets.isEmpty(vertex) ? DistanceField::Unreached : this->keptUpTo(vertex);
+      return { DistanceField::Unreached, kept, false };
     }
     const LabelSets::Entry& entry = this->Sets[known];
-    return { entry.value, entry.isQueued != 0 };
+    return { entry.value, entry.value, entry.isQueued != 0 };
   }
 
   /** The values that the vertex keeps, by label. */
@@ -269,10 +272,10 @@ public:
     if (!(value < this->ceiling(vertex, old)) || this->Context.options.isExcluded(vertex) ||
       (!isNew && this->Sets[known].isPinned))
     {
-      return { old, !isNew && this->Sets[known].isQueued };
+      return { old, std::min(old, this->keptUpTo(vertex)), !isNew && this->Sets[known].isQueued };
     }
     this->set(isNew ? this->Sets.add(vertex, this->Current) : known, value);
-    return { value, true };
+    return { value, value, true };
   }
 
   void set(Index number, double value)
@@ -401,6 +404,15 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
   RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
 
+  // Many small fronts spread over more memory than the processor has near.
+  const auto prefetchRound = [&](Index vertex)
+  {
+    for (const RingEntry& entry : mesh.ring(vertex))
+    {
+      __builtin_prefetch(&sets[entry.neighbour()]);
+      __builtin_prefetch(&mesh.position(entry.neighbour()));
+    }
+  };
   for (const StartValue& start : starts)
   {
     values.setCurrent(start.label);
@@ -417,6 +429,10 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
         if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
         {
           mesh.prefetch(sets.vertexOf(ahead));
+        }
+        if (const Index next = this->Queue.ahead(0); next != NoIndex)
+        {
+          prefetchRound(sets.vertexOf(next));
         }
         sets[popped].isQueued = false;
         const LabelSets::Entry entry = sets[popped];
@@ -440,8 +456,9 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   for (Index vertex : field.reached())
   {
     field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
+    sets.clear(vertex);
   }
-  sets.clear(field.reached());
+  sets.finish();
   return finished;
 }
 

@@ -50,16 +50,15 @@ public:
     this->Entries.resize(numberOfVertices);
   }
 
-  /** Forgets everything; @p vertices are all those that have entries. */
-  void clear(std::span<const Index> vertices)
+  /** Forgets the entries of a vertex; to be called for all that have some, and finish() after. */
+  void clear(Index vertex) { this->Entries[vertex] = Entry(); }
+  void finish()
   {
-    for (Index vertex : vertices)
-    {
-      this->Entries[vertex] = Entry();
-    }
     this->Entries.resize(this->NumberOfVertices);
     this->VertexOfFurther.clear();
   }
+
+  bool isEmpty(Index vertex) const { return this->Entries[vertex].label == NoLabel; }
 
   /** The entry of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const

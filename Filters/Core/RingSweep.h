@@ -21,6 +21,8 @@ struct FrontValue
 {
   /** +infinity where the front has not been. */
   double value;
+  /** Nothing at or above it is of interest; at most the value. */
+  double ceiling;
   /** The vertex waits to be swept with this value. */
   bool isQueued;
 };
@@ -48,7 +50,6 @@ inline double crossing(const FlatTriangle& t, double a, double b, double w)
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the neighbours, for the front that is swept:
  *                 look(Index) -> FrontValue;
- *                 ceiling(Index, double value) -> double, nothing at or above it is of interest;
  *                 propose(Index, double) -> FrontValue, queues the vertex with the value if that
  *                 counts, and returns what then holds
  */
@@ -77,7 +78,7 @@ public:
 
 private:
   static constexpr std::size_t WindowSize = 16;
-  /** One bit a neighbour, or the triangle that it opens. */
+  /** One bit a neighbour, or the triangle that it opens; or one for each of two ways. */
   using Mask = std::uint32_t;
   static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
 
@@ -92,6 +93,7 @@ private:
   {
     std::array<Index, WindowSize> vertices;
     std::array<double, WindowSize> values;
+    std::array<double, WindowSize> ceilings;
     std::array<double, WindowSize> squaredLengths;
     /** Waits to be swept with its value. */
     Mask isQueued = 0;
@@ -111,9 +113,10 @@ private:
       const Vector3 offset = this->Mesh.position(neighbour) - centre;
       window.vertices[i] = neighbour;
       window.values[i] = known.value;
+      window.ceilings[i] = known.ceiling;
       window.squaredLengths[i] = dot(offset, offset);
       window.isQueued |= bit(known.isQueued, i);
-      isHigher |= bit(known.value > value, i);
+      isHigher |= bit(known.ceiling > value, i);
       isOpen |= bit(ring[i].opensTriangle(), i);
       isThin |= bit(isThinAt(ring[i].slack(), window.squaredLengths[i]), i);
     }
@@ -123,15 +126,22 @@ private:
       isOpen &= ~bit(!this->Closed.isOpen(vertex, first + i), i);
     }
 
-    for (Mask edges = isHigher & (isOpen | isOpen << 1); edges != 0; edges &= edges - 1)
+    Mask gainsAlong = isHigher & (isOpen | isOpen << 1);
+    if constexpr (Cost::isUnit)
     {
-      const int i = std::countr_zero(edges);
-      const double w = this->edgeCost(vertex, window, isOpen, i);
-      const double along = value + w * std::sqrt(window.squaredLengths[i]);
-      if (along < window.values[i])
+      Mask isShort = 0;
+      for (std::size_t i = 0; i < ring.size(); ++i)
       {
-        this->propose(window, i, along);
+        const double rise = window.ceilings[i] - value;
+        isShort |= bit(window.squaredLengths[i] < rise * rise, i);
       }
+      gainsAlong &= isShort;
+    }
+    for (; gainsAlong != 0; gainsAlong &= gainsAlong - 1)
+    {
+      const int i = std::countr_zero(gainsAlong);
+      const double w = this->edgeCost(vertex, window, isOpen, i);
+      this->propose(window, i, value + w * std::sqrt(window.squaredLengths[i]));
     }
 
     Mask gainsFirst = 0;
@@ -139,28 +149,21 @@ private:
     for (std::size_t i = 0; i + 1 < ring.size(); ++i)
     {
       const double bound = value + this->triangleCost(vertex, window, i) * ring[i].slack();
-      const double p = window.values[i];
-      const double q = window.values[i + 1];
-      gainsFirst |= bit(bound + q < 2.0 * p, i);
-      gainsSecond |= bit(bound + p < 2.0 * q, i);
+      gainsFirst |= bit(bound + window.values[i + 1] < 2.0 * window.ceilings[i], i);
+      gainsSecond |= bit(bound + window.values[i] < 2.0 * window.ceilings[i + 1], i);
     }
     // The edge to a vertex that waits and comes later is crossed from there; not so in a thin
     // triangle, where what lies behind the edge may come before it.
     const Mask isLater = window.isQueued & isHigher;
     gainsFirst &= isOpen & (isThin | ~(isLater >> 1));
     gainsSecond &= isOpen & (isThin | ~isLater);
-    for (Mask triangles = gainsFirst | gainsSecond; triangles != 0; triangles &= triangles - 1)
+    for (Mask gains = gainsFirst | gainsSecond << WindowSize; gains != 0; gains &= gains - 1)
     {
-      const int i = std::countr_zero(triangles);
+      const int number = std::countr_zero(gains);
+      const int i = number % WindowSize;
+      const int isSecond = number / WindowSize;
       const double w = this->triangleCost(vertex, window, i);
-      if (gainsFirst >> i & 1)
-      {
-        this->cross(window, centre, value, i + 1, i, w);
-      }
-      if (gainsSecond >> i & 1)
-      {
-        this->cross(window, centre, value, i, i + 1, w);
-      }
+      this->cross(window, centre, value, i + 1 - isSecond, i + isSecond, w);
     }
   }
 
@@ -181,32 +184,21 @@ private:
   /** From the vertex at @p centre and neighbour @p over, over the edge between, to @p target. */
   void cross(Window& window, const Vector3& centre, double value, int over, int target, double w)
   {
-    const double other = window.values[over];
-    const double old = window.values[target];
     const Vector3 toOver = this->Mesh.position(window.vertices[over]) - centre;
     const Vector3 toTarget = this->Mesh.position(window.vertices[target]) - centre;
-    const double projection = dot(toOver, toTarget);
-    // A corner at or below both others, at an angle that is not obtuse, can gain nothing.
-    if (old <= value && old <= other && projection <= window.squaredLengths[target])
-    {
-      return;
-    }
     const double length = std::sqrt(window.squaredLengths[over]);
     const double area = norm(geodesic::cross(toOver, toTarget));
-    const FlatTriangle flat{ length, projection / length, area / length };
-    if (updateLowerBound(flat, value, other, w) < old)
-    {
-      this->propose(window, target, crossing<Shape>(flat, value, other, w));
-    }
+    const FlatTriangle flat{ length, dot(toOver, toTarget) / length, area / length };
+    this->propose(window, target, crossing<Shape>(flat, value, window.values[over], w));
   }
 
   void propose(Window& window, int target, double value)
   {
-    const Index vertex = window.vertices[target];
-    if (value < this->FrontValues.ceiling(vertex, window.values[target]))
+    if (value < window.ceilings[target])
     {
-      const FrontValue held = this->FrontValues.propose(vertex, value);
+      const FrontValue held = this->FrontValues.propose(window.vertices[target], value);
       window.values[target] = held.value;
+      window.ceilings[target] = held.ceiling;
       window.isQueued |= bit(held.isQueued, target);
     }
   }

@@ -15,6 +15,16 @@ namespace geodesic
 namespace
 {
 
+void checkNumber(std::size_t points)
+{
+  if (points > RingEntry::MaximumVertices)
+  {
+    throw std::length_error("The surface has " + std::to_string(points) +
+      " points; one process holds at most " + std::to_string(RingEntry::MaximumVertices) +
+      ". Spread it over more ranks.");
+  }
+}
+
 /** Flags the points that triangles use, after checking that they can be used. */
 std::vector<std::uint8_t> usedPoints(
   std::span<const Vector3> points, std::span<const Triangle> triangles, const ThreadTeam& team)
@@ -97,13 +107,39 @@ TriangleMeasure measured(double longestSide, double doubleArea)
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
   CoincidentPoints coincident, const ThreadTeam& team)
 {
-  if (points.size() > RingEntry::MaximumVertices)
+  checkNumber(points.size());
+  this->numberVertices(points, usedPoints(points, triangles, team), coincident, team);
+  this->build(triangles, team);
+}
+
+TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+  std::span<const Index> kinds, const ThreadTeam& team)
+{
+  checkNumber(points.size());
+  const std::vector<std::uint8_t> used = usedPoints(points, triangles, team);
+  std::vector<std::uint8_t> isFirst(points.size(), 0);
+  std::vector<Index> firstOfKind(points.size(), NoIndex);
+  for (Index i = 0; i < points.size(); ++i)
   {
-    throw std::length_error("The surface has " + std::to_string(points.size()) +
-      " points; one process holds at most " + std::to_string(RingEntry::MaximumVertices) +
-      ". Spread it over more ranks.");
+    if (used[i] && firstOfKind[kinds[i]] == NoIndex)
+    {
+      firstOfKind[kinds[i]] = i;
+      isFirst[i] = 1;
+    }
   }
-  this->numberVertices(points, triangles, coincident, team);
+  this->numberVertices(points, isFirst, CoincidentPoints::Separate, team);
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    if (used[i])
+    {
+      this->VertexOfPoint[i] = this->VertexOfPoint[firstOfKind[kinds[i]]];
+    }
+  }
+  this->build(triangles, team);
+}
+
+void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& team)
+{
   this->orderTriangles(triangles, team);
   this->Rings =
     VertexRings(this->numberOfVertices(), this->Triangles, this->measureTriangles(team), team);
@@ -114,9 +150,9 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
 }
 
 void TriangleMesh::numberVertices(std::span<const Vector3> points,
-  std::span<const Triangle> triangles, CoincidentPoints coincident, const ThreadTeam& team)
+  std::span<const std::uint8_t> used, CoincidentPoints coincident, const ThreadTeam& team)
 {
-  const BulkVector<Index> order = spatialOrder(points, usedPoints(points, triangles, team), team);
+  const BulkVector<Index> order = spatialOrder(points, used, team);
   const auto isFirstOfItsKind = [&](std::size_t i)
   {
     return coincident == CoincidentPoints::Separate || i == 0 ||

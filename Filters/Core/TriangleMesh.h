@@ -8,6 +8,7 @@
 #include "Vector3.h"
 #include "VertexRings.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,9 +27,10 @@ enum class CoincidentPoints
  *
  * Its *vertices* are the input's *points* that at least one triangle uses, renumbered along a space
  * filling curve (see spatialOrder); with CoincidentPoints::Merge, points of equal coordinates are
- * one vertex. Triangles follow the order of their lowest vertex. Any surface is allowed:
- * boundaries, several parts, mixed orientation, edges with more than two triangles, triangles of
- * zero area. A triangle that repeats a corner has no area and no interior and is left out.
+ * one vertex, and so are points that are said to be of the same kind. Triangles follow the order of
+ * their lowest vertex. Any surface is allowed: boundaries, several parts, mixed orientation, edges
+ * with more than two triangles, triangles of zero area. A triangle that repeats a corner has no
+ * area and no interior and is left out.
  *
  * Holds about 130 bytes a vertex. Lengths are computed from the coordinates where they are used:
  * on current machines that is cheaper than reading them from memory.
@@ -48,6 +50,13 @@ public:
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
     CoincidentPoints coincident = CoincidentPoints::Separate,
     const ThreadTeam& team = ThreadTeam());
+  /**
+   * The same of points that are one vertex by something else than their coordinates.
+   * @param kinds  a number below points.size() for each point: points of the same kind are one
+   *               vertex, at the position of the lowest of them that a triangle uses
+   */
+  TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+    std::span<const Index> kinds, const ThreadTeam& team = ThreadTeam());
 
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
@@ -89,8 +98,9 @@ public:
   double longestEdgeAround(Index vertex) const { return this->Rings.longestSideAround(vertex); }
 
 private:
-  void numberVertices(std::span<const Vector3> points, std::span<const Triangle> triangles,
+  void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
+  void build(std::span<const Triangle> triangles, const ThreadTeam& team);
   void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();

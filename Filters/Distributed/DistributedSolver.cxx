@@ -53,6 +53,7 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     known.clear();
   }
   const double step = this->stepOf(front);
+  double end = 0.0;
   std::exception_ptr error;
   while (true)
   {
@@ -82,7 +83,8 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     }
     try
     {
-      front.advance(next + step);
+      end = std::max(end, next + step);
+      front.advance(end);
     }
     catch (...)
     {

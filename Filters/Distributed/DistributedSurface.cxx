@@ -4,8 +4,6 @@
 
 #include "TriangleMesh.h"
 
-#include "vtkDataArray.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,30 +17,48 @@ namespace geodesic::distributed
 namespace
 {
 
-std::vector<PointKey> keysOfIds(const TriangleMesh& mesh, vtkDataArray* ids)
+/** By how the points of all ranks are one; see bridge::identityOf. */
+bridge::PointIdentity identityOf(RankGroup& ranks, const bridge::InputBlocks& blocks,
+  bool mergeCoincidentPoints, bool connectBlocks)
 {
-  constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
-  std::vector<PointKey> keys(mesh.numberOfVertices(), PointKey{ none, 0, 0 });
-  for (Index point = 0; point < mesh.numberOfPoints(); ++point)
+  if (ranks.size() == 1)
   {
-    if (const Index vertex = mesh.vertexOfPoint(point); vertex != NoIndex)
-    {
-      const auto id = static_cast<std::uint64_t>(ids->GetComponent(point, 0));
-      keys[vertex][0] = std::min(keys[vertex][0], id);
-    }
+    return bridge::identityOf(blocks, mergeCoincidentPoints, connectBlocks);
   }
-  return keys;
+  double haveIds = blocks.haveGlobalPointIds() ? 1.0 : 0.0;
+  ranks.takeLeast({ &haveIds, 1 });
+  const bridge::PointIdentity identity{ bridge::identityBy(haveIds > 0.0, mergeCoincidentPoints),
+    connectBlocks };
+  if (identity.by == bridge::PointIdentity::By::Nothing)
+  {
+    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
+      " ranks and nothing tells which points of the pieces are one. Turn MergeCoincidentPoints on, "
+      "or give the points global ids by Generate Global Ids.");
+  }
+  return identity;
 }
 
-std::vector<PointKey> keysOfPositions(const TriangleMesh& mesh)
+std::vector<PointKey> keysOf(const bridge::InputSurface& surface, const bridge::InputBlocks& blocks,
+  const bridge::PointIdentity& identity)
 {
-  std::vector<PointKey> keys;
-  keys.reserve(mesh.numberOfVertices());
+  const TriangleMesh& mesh = *surface.mesh();
+  std::vector<vtkIdType> ids;
+  if (identity.by == bridge::PointIdentity::By::GlobalIds)
+  {
+    ids = bridge::globalPointIdsOf(blocks);
+  }
   // Adding 0 makes -0 one with 0.
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };
-  for (const Vector3& p : mesh.positions())
+  std::vector<PointKey> keys;
+  keys.reserve(mesh.numberOfVertices());
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
-    keys.push_back({ bits(p.x), bits(p.y), bits(p.z) });
+    const Index point = mesh.pointOfVertex(v);
+    const Vector3& p = mesh.position(v);
+    // Blocks that are not connected have points of their own.
+    const std::uint64_t block = identity.acrossBlocks ? 0 : surface.numbering().flatIndexOf(point);
+    keys.push_back(ids.empty() ? PointKey{ bits(p.x), bits(p.y), bits(p.z), block }
+                               : PointKey{ static_cast<std::uint64_t>(ids[point]), 0, 0, block });
   }
   return keys;
 }
@@ -50,8 +66,6 @@ std::vector<PointKey> keysOfPositions(const TriangleMesh& mesh)
 struct Known
 {
   std::weak_ptr<const bridge::InputSurface> piece;
-  /** When the ids were modified, which happens at no two times; 0: no ids. */
-  vtkMTimeType idsTime;
   /** Equal for what ranks built together. */
   double number;
   std::weak_ptr<const DistributedSurface> surface;
@@ -60,15 +74,22 @@ struct Known
 }
 
 std::shared_ptr<const DistributedSurface> DistributedSurface::of(RankGroup& ranks,
-  const std::shared_ptr<const bridge::InputSurface>& surface, vtkDataArray* ids,
-  CoincidentPoints coincident)
+  const bridge::InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks)
 {
   static std::vector<Known> known;
   static double lastNumber = 0.0;
-  const vtkMTimeType idsTime = ids ? ids->GetMTime() : 0;
+  const bridge::PointIdentity identity =
+    identityOf(ranks, blocks, mergeCoincidentPoints, connectBlocks);
+  std::shared_ptr<const bridge::InputSurface> piece;
+  ranks.together(
+    [&]
+    {
+      piece = ranks.size() == 1 ? bridge::InputSurface::of(blocks, identity)
+                                : bridge::InputSurface::pieceOf(blocks, identity);
+    });
   std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
-  const auto found = std::find_if(known.begin(), known.end(),
-    [&](const Known& k) { return k.piece.lock() == surface && k.idsTime == idsTime; });
+  const auto found = std::find_if(
+    known.begin(), known.end(), [&](const Known& k) { return k.piece.lock() == piece; });
   const double number = found == known.end() ? 0.0 : found->number;
   const std::vector<double> numbers = ranks.gather({ &number, 1 });
   if (number > 0.0 &&
@@ -76,38 +97,35 @@ std::shared_ptr<const DistributedSurface> DistributedSurface::of(RankGroup& rank
   {
     return found->surface.lock();
   }
-  auto built = std::make_shared<const DistributedSurface>(ranks, surface, ids, coincident);
+  auto built = std::make_shared<const DistributedSurface>(ranks, piece, blocks, identity);
   const std::vector<double> lasts = ranks.gather({ &lastNumber, 1 });
   lastNumber = *std::max_element(lasts.begin(), lasts.end()) + 1.0;
-  known.push_back({ surface, idsTime, lastNumber, built });
+  known.push_back({ piece, lastNumber, built });
   return built;
 }
 
 DistributedSurface::DistributedSurface(RankGroup& ranks,
-  std::shared_ptr<const bridge::InputSurface> surface, vtkDataArray* ids,
-  CoincidentPoints coincident)
-  : Piece(std::move(surface))
+  std::shared_ptr<const bridge::InputSurface> piece, const bridge::InputBlocks& blocks,
+  const bridge::PointIdentity& identity)
+  : Piece(std::move(piece))
 {
   const TriangleMesh& mesh = this->mesh();
-  // A piece without triangles has ids of all its points.
-  std::array least{ ids || mesh.numberOfTriangles() == 0 ? 1.0 : 0.0,
-    mesh.numberOfTriangles() == 0 ? 0.0 : -1.0, -static_cast<double>(mesh.numberOfPoints()) };
-  ranks.takeLeast(least);
-  const bool allHaveIds = least[0] > 0.0;
-  this->MostPoints = static_cast<vtkIdType>(-least[2]);
-  if (least[1] == 0.0)
+  std::array largest{ -static_cast<double>(mesh.numberOfTriangles()),
+    -static_cast<double>(mesh.numberOfPoints()) };
+  ranks.takeLeast(largest);
+  this->MostPoints = static_cast<vtkIdType>(-largest[1]);
+  if (largest[0] == 0.0)
   {
-    throw std::runtime_error("The input has no surface: no triangle, polygon or strip with an area "
-                             "on any rank. Give a surface, for example by Extract Surface.");
+    throw std::invalid_argument(
+      "The input has no surface: no triangle, polygon or strip with an "
+      "area on any rank. Give a surface, for example by Extract Surface.");
   }
-  if (ranks.size() > 1 && !allHaveIds && coincident == CoincidentPoints::Separate)
+  std::vector<PointKey> keys;
+  if (ranks.size() > 1)
   {
-    throw std::runtime_error("The surface is spread over " + std::to_string(ranks.size()) +
-      " ranks and nothing tells which points of the pieces are the same. Turn "
-      "MergeCoincidentPoints on, or give the points global ids by Generate Global Ids.");
+    ranks.together([&] { keys = keysOf(*this->Piece, blocks, identity); });
   }
-  this->Shared = std::make_unique<const SharedPoints>(
-    ranks, mesh, allHaveIds && ids ? keysOfIds(mesh, ids) : keysOfPositions(mesh));
+  this->Shared = std::make_unique<const SharedPoints>(ranks, mesh, keys);
   if (ranks.size() > 1)
   {
     this->agreeOnLongestEdges(ranks);

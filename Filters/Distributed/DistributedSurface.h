@@ -13,9 +13,6 @@
 #include <span>
 #include <vector>
 
-class vtkDataArray;
-class vtkPolyData;
-
 namespace geodesic::distributed
 {
 
@@ -27,21 +24,20 @@ class DistributedSurface
 {
 public:
   /**
-   * Collective; built now unless all ranks still hold what they built together.
-   * @param surface what InputSurface::of gives for the input; may be without triangles, but not on
-   *                all ranks
-   * @param ids     one global id for each point of the input, or null
-   * @throws std::runtime_error on all ranks where no rank has a triangle, or where nothing tells
-   *         which points are shared
+   * Collective; built now unless all ranks still hold what they built together. This rank may be
+   * without triangles. On several ranks points are one by their global ids where all ranks have
+   * them, else by their coordinates.
+   * @throws std::exception on all ranks where no rank has a triangle, or where nothing tells which
+   *         points are one
    */
   static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
-    const std::shared_ptr<const bridge::InputSurface>& surface, vtkDataArray* ids,
-    CoincidentPoints coincident);
+    const bridge::InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
 
-  DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> surface,
-    vtkDataArray* ids, CoincidentPoints coincident);
+  DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> piece,
+    const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
 
   const bridge::InputSurface& piece() const { return *this->Piece; }
+  const std::shared_ptr<const bridge::InputSurface>& sharedPiece() const { return this->Piece; }
   const TriangleMesh& mesh() const { return *this->Piece->mesh(); }
   const SharedPoints& shared() const { return *this->Shared; }
 

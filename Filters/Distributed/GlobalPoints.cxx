@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GlobalPoints.h"
 
+#include "PointIdentity.h"
 #include "PointResolver.h"
 #include "SeedFront.h"
 #include "SharedPoints.h"
 #include "TriangleMesh.h"
 
-#include "vtkDataArray.h"
 #include "vtkIdList.h"
 
 #include <algorithm>
@@ -185,7 +185,7 @@ void append(std::vector<double>& rows, const CarriedPoint::Row& row)
 
 /** For each id, the owned vertex of this rank that has it, or NoIndex. */
 std::vector<Index> ownedVerticesWith(
-  const DistributedSurface& surface, vtkIdList* ids, vtkDataArray* globalIds)
+  const DistributedSurface& surface, vtkIdList* ids, const std::vector<vtkIdType>& globalIds)
 {
   std::vector<Index> vertices(ids->GetNumberOfIds(), NoIndex);
   std::unordered_multimap<vtkIdType, std::size_t> wanted;
@@ -193,12 +193,10 @@ std::vector<Index> ownedVerticesWith(
   {
     wanted.emplace(ids->GetId(i), i);
   }
-  const TriangleMesh& mesh = surface.mesh();
-  for (Index point = 0; globalIds && !wanted.empty() && point < mesh.numberOfPoints(); ++point)
+  for (Index point = 0; point < globalIds.size(); ++point)
   {
-    const Index vertex = mesh.vertexOfPoint(point);
-    const auto id = static_cast<vtkIdType>(globalIds->GetComponent(point, 0));
-    const auto [first, last] = wanted.equal_range(id);
+    const Index vertex = surface.mesh().vertexOfPoint(point);
+    const auto [first, last] = wanted.equal_range(globalIds[point]);
     for (auto found = first; found != last; ++found)
     {
       if (vertex != NoIndex && surface.shared().owns(vertex))
@@ -236,7 +234,7 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
 }
 
 std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,
-  vtkIdList* ids, vtkDataArray* globalIds, const std::string& role)
+  const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role)
 {
   if (ids->GetNumberOfIds() == 0)
   {
@@ -249,16 +247,16 @@ std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSur
     {
       if (ranks.size() == 1)
       {
-        vertices = bridge::verticesAtPoints(mesh, ids, role);
+        vertices = bridge::verticesWithIds(surface.piece(), ids, role);
         return;
       }
-      if (!globalIds && mesh.numberOfTriangles() > 0)
+      if (!blocks.haveGlobalPointIds())
       {
         throw std::invalid_argument(role +
           " point ids are global ids on several ranks, and the "
           "input has none. Make them by Generate Global Ids.");
       }
-      vertices = ownedVerticesWith(surface, ids, globalIds);
+      vertices = ownedVerticesWith(surface, ids, bridge::globalPointIdsOf(blocks));
     });
   std::vector<double> rows;
   for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkIdList;
 
 namespace geodesic::distributed
@@ -55,12 +54,11 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
 /**
  * The points that have ids. On one rank these are the input's point ids, on several the global ids
  * of @p globalIds. Collective, with the same ids on all ranks.
- * @param globalIds one for each point of this rank's input, or null where there are none
- * @param role      what the points are, for the message
+ * @param role what the points are, for the message
  * @throws std::exception on all ranks for an id that is on none, or where there are no global ids
  */
 std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,
-  vtkIdList* ids, vtkDataArray* globalIds, const std::string& role);
+  const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role);
 
 /** A target of the front (see SolveOptions::targets). */
 Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& here);

@@ -4,8 +4,6 @@
 
 #include "PointResolver.h"
 
-#include "vtkPointSet.h"
-
 #include <array>
 #include <set>
 #include <stdexcept>
@@ -16,19 +14,14 @@ namespace
 {
 
 /** x y z of the source's points that no line uses. */
-std::vector<double> loosePoints(vtkPointSet* source)
+std::vector<double> loosePoints(const bridge::PointSource& source)
 {
-  if (!source)
+  std::vector<bool> isOnLine(source.coordinates.size() / 3, false);
+  for (const auto& line : source.lines)
   {
-    return {};
-  }
-  const std::vector<double> coordinates = bridge::coordinatesOf(source);
-  std::vector<bool> isOnLine(source->GetNumberOfPoints(), false);
-  for (const auto& line : bridge::linesOf(source))
-  {
-    for (const vtkIdType id : line)
+    for (const std::size_t number : line)
     {
-      isOnLine[id] = true;
+      isOnLine[number] = true;
     }
   }
   std::vector<double> loose;
@@ -36,7 +29,8 @@ std::vector<double> loosePoints(vtkPointSet* source)
   {
     if (!isOnLine[i])
     {
-      loose.insert(loose.end(), coordinates.begin() + 3 * i, coordinates.begin() + 3 * i + 3);
+      const double* point = source.coordinates.data() + 3 * i;
+      loose.insert(loose.end(), point, point + 3);
     }
   }
   return loose;
@@ -77,15 +71,20 @@ std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
 }
 
 std::vector<Seed> seedsOfSource(
-  RankGroup& ranks, const DistributedSurface& surface, vtkPointSet* source)
+  RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source)
 {
   std::vector<double> loose;
   std::vector<std::vector<SurfacePoint>> lines;
   ranks.together(
     [&]
     {
-      loose = loosePoints(source);
-      if (!source || bridge::linesOf(source).empty())
+      if (!source)
+      {
+        return;
+      }
+      const bridge::PointSource points(source);
+      loose = loosePoints(points);
+      if (points.lines.empty())
       {
         return;
       }
@@ -95,7 +94,7 @@ std::vector<Seed> seedsOfSource(
                                     "surface is spread over several ranks. Give points, or run "
                                     "on one rank.");
       }
-      lines = bridge::surfaceLinesOf(surface.piece(), source, "SeedSource");
+      lines = bridge::surfaceLinesOf(surface.piece(), points, "SeedSource");
     });
   std::vector<Seed> seeds = seedsAt(
     globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single));

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-class vtkPointSet;
+class vtkDataObject;
 
 namespace geodesic::distributed
 {
@@ -27,7 +27,7 @@ std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);
  * @throws std::exception on all ranks for lines on several ranks
  */
 std::vector<Seed> seedsOfSource(
-  RankGroup& ranks, const DistributedSurface& surface, vtkPointSet* source);
+  RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source);
 
 /**
  * One seed for each value that is on any rank, by increasing value.

@@ -39,6 +39,8 @@ public:
   Message fromFirst(Message message);
   /** What each rank gives, on the first rank; nothing on the others. */
   std::vector<Message> toFirst(const Message& own);
+  /** Whether it is so on any rank. */
+  bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
 
   /**
    * Runs a step that makes no collective call. Where it throws on one rank, all ranks throw, with

@@ -23,7 +23,7 @@ namespace geodesic::distributed
 {
 
 /** What makes vertices of different ranks one point: equal keys. */
-using PointKey = std::array<std::uint64_t, 3>;
+using PointKey = std::array<std::uint64_t, 4>;
 
 /** A vertex by the lowest rank that has it and the number it has there. */
 struct GlobalVertex

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FastMarchingRequest.h"
 
+#include "Abort.h"
 #include "PointResolver.h"
 #include "SeedResolver.h"
 #include "TriangleMesh.h"
@@ -10,12 +11,14 @@ namespace geodesic::bridge
 {
 
 FastMarchingRequest::FastMarchingRequest(
-  vtkFastMarchingGeodesicDistance& filter, const TriangleMesh& mesh, vtkAlgorithm& runner)
+  vtkFastMarchingGeodesicDistance& filter, const InputSurface& surface, vtkAlgorithm& runner)
   : Filter(filter)
   , Runner(runner)
-  , Reporter(runner, mesh.numberOfVertices())
-  , Seeds(seedsAtPoints(mesh, filter.GetSeeds()))
+  , Reporter(runner, surface.mesh()->numberOfVertices())
+  , Seeds(seedsAtVertices(
+      *surface.mesh(), verticesAtPoints(*surface.mesh(), filter.GetSeeds(), "Seed")))
 {
+  const TriangleMesh& mesh = *surface.mesh();
   for (Index vertex :
     verticesAtPoints(mesh, filter.GetDestinationVertexStopCriterion(), "Destination"))
   {
@@ -24,7 +27,10 @@ FastMarchingRequest::FastMarchingRequest(
   excludePoints(mesh, filter.GetExclusionPointIds(), this->Excluded);
   if (vtkDataArray* weights = filter.GetPropagationWeights())
   {
-    this->Cost = costOfArray(mesh, weights, CostMeaning::Cost, "The propagation weight");
+    const std::string role = "The propagation weight";
+    std::vector<double> values;
+    appendValues(weights, static_cast<vtkIdType>(mesh.numberOfPoints()), role, values);
+    this->Cost = costOfValues(surface, values, CostMeaning::Cost, role);
   }
 
   this->Options.cost = this->Cost;
@@ -48,7 +54,7 @@ bool FastMarchingRequest::mayGoOn(std::size_t taken)
   const bool isAborted = !this->Reporter.report(taken) || this->Filter.GetAbortExecute();
   if (isAborted)
   {
-    this->Runner.SetAbortOutput(true);
+    setAborted(this->Runner);
   }
   return !isAborted;
 }

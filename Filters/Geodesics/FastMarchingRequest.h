@@ -23,10 +23,10 @@ public:
   /**
    * @param filter whose options these are; it invokes IterationEvent
    * @param runner the filter that runs: it reports progress, and either of the two can abort it
-   * @throws std::invalid_argument for an option that does not fit the mesh
+   * @throws std::invalid_argument for an option that does not fit the surface
    */
   FastMarchingRequest(
-    vtkFastMarchingGeodesicDistance& filter, const TriangleMesh& mesh, vtkAlgorithm& runner);
+    vtkFastMarchingGeodesicDistance& filter, const InputSurface& surface, vtkAlgorithm& runner);
   FastMarchingRequest(const FastMarchingRequest&) = delete;
   FastMarchingRequest& operator=(const FastMarchingRequest&) = delete;
 

@@ -18,7 +18,7 @@ public:
   /** A solver for the input's surface: the last one, unless the surface is another. */
   FastMarchingSolver& solverFor(vtkPolyData* input)
   {
-    auto surface = InputSurface::of(input, CoincidentPoints::Separate);
+    auto surface = InputSurface::of(InputBlocks(input), PointIdentity{});
     if (surface != this->Surface)
     {
       this->Solver = std::make_unique<FastMarchingSolver>(surface->mesh());
@@ -26,6 +26,9 @@ public:
     }
     return *this->Solver;
   }
+
+  /** The surface of the last solver. */
+  const InputSurface& surface() const { return *this->Surface; }
 
   /** To be called after an exception, which leaves the solver undefined. */
   void forget() { *this = FastMarchingWorkspace(); }

@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
@@ -73,11 +74,12 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
   {
     geodesic::FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
     const geodesic::TriangleMesh& mesh = solver.mesh();
-    const geodesic::bridge::FastMarchingRequest request(*this, mesh, *this);
+    const geodesic::bridge::FastMarchingRequest request(
+      *this, this->Internal->Workspace.surface(), *this);
     const geodesic::DistanceField& field = solver.solve(request.seeds(), request.options());
     this->MaximumDistance = field.largestDistance();
     this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, field });
-    if (!this->GetAbortOutput())
+    if (!geodesic::bridge::isAborted(*this))
     {
       output->ShallowCopy(input);
       this->AttachArrays(mesh, field, output);

@@ -7,6 +7,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
@@ -169,7 +170,8 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
   using namespace geodesic;
   FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
   const TriangleMesh& mesh = solver.mesh();
-  const bridge::FastMarchingRequest request(*this->Geodesic, mesh, *this);
+  const bridge::FastMarchingRequest request(
+    *this->Geodesic, this->Internal->Workspace.surface(), *this);
   const PathStyle style{ this->InterpolationOrder == 0 ? PathOrder::Vertices : PathOrder::Edges,
     this->Straighten };
   const Index begin = bridge::vertexAtPoint(mesh, this->BeginPointId, "Begin");
@@ -207,7 +209,7 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
     return std::nullopt;
   }
   const auto path = isReached ? finder->pathFrom(start) : std::nullopt;
-  if (!path && !this->GetAbortOutput())
+  if (!path && !geodesic::bridge::isAborted(*this))
   {
     throw noRoute(this->BeginPointId, this->GetSeeds(), stop);
   }
@@ -226,7 +228,8 @@ void vtkFastMarchingGeodesicPath::Deliver(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(path.size()));
+  // A line has two ends at least, in VTK 9.1 by all means; here they may be one point.
+  lines->InsertNextCell(static_cast<int>(std::max<std::size_t>(path.size(), 2)));
   vtkIdType lastNearest = -1;
   for (const PathPoint& point : path)
   {
@@ -244,6 +247,10 @@ void vtkFastMarchingGeodesicPath::Deliver(
       this->FirstOrderPathPointIds->InsertNextId(nearest);
       this->FirstOrderPathPointIds->InsertNextId(mesh.pointOfVertex(other));
     }
+  }
+  if (path.size() == 1)
+  {
+    lines->InsertCellPoint(0);
   }
   output->SetPoints(points);
   output->SetLines(lines);

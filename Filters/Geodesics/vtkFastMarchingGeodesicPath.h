@@ -6,7 +6,8 @@
  *
  * A front marches from the seeds until it has reached the begin point, and the path is traced back
  * down the distances. The output is one polyline from the begin point to the seed, with points in
- * double precision; where the begin point is a seed, it is one point, and its length 0.
+ * double precision; where the begin point is a seed, it is one point, twice in the line, and its
+ * length 0.
  *
  * GetGeodesic() holds the options of the front, and all of them guide the path: it is the cheapest
  * way through PropagationWeights, it keeps off ExclusionPointIds, and a begin point beyond

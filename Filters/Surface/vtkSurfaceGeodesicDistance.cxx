@@ -3,17 +3,19 @@
 #include "vtkSurfaceGeodesicDistance.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkConvertSelection.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkMultiProcessController.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include "Abort.h"
 #include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"
@@ -21,6 +23,7 @@
 #include "GlobalPoints.h"
 #include "GlobalSeeds.h"
 #include "GuideResolver.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
 #include "ProgressReporter.h"
 #include "RankGroup.h"
@@ -28,9 +31,27 @@
 #include "SharedGuides.h"
 #include "SolveSurface.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <stdexcept>
+
+namespace
+{
+
+void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
+{
+  output->ShallowCopy(block.surface);
+  // An outer surface may have been extracted in an earlier run, for another time.
+  output->GetInformation()->CopyEntry(
+    block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(block.data->GetFieldData());
+  output->SetFieldData(fields);
+}
+
+}
 
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
@@ -161,7 +182,7 @@ const char* vtkSurfaceGeodesicDistance::GetDistanceArrayName()
 //------------------------------------------------------------------------------
 int vtkSurfaceGeodesicDistance::FillInputPortInformation(int port, vtkInformation* info)
 {
-  static const char* const types[NUMBER_OF_PORTS] = { "vtkPolyData", "vtkPointSet", "vtkPointSet",
+  static const char* const types[NUMBER_OF_PORTS] = { "vtkDataSet", "vtkPointSet", "vtkPointSet",
     "vtkSelection" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != SEED_SELECTION_PORT)
@@ -177,15 +198,25 @@ int vtkSurfaceGeodesicDistance::FillInputPortInformation(int port, vtkInformatio
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Compute(vtkInformationVector** inputVector, vtkPolyData* output)
+int vtkSurfaceGeodesicDistance::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* tree = vtkDataObjectTree::GetData(inputVector[SURFACE_PORT]);
+  SetOutputClass(outputVector, tree ? tree->GetClassName() : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  vtkDataObject* output)
 {
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
-  this->Solve(inputVector);
+  this->Solve({ ranks, blocks, inputVector });
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
-    output->ShallowCopy(this->GetSurface(inputVector));
-    this->AttachArrays(output);
+    this->WriteOutput(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output);
   }
 }
 
@@ -196,35 +227,35 @@ void vtkSurfaceGeodesicDistance::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
+void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 {
   Internals& internal = *this->Internal;
-  geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
-  internal.Surface = this->FindDistributedSurface(this->GetSurface(inputVector), ranks);
-  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(inputVector, ranks);
+  geodesic::distributed::RankGroup& ranks = run.ranks;
+  internal.Surface = this->FindDistributedSurface(ranks, run.blocks);
+  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(run);
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
   ranks.together(
     [&]
     {
-      this->GatherBarriers(inputVector, internal.Surface->piece(), barriers);
+      this->GatherBarriers(run.blocks, run.inputVector, internal.Surface->piece(), barriers);
       if (ranks.size() > 1 && !barriers.lines.empty())
       {
         throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
                                     "surface is spread over several ranks. Use BarrierArray, or "
                                     "run on one rank.");
       }
-      cost = this->GatherCost(inputVector, internal.Surface->piece());
+      cost = this->GatherCost(run.blocks, internal.Surface->piece());
     });
   geodesic::distributed::shareExcluded(ranks, *internal.Surface, barriers.excluded);
   geodesic::distributed::shareCost(ranks, *internal.Surface, cost);
   internal.Lines.update(internal.Surface->piece().mesh(), geodesic::bridge::linesAmong(seeds),
     std::move(barriers.lines));
   const geodesic::bridge::SolveSurface surface(
-    internal.Surface->piece().mesh(), internal.Lines, barriers, cost, this->Method == DIJKSTRA);
+    internal.Surface->sharedPiece(), internal.Lines, barriers, cost, this->Method == DIJKSTRA);
 
   std::vector<geodesic::Triangle> targets;
-  for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(inputVector, ranks))
+  for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
   {
     for (geodesic::SurfacePoint& here : point.here)
     {
@@ -254,20 +285,24 @@ void vtkSurfaceGeodesicDistance::Solve(vtkInformationVector** inputVector)
   std::vector<geodesic::Seed> openSeeds;
   ranks.together([&] { openSeeds = surface.seedsOf(seeds); });
   internal.Field = &internal.Solver->solve(openSeeds, options);
-  this->ReportWork(ranks, partition);
+  this->ReportWork(run, partition);
 }
 
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::ReportWork(
-  geodesic::distributed::RankGroup& ranks, geodesic::distributed::DistributedSolver& partition)
+  const Run& run, geodesic::distributed::DistributedSolver& partition)
 {
+  geodesic::distributed::RankGroup& ranks = run.ranks;
   const Internals& internal = *this->Internal;
   double farthest = -internal.Field->largestDistance();
   ranks.takeLeast({ &farthest, 1 });
   this->MaximumDistanceReached = -farthest;
-  const vtkIdType visited = geodesic::bridge::numberOfReachedPoints(
-    { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() },
-    [&](geodesic::Index vertex) { return partition.owns(vertex); });
+  const std::span<const geodesic::Index> reached = internal.Field->reached();
+  const auto visited = ranks.size() == 1
+    ? geodesic::bridge::numberOfReachedPoints(
+        { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() })
+    : std::count_if(reached.begin(), reached.end(),
+        [&](geodesic::Index vertex) { return partition.owns(vertex); });
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
@@ -277,27 +312,23 @@ void vtkSurfaceGeodesicDistance::ReportWork(
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
-  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(const Run& run)
 {
   const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
-  vtkDataArray* globalIds = this->GetSurface(inputVector)->GetPointData()->GetGlobalIds();
   std::vector<geodesic::Seed> seeds;
   const auto add = [&](std::vector<geodesic::Seed> more)
   {
     seeds.insert(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(geodesic::distributed::seedsAt(
-    geodesic::distributed::globalPointsAt(ranks, surface, this->SeedCoordinates, "SeedPositions")));
+  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsAt(
+    run.ranks, surface, this->SeedCoordinates, "SeedPositions")));
   add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsWith(
-    ranks, surface, this->SeedPointIds, globalIds, "Seed")));
-  vtkPointSet* source = nullptr;
-  ranks.together(
-    [&] { source = this->GetOptionalPointSet(inputVector[SEED_SOURCE_PORT], "SeedSource"); });
-  add(geodesic::distributed::seedsOfSource(ranks, surface, source));
-  add(this->GatherArraySeeds(inputVector, ranks));
-  add(this->GatherSelectedSeeds(inputVector, ranks));
+    run.ranks, surface, run.blocks, this->SeedPointIds, "Seed")));
+  add(geodesic::distributed::seedsOfSource(
+    run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
+  add(this->GatherArraySeeds(run));
+  add(this->GatherSelectedSeeds(run));
   if (seeds.empty())
   {
     throw std::invalid_argument("There is no seed to measure from. Set SeedPositions to x, y and z "
@@ -308,72 +339,63 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(
-  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(const Run& run)
 {
-  std::string name;
   geodesic::bridge::RegionsByValue regions;
-  ranks.together(
+  bool isChosen = false;
+  run.ranks.together(
     [&]
     {
-      bool isOfCells = false;
-      if (vtkDataArray* array = this->GetChosenArray(SEED_ARRAY, inputVector, isOfCells))
+      if (const auto array = this->GetChosenArray(SEED_ARRAY, run.blocks))
       {
-        name = array->GetName();
-        regions =
-          geodesic::bridge::regionsOfArray(this->Internal->Surface->piece(), array, isOfCells);
+        isChosen = true;
+        regions = geodesic::bridge::regionsOfArray(this->Internal->Surface->piece(), array);
       }
     });
-  auto seeds = geodesic::distributed::seedsOfRegions(ranks, std::move(regions));
-  const bool isChosen = ranks.sum(name.empty() ? 0.0 : 1.0) > 0.0;
-  if (isChosen && seeds.empty())
+  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
+  if (run.ranks.isAny(isChosen) && seeds.empty())
   {
-    throw std::invalid_argument("SeedArray \"" +
-      std::string(this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME())) +
+    const char* name = this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME());
+    throw std::invalid_argument("SeedArray \"" + std::string(name) +
       "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
   }
   return seeds;
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(
-  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(const Run& run)
 {
-  geodesic::bridge::RegionsByValue points;
-  geodesic::bridge::RegionsByValue cells;
-  ranks.together(
+  geodesic::bridge::RegionsByValue regions;
+  bool isEmpty = true;
+  run.ranks.together(
     [&]
     {
-      if (vtkSelection* selection = vtkSelection::GetData(inputVector[SEED_SELECTION_PORT]))
+      if (vtkSelection* selection = vtkSelection::GetData(run.inputVector[SEED_SELECTION_PORT]))
       {
-        vtkPolyData* input = this->GetSurface(inputVector);
-        const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
-        vtkNew<vtkIdTypeArray> ids;
-        vtkConvertSelection::GetSelectedPoints(selection, input, ids);
-        points = geodesic::bridge::regionOfIds(surface, ids, false);
-        ids->Reset();
-        vtkConvertSelection::GetSelectedCells(selection, input, ids);
-        cells = geodesic::bridge::regionOfIds(surface, ids, true);
+        vtkDataObject* input = vtkDataObject::GetData(run.inputVector[SURFACE_PORT]);
+        const geodesic::bridge::SelectedElements selected(selection, input, run.blocks);
+        isEmpty = selected.isEmpty;
+        regions = geodesic::bridge::regionsOfSelection(this->Internal->Surface->piece(), selected);
       }
     });
-  auto seeds = geodesic::distributed::seedsOfRegions(ranks, std::move(points));
-  for (geodesic::Seed& seed : geodesic::distributed::seedsOfRegions(ranks, std::move(cells)))
+  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
+  if (run.ranks.isAny(!isEmpty) && seeds.empty())
   {
-    seeds.push_back(std::move(seed));
+    throw std::invalid_argument(
+      "SeedSelection selects no point of the surface and no cell. Select others.");
   }
   return seeds;
 }
 
 //------------------------------------------------------------------------------
 std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::GatherDestinations(
-  vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks)
+  const Run& run)
 {
   const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
   auto points = geodesic::distributed::globalPointsAt(
-    ranks, surface, this->DestinationCoordinates, "DestinationPositions");
-  for (geodesic::distributed::GlobalPoint& point :
-    geodesic::distributed::globalPointsWith(ranks, surface, this->DestinationPointIds,
-      this->GetSurface(inputVector)->GetPointData()->GetGlobalIds(), "Destination"))
+    run.ranks, surface, this->DestinationCoordinates, "DestinationPositions");
+  for (geodesic::distributed::GlobalPoint& point : geodesic::distributed::globalPointsWith(
+         run.ranks, surface, run.blocks, this->DestinationPointIds, "Destination"))
   {
     points.push_back(std::move(point));
   }
@@ -381,10 +403,39 @@ std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::Gath
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::AttachArrays(vtkPolyData* output)
+void vtkSurfaceGeodesicDistance::WriteOutput(
+  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const
 {
-  const geodesic::bridge::FieldOnInput field{ this->Internal->Surface->mesh(),
-    *this->Internal->Field, this->Internal->Lines.split().get() };
+  auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  if (!tree)
+  {
+    copyBlock(blocks[0], output);
+    this->AttachArrays(0, vtkPolyData::SafeDownCast(output));
+    return;
+  }
+  tree->ShallowCopy(input);
+  std::size_t block = 0;
+  const auto place = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  {
+    if (vtkDataSet::SafeDownCast(place->GetCurrentDataObject()))
+    {
+      vtkNew<vtkPolyData> surface;
+      copyBlock(blocks[block], surface);
+      this->AttachArrays(block, surface);
+      tree->SetDataSet(place, surface);
+      ++block;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* output) const
+{
+  const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
+  const geodesic::bridge::FieldOnInput field{ *surface.mesh(), *this->Internal->Field,
+    this->Internal->Lines.split().get(), surface.numbering().firstPointOf(block),
+    static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)
   {

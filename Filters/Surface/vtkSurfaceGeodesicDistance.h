@@ -8,18 +8,19 @@
  * nearest point of the surface, on a face, an edge or a vertex, and the distance from the nearest
  * seed is computed for every point of the input's triangles, polygons and strips.
  *
- * The output is the input passed through, together with a point array of distances in the mesh's
- * unit of length, which becomes the active scalars. The input is never modified.
+ * The output is the input passed through, in the same structure of blocks, together with a point
+ * array of distances in the mesh's unit of length, which becomes the active scalars. In the place
+ * of a grid or an image is its outer surface, with the arrays vtkOriginalPointIds and
+ * vtkOriginalCellIds. The input is never modified.
  *
  * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
  * barriers between parts of the surface that do not hang together, a list of coordinates whose
  * length is no multiple of 3, an id that does not exist, an array that does not or has several
- * components, a cost that is not positive, a negative MaximumDistance in use, composite input.
+ * components, a cost that is not positive, a negative MaximumDistance in use, and what
+ * vtkSurfaceGeodesicFilter names.
  *
- * On several ranks (those of the global controller) the pieces of the input are one surface, and an
- * error on one of them is one on all. Points of the pieces are the same where their global ids are
- * or, without ids on all ranks, where MergeCoincidentPoints is on and their coordinates are equal.
- * Point ids are global ids then; lines of seeds or barriers are an error.
+ * On several ranks the pieces of the input are one surface. Which of their points are one is told
+ * as for blocks. Point ids are global ids then, and lines of seeds or barriers are an error.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -32,13 +33,14 @@
 #include <string> // For members
 #include <vector> // For members
 
+class vtkPolyData;
+
 namespace geodesic
 {
 struct Seed;
 namespace distributed
 {
 class DistributedSolver;
-class RankGroup;
 struct GlobalPoint;
 }
 }
@@ -86,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Point ids of the input that are seeds. Default: none.
+   * Point ids of the input that are seeds; of several blocks their global ids. Default: none.
    */
   void ClearSeedPointIds();
   void AddSeedPointId(vtkIdType id);
@@ -190,7 +192,8 @@ public:
   vtkGetMacro(MaximumDistanceReached, double);
 
   /**
-   * The number of points with a final distance in the last run; 0 before the first.
+   * The number of points with a final distance in the last run; 0 before the first. On several
+   * ranks, points that are one count once.
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
 
@@ -211,7 +214,10 @@ protected:
   ~vtkSurfaceGeodesicDistance() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void Compute(vtkInformationVector** inputVector, vtkPolyData* output) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
+    vtkInformationVector** inputVector, vtkDataObject* output) override;
   void Forget() override;
 
   std::vector<double> SeedCoordinates;
@@ -234,18 +240,22 @@ protected:
 
 private:
   struct Internals;
-  void Solve(vtkInformationVector** inputVector);
-  std::vector<geodesic::Seed> GatherSeeds(
-    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
-  std::vector<geodesic::Seed> GatherArraySeeds(
-    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
-  std::vector<geodesic::Seed> GatherSelectedSeeds(
-    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
-  std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(
-    vtkInformationVector** inputVector, geodesic::distributed::RankGroup& ranks);
-  void ReportWork(
-    geodesic::distributed::RankGroup& ranks, geodesic::distributed::DistributedSolver& partition);
-  void AttachArrays(vtkPolyData* output);
+  /** What a run works on: the ranks, the input's blocks, and what else is connected. */
+  struct Run
+  {
+    geodesic::distributed::RankGroup& ranks;
+    const geodesic::bridge::InputBlocks& blocks;
+    vtkInformationVector** inputVector;
+  };
+  void Solve(const Run& run);
+  std::vector<geodesic::Seed> GatherSeeds(const Run& run);
+  std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
+  std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
+  std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
+  void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition);
+  void WriteOutput(
+    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const;
+  void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;
 

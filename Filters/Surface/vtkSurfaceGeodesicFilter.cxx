@@ -3,26 +3,44 @@
 #include "vtkSurfaceGeodesicFilter.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
-#include "vtkPolyData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkSmartPointer.h"
 
+#include "ArrayValues.h"
 #include "DijkstraSolver.h"
 #include "DistributedSurface.h"
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "GuideResolver.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
+#include "PointIdentity.h"
 #include "PointResolver.h"
 #include "RankGroup.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+
+namespace
+{
+
+void checkRequest(vtkDataObject* input)
+{
+  if (vtkCompositeDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
+  {
+    throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
+      ", whose blocks overlap and are no surface together. Give a surface of it, for example by "
+      "Slice or Contour.");
+  }
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkSurfaceGeodesicFilter::vtkSurfaceGeodesicFilter() = default;
@@ -40,22 +58,39 @@ void vtkSurfaceGeodesicFilter::SetBarrierSourceConnection(vtkAlgorithmOutput* so
 int vtkSurfaceGeodesicFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  if (!vtkPolyData::GetData(outputVector))
+  SetOutputClass(outputVector, "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::SetOutputClass(
+  vtkInformationVector* outputVector, const char* className)
+{
+  vtkDataObject* present = vtkDataObject::GetData(outputVector);
+  if (!present || std::string(present->GetClassName()) != className)
   {
-    vtkNew<vtkPolyData> output;
+    const auto output = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(className));
     outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   try
   {
-    this->Compute(inputVector, output);
+    geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    std::optional<geodesic::bridge::InputBlocks> blocks;
+    ranks.together(
+      [&]
+      {
+        vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
+        checkRequest(input);
+        blocks.emplace(input);
+      });
+    this->Compute(ranks, *blocks, inputVector, output);
   }
   catch (const std::exception& error)
   {
@@ -67,124 +102,72 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkSurfaceGeodesicFilter::GetSurface(vtkInformationVector** inputVector)
+geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
+  int number, const geodesic::bridge::InputBlocks& blocks)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
-  vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
-  if (!surface)
-  {
-    throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
-      ", whose blocks this version does not join to one surface. Merge them first: in ParaView, "
-      "Merge Blocks and then Extract Surface.");
-  }
-  return surface;
-}
-
-//------------------------------------------------------------------------------
-vtkPointSet* vtkSurfaceGeodesicFilter::GetOptionalPointSet(
-  vtkInformationVector* inputVector, const char* property)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector);
-  vtkPointSet* source = vtkPointSet::SafeDownCast(input);
-  if (input && !source)
-  {
-    throw std::invalid_argument(std::string(property) + " is a " + input->GetClassName() +
-      " of several blocks. Merge them first: in ParaView, by Merge Blocks.");
-  }
-  return source;
-}
-
-//------------------------------------------------------------------------------
-vtkDataArray* vtkSurfaceGeodesicFilter::GetChosenArray(
-  int number, vtkInformationVector** inputVector, bool& isOfCells)
-{
+  static const char* const properties[] = { "SeedArray", "CostArray", "BarrierArray" };
   vtkInformation* choice = this->GetInputArrayInformation(number);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  const std::string wanted = name ? name : "";
-  isOfCells = choice->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL;
-  if (wanted.empty())
-  {
-    return nullptr;
-  }
-  vtkPolyData* input = this->GetSurface(inputVector);
-  vtkDataSetAttributes* attributes = isOfCells
-    ? static_cast<vtkDataSetAttributes*>(input->GetCellData())
-    : static_cast<vtkDataSetAttributes*>(input->GetPointData());
-  vtkDataArray* array = attributes->GetArray(wanted.c_str());
-  // ParaView's choice of no array is the name None.
   // A rank without any of the surface may be without its arrays.
-  if (!array && wanted != "None" && input->GetNumberOfPoints() > 0)
+  if (!name || !*name || blocks.numberWithFaces() == 0)
   {
-    static const char* const roles[] = { "SeedArray", "CostArray", "BarrierArray" };
-    throw std::invalid_argument(std::string(roles[number]) + " \"" + wanted + "\" is no " +
-      (isOfCells ? "cell" : "point") + " array of the input. Choose one that is, or None.");
+    return {};
   }
-  return array;
+  return geodesic::bridge::chosenArray(blocks, properties[number], name,
+    choice->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL);
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicFilter::GatherBarriers(vtkInformationVector** inputVector,
-  const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers)
+void vtkSurfaceGeodesicFilter::GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
+  vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
+  geodesic::bridge::Barriers& barriers)
 {
-  bool isOfCells = false;
-  if (vtkDataArray* array = this->GetChosenArray(BARRIER_ARRAY, inputVector, isOfCells))
+  if (const auto array = this->GetChosenArray(BARRIER_ARRAY, blocks))
   {
-    geodesic::bridge::addBarrierArray(surface, array, isOfCells, barriers);
+    geodesic::bridge::addBarrierArray(surface, array, barriers);
   }
-  if (vtkPointSet* source =
-        this->GetOptionalPointSet(inputVector[BARRIER_SOURCE_PORT], "BarrierSource"))
+  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]))
   {
-    barriers.lines = geodesic::bridge::surfaceLinesOf(surface, source, "BarrierSource");
+    barriers.lines = geodesic::bridge::surfaceLinesOf(
+      surface, geodesic::bridge::PointSource(source), "BarrierSource");
   }
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> vtkSurfaceGeodesicFilter::GatherCost(
-  vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface)
+  const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface)
 {
-  bool isOfCells = false;
-  vtkDataArray* array = this->GetChosenArray(COST_ARRAY, inputVector, isOfCells);
+  const auto array = this->GetChosenArray(COST_ARRAY, blocks);
   if (!array)
   {
     return {};
   }
-  const std::string role = std::string("CostArray \"") + array->GetName() + "\"";
-  if (isOfCells)
+  if (array.isOfCells)
   {
     throw std::invalid_argument(
-      role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
+      array.role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
   }
-  return geodesic::bridge::costOfArray(*surface.mesh(), array,
+  return geodesic::bridge::costOfValues(surface, array.values,
     this->CostMode == COST ? geodesic::bridge::CostMeaning::Cost
                            : geodesic::bridge::CostMeaning::Speed,
-    role);
+    array.role);
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const geodesic::bridge::InputSurface> vtkSurfaceGeodesicFilter::FindSurface(
-  vtkPolyData* input)
+  const geodesic::bridge::InputBlocks& blocks) const
 {
-  return geodesic::bridge::InputSurface::of(input,
-    this->MergeCoincidentPoints ? geodesic::CoincidentPoints::Merge
-                                : geodesic::CoincidentPoints::Separate);
+  return geodesic::bridge::InputSurface::of(
+    blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const geodesic::distributed::DistributedSurface>
 vtkSurfaceGeodesicFilter::FindDistributedSurface(
-  vtkPolyData* input, geodesic::distributed::RankGroup& ranks)
+  geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
-  const auto coincident = this->MergeCoincidentPoints ? geodesic::CoincidentPoints::Merge
-                                                      : geodesic::CoincidentPoints::Separate;
-  std::shared_ptr<const geodesic::bridge::InputSurface> piece;
-  ranks.together(
-    [&]
-    {
-      piece = ranks.size() == 1 ? this->FindSurface(input)
-                                : geodesic::bridge::InputSurface::pieceOf(input, coincident);
-    });
   return geodesic::distributed::DistributedSurface::of(
-    ranks, piece, input->GetPointData()->GetGlobalIds(), coincident);
+    ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks);
 }
 
 //------------------------------------------------------------------------------
@@ -206,4 +189,5 @@ void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << (this->Method == FAST_MARCHING ? "FastMarching" : "Dijkstra")
      << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";
 }

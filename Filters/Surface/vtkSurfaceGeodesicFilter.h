@@ -4,12 +4,21 @@
  * @class vtkSurfaceGeodesicFilter
  * @brief What the filters on a surface have in common: the surface, its cost and its barriers.
  *
- * Input port SURFACE_PORT takes the surface (triangles, polygons and strips of a vtkPolyData), port
- * BARRIER_SOURCE_PORT, optional, lines that no way crosses.
+ * Input port SURFACE_PORT takes the surface: the triangles, polygons and strips of a vtkPolyData,
+ * the outer surface of any other vtkDataSet, or a vtkDataObjectTree of such blocks (multiblock,
+ * partitioned data sets and collections of them), which together are one surface. Port
+ * BARRIER_SOURCE_PORT, optional, takes lines that no way crosses.
+ *
+ * Points that are one to the front: those of equal global ids (the attribute GlobalIds of the point
+ * data, or an array GlobalPointIds) where all blocks have such ids; otherwise those of equal
+ * coordinates, with MergeCoincidentPoints. ConnectBlocks tells whether this holds for points of
+ * different blocks. Point ids in properties are those of the data set, of a grid too; where
+ * several blocks have faces they are global ids.
  *
  * A request that can't be served ends in one error and an empty output, and yet succeeds: after a
  * request that failed ParaView no longer updates the view, and what it shows is stale. Composite
- * inputs are such requests.
+ * inputs whose blocks overlap (AMR) are such requests. On several ranks (those of the global
+ * controller) an error on one is one on all, with the same message.
  */
 #ifndef vtkSurfaceGeodesicFilter_h
 #define vtkSurfaceGeodesicFilter_h
@@ -21,9 +30,6 @@
 #include <vector> // For members
 
 class vtkAlgorithmOutput;
-class vtkDataArray;
-class vtkPointSet;
-class vtkPolyData;
 
 namespace geodesic
 {
@@ -31,8 +37,10 @@ class DistanceSolver;
 class TriangleMesh;
 namespace bridge
 {
+class InputBlocks;
 class InputSurface;
 struct Barriers;
+struct ChosenArray;
 }
 namespace distributed
 {
@@ -103,11 +111,22 @@ public:
   ///@{
   /**
    * On: points of equal coordinates are one point to the front, so that STL files, CAD seams and
-   * pieces behave alike; each keeps its tuple. Off: a slit stays a slit. Default: on.
+   * pieces behave alike; each keeps its tuple. Off: a slit stays a slit. Where there are global
+   * ids, those decide. Default: on.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
   vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: blocks that share points are one surface; it is an error where neither global ids nor
+   * MergeCoincidentPoints tell which points they share. Off: each block is apart. Default: on.
+   */
+  vtkSetMacro(ConnectBlocks, bool);
+  vtkGetMacro(ConnectBlocks, bool);
+  vtkBooleanMacro(ConnectBlocks, bool);
   ///@}
 
 protected:
@@ -120,32 +139,36 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /** Fills the output, or throws; an aborted run leaves it as it is. */
-  virtual void Compute(vtkInformationVector** inputVector, vtkPolyData* output) = 0;
+  virtual void Compute(geodesic::distributed::RankGroup& ranks,
+    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+    vtkDataObject* output) = 0;
   /** Drops what is kept from run to run, after an error. */
   virtual void Forget() = 0;
 
-  vtkPolyData* GetSurface(vtkInformationVector** inputVector);
-  /** The data set on an optional port, null where there is none; throws for several blocks. */
-  static vtkPointSet* GetOptionalPointSet(vtkInformationVector* inputVector, const char* property);
-  /** The array chosen by SetInputArrayToProcess, null for none; throws where there is no such
-   * array. */
-  vtkDataArray* GetChosenArray(int number, vtkInformationVector** inputVector, bool& isOfCells);
+  /** Makes the output an object of a class, unless it is one. */
+  static void SetOutputClass(vtkInformationVector* outputVector, const char* className);
+  /** The array chosen by SetInputArrayToProcess; throws where there is no such array. */
+  geodesic::bridge::ChosenArray GetChosenArray(
+    int number, const geodesic::bridge::InputBlocks& blocks);
   /** BARRIER_ARRAY and the lines of BarrierSource. */
-  void GatherBarriers(vtkInformationVector** inputVector,
-    const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers);
+  void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
+    vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
+    geodesic::bridge::Barriers& barriers);
   /** The cost of each vertex; empty: 1. */
   std::vector<double> GatherCost(
-    vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface);
-  std::shared_ptr<const geodesic::bridge::InputSurface> FindSurface(vtkPolyData* input);
+    const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface);
+  std::shared_ptr<const geodesic::bridge::InputSurface> FindSurface(
+    const geodesic::bridge::InputBlocks& blocks) const;
   /** The surface of which the input is this rank's piece. */
   std::shared_ptr<const geodesic::distributed::DistributedSurface> FindDistributedSurface(
-    vtkPolyData* input, geodesic::distributed::RankGroup& ranks);
+    geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
   std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
     const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
 
   int CostMode = COST;
   int Method = FAST_MARCHING;
   bool MergeCoincidentPoints = true;
+  bool ConnectBlocks = true;
 
 private:
   vtkSurfaceGeodesicFilter(const vtkSurfaceGeodesicFilter&) = delete;

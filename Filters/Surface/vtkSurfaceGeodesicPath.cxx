@@ -4,24 +4,23 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include "Abort.h"
 #include "DistanceSolver.h"
 #include "GuideResolver.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
 #include "NumberText.h"
 #include "PathFinder.h"
 #include "PathOutput.h"
 #include "PointResolver.h"
 #include "ProgressReporter.h"
+#include "RankGroup.h"
 #include "SolveSurface.h"
 #include "SplitMesh.h"
 
@@ -132,7 +131,7 @@ void vtkSurfaceGeodesicPath::SetStartSourceConnection(vtkAlgorithmOutput* source
 int vtkSurfaceGeodesicPath::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == SURFACE_PORT ? "vtkPolyData" : "vtkPointSet");
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == SURFACE_PORT ? "vtkDataSet" : "vtkPointSet");
   // With composite data among the types the executive hands the blocks over whole.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port != SURFACE_PORT)
@@ -149,34 +148,33 @@ void vtkSurfaceGeodesicPath::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::Compute(vtkInformationVector** inputVector, vtkPolyData* output)
+void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  vtkDataObject* output)
 {
   this->TotalLength = 0.0;
-  this->CheckRequest();
-  Internals& internal = *this->Internal;
-  vtkPolyData* input = this->GetSurface(inputVector);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (ranks.size() > 1)
   {
-    throw std::invalid_argument("The surface is spread over " +
-      std::to_string(controller->GetNumberOfProcesses()) +
+    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
       " ranks, where this version finds no paths. Run Geodesic Path on one rank.");
   }
-  internal.Surface = this->FindSurface(input);
+  this->CheckRequest();
+  Internals& internal = *this->Internal;
+  internal.Surface = this->FindSurface(blocks);
   const auto waypoints = this->GatherPoints(inputVector[WAYPOINT_SOURCE_PORT],
     this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
   const auto starts = this->GatherPoints(
     inputVector[START_SOURCE_PORT], this->StartCoordinates, "StartPositions", "StartSource");
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(inputVector, *internal.Surface, barriers);
-  const std::vector<double> cost = this->GatherCost(inputVector, *internal.Surface);
+  this->GatherBarriers(blocks, inputVector, *internal.Surface, barriers);
+  const std::vector<double> cost = this->GatherCost(blocks, *internal.Surface);
   internal.Lines.update(internal.Surface->mesh(), {}, std::move(barriers.lines));
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && cost.empty() };
   const bool hadMethod = internal.Method == this->Method;
-  internal.setGround(geodesic::bridge::SolveSurface(internal.Surface->mesh(), internal.Lines,
-                       barriers, cost, this->Method == DIJKSTRA),
+  internal.setGround(geodesic::bridge::SolveSurface(
+                       internal.Surface, internal.Lines, barriers, cost, this->Method == DIJKSTRA),
     this->Method, style);
   const geodesic::bridge::SolveSurface& ground = *internal.Ground;
   if (!internal.Solver || &internal.Solver->mesh() != ground.mesh().get() || !hadMethod)
@@ -187,9 +185,9 @@ void vtkSurfaceGeodesicPath::Compute(vtkInformationVector** inputVector, vtkPoly
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
     ? this->TraceThroughWaypoints(ground, waypoints)
     : this->TraceToNearest(ground, waypoints, starts);
-  if (!this->GetAbortOutput())
+  if (!geodesic::bridge::isAborted(*this))
   {
-    this->WriteOutput(input, output);
+    this->WriteOutput(blocks, vtkPolyData::SafeDownCast(output));
   }
 }
 
@@ -199,15 +197,16 @@ std::vector<geodesic::SurfacePoint> vtkSurfaceGeodesicPath::GatherPoints(
   const char* source) const
 {
   const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
-  vtkPointSet* points = GetOptionalPointSet(sourceVector, source);
+  vtkDataObject* points = vtkDataObject::GetData(sourceVector);
   if (points && !coordinates.empty())
   {
     throw std::invalid_argument(std::string(positions) + " has " +
       std::to_string(coordinates.size()) + " numbers, and " + source +
       " is set as well: take one of them away.");
   }
-  return points ? geodesic::bridge::surfacePointsOf(surface, points, source)
-                : geodesic::bridge::surfacePointsAt(surface, coordinates, positions);
+  return points
+    ? geodesic::bridge::surfacePointsOf(surface, geodesic::bridge::PointSource(points), source)
+    : geodesic::bridge::surfacePointsAt(surface, coordinates, positions);
 }
 
 //------------------------------------------------------------------------------
@@ -240,7 +239,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   std::vector<Segment> segments;
   std::string missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
-  for (std::size_t i = 0; i < count && !this->GetAbortOutput(); ++i)
+  for (std::size_t i = 0; i < count && !geodesic::bridge::isAborted(*this); ++i)
   {
     const std::size_t next = (i + 1) % waypoints.size();
     const Segment* known = internal.find(waypoints[i], waypoints[next]);
@@ -258,7 +257,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
       segments.push_back({ waypoints[i], waypoints[next],
         path ? std::optional(ground.basePathOf(*path)) : std::nullopt });
     }
-    if (!segments.back().Path && !this->GetAbortOutput())
+    if (!segments.back().Path && !geodesic::bridge::isAborted(*this))
     {
       missing += (missing.empty() ? "" : ", or ") + std::string("from waypoint ") +
         std::to_string(i) + " to waypoint " + std::to_string(next);
@@ -303,7 +302,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
 
   std::vector<Segment> segments;
   std::string missing;
-  for (std::size_t i = 0; i < starts.size() && !this->GetAbortOutput(); ++i)
+  for (std::size_t i = 0; i < starts.size() && !geodesic::bridge::isAborted(*this); ++i)
   {
     const auto path = finder.pathFrom(points[i]);
     Segment& segment = segments.emplace_back();
@@ -336,11 +335,12 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::WriteOutput(vtkPolyData* input, vtkPolyData* output)
+void vtkSurfaceGeodesicPath::WriteOutput(
+  const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output)
 {
   const Internals& internal = *this->Internal;
   const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  geodesic::bridge::PathOutput paths(mesh, input->GetPointData()->GetNormals(), this->HeightOffset);
+  geodesic::bridge::PathOutput paths(*internal.Surface, blocks, this->HeightOffset);
   const double maximumLength =
     this->UseMaximumPathLength ? this->MaximumPathLength : std::numeric_limits<double>::infinity();
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;

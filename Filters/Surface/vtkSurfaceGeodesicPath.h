@@ -12,9 +12,11 @@
  * in TO_NEAREST_SEED from each start on), OriginalPointIds (the nearest mesh point that carries the
  * path's point), EdgePointIds (both ends of the edge that it is on, nearest first; at a mesh point
  * twice its id; in a face the two nearest corners), Normals (of length 1: the input's, or made from
- * its faces). Cell arrays: Segment (its number, or the start's, from 0) and Length; in
- * TO_NEAREST_SEED also NearestSeed (the waypoint's number). Field array: TotalLength. Lengths are
- * those on the surface, in the mesh's unit of length, without cost and height offset.
+ * its faces). On several blocks ids are global ids; where there are none, OriginalBlocks and
+ * EdgeBlocks have the blocks' numbers in the composite input. Cell arrays: Segment (its number, or
+ * the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the waypoint's number).
+ * Field array: TotalLength. Lengths are those on the surface, in the mesh's unit of length, without
+ * cost and height offset.
  *
  * Equal waypoints are joined by a segment of length 0. Where there is no route, an error names the
  * two waypoints, and all other segments are delivered. Other requests that can't be served empty
@@ -27,6 +29,8 @@
 #include "vtkSurfaceGeodesicFilter.h"
 
 #include <string> // For arguments
+
+class vtkPolyData;
 
 namespace geodesic
 {
@@ -169,7 +173,8 @@ protected:
   ~vtkSurfaceGeodesicPath() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void Compute(vtkInformationVector** inputVector, vtkPolyData* output) override;
+  void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
+    vtkInformationVector** inputVector, vtkDataObject* output) override;
   void Forget() override;
 
   std::vector<double> WaypointCoordinates;
@@ -198,7 +203,7 @@ private:
 
   /** One error for all missing segments. */
   void ReportMissing(const std::string& missing);
-  void WriteOutput(vtkPolyData* input, vtkPolyData* output);
+  void WriteOutput(const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;
 

@@ -4,18 +4,17 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDataObject.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include "ErrorMessage.h"
+#include "InputBlocks.h"
 #include "InputSurface.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 using geodesic::Vector3;
@@ -29,40 +28,6 @@ struct Hit
   double distance = std::numeric_limits<double>::infinity();
   Vector3 position;
 };
-
-bool hasFaces(vtkPolyData* surface)
-{
-  return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
-}
-
-/** The surfaces of a data set or of each of its blocks. */
-std::vector<vtkSmartPointer<vtkPolyData>> surfacesOf(vtkDataObject* data)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto block = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-    {
-      const auto ofBlock = surfacesOf(block->GetCurrentDataObject());
-      surfaces.insert(surfaces.end(), ofBlock.begin(), ofBlock.end());
-    }
-    return surfaces;
-  }
-  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
-  if (!surface && vtkDataSet::SafeDownCast(data))
-  {
-    vtkNew<vtkDataSetSurfaceFilter> toSurface;
-    toSurface->SetInputDataObject(data);
-    toSurface->Update();
-    surface = toSurface->GetOutput();
-  }
-  if (surface && hasFaces(surface))
-  {
-    surfaces.push_back(surface);
-  }
-  return surfaces;
-}
 
 Vector3 nearestCorner(
   const geodesic::TriangleMesh& mesh, const geodesic::ClosestPointTree::Result& hit)
@@ -105,7 +70,8 @@ struct vtkSurfacePointPicker::Internals
   vtkSmartPointer<vtkAlgorithmOutput> Input;
   vtkDataObject* Data = nullptr;
   vtkMTimeType DataTime = 0;
-  std::vector<std::shared_ptr<const geodesic::bridge::InputSurface>> Surfaces;
+  /** Null where the data have no faces. */
+  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
 
   /** Builds what is needed for the input's present data, unless it is there. */
   void prepare()
@@ -118,13 +84,15 @@ struct vtkSurfacePointPicker::Internals
     {
       return;
     }
-    this->Surfaces.clear();
+    this->Surface = nullptr;
     this->Data = data;
     this->DataTime = time;
-    for (vtkPolyData* surface : surfacesOf(data))
+    const geodesic::bridge::InputBlocks blocks(data);
+    if (blocks.numberWithFaces() > 0)
     {
-      this->Surfaces.push_back(
-        geodesic::bridge::InputSurface::of(surface, geodesic::CoincidentPoints::Merge));
+      // As the filters of this module do unless they are told otherwise, to share it with them.
+      this->Surface = geodesic::bridge::InputSurface::of(
+        blocks, geodesic::bridge::identityOf(blocks, true, true));
     }
   }
 };
@@ -162,20 +130,19 @@ void vtkSurfacePointPicker::Pick()
   try
   {
     this->Internal->prepare();
-    for (const auto& surface : this->Internal->Surfaces)
+    const auto& surface = this->Internal->Surface;
+    const auto hit =
+      surface ? surface->closestPoints().firstOnRay(origin, direction) : std::nullopt;
+    if (hit)
     {
-      const auto hit = surface->closestPoints().firstOnRay(origin, direction);
-      if (hit && hit->distance < nearest.distance)
-      {
-        nearest = { hit->distance,
-          this->SnapToPoint ? nearestCorner(*surface->mesh(), *hit) : hit->position };
-      }
+      nearest = { hit->distance,
+        this->SnapToPoint ? nearestCorner(*surface->mesh(), *hit) : hit->position };
     }
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
-    this->Internal->Surfaces.clear();
+    this->Internal->Surface = nullptr;
   }
   nearest = nearestOfAllRanks(nearest);
   const bool isHit = nearest.distance < std::numeric_limits<double>::infinity();

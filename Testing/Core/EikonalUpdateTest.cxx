@@ -89,7 +89,8 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
   }
 }
 
-TEST(EikonalUpdate, IsNotBelowItsBound)
+// What RingEntry::slack rests on.
+TEST(EikonalUpdate, CrossesNoEdgeBelowTheMeanOfItsEndsAndTheSlack)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -98,9 +99,10 @@ TEST(EikonalUpdate, IsNotBelowItsBound)
     const FlatTriangle t = randomTriangle(random);
     const double a = 3.0 * uniform(random);
     const double b = 3.0 * uniform(random);
-    EXPECT_GE(pointSourceUpdate(t, a, b), updateLowerBound(t, a, b) - 1e-12);
+    const double slack = 2.0 * t.h - t.c;
+    EXPECT_GE(pointSourceCrossing(t, a, b), 0.5 * (a + b + slack) - 1e-12);
     const double w = 0.1 + 3.0 * uniform(random);
-    EXPECT_GE(straightFrontUpdate(t, a, b, w), updateLowerBound(t, a, b, w) - 1e-12);
+    EXPECT_GE(straightFrontCrossing(t, a, b, w), 0.5 * (a + b + w * slack) - 1e-12);
   }
 }
 

@@ -100,6 +100,40 @@ TEST(TriangleMesh, PointsOutsideOfTrianglesAreNoVertices)
   EXPECT_EQ(mesh->vertexOfPoint(0), NoIndex);
 }
 
+TEST(TriangleMesh, PointsOfOneKindAreOneVertex)
+{
+  // The last column of one grid is the first of the other, but for rounding.
+  const Surface left = planeGrid(1, 1, 1.0, 1.0);
+  Surface both = joined(left, left);
+  for (Index point = 4; point < 8; ++point)
+  {
+    both.points[point].x += 1.0 + 1e-7;
+  }
+  std::vector<Index> kinds{ 0, 1, 2, 3, 1, 5, 3, 7 };
+  const TriangleMesh mesh(both.points, both.triangles, kinds);
+  EXPECT_EQ(mesh.numberOfVertices(), 6u);
+  EXPECT_EQ(mesh.numberOfTriangles(), 4u);
+  EXPECT_EQ(mesh.vertexOfPoint(1), mesh.vertexOfPoint(4));
+  EXPECT_EQ(mesh.vertexOfPoint(3), mesh.vertexOfPoint(6));
+  EXPECT_EQ(mesh.pointOfVertex(mesh.vertexOfPoint(4)), 1u);
+  EXPECT_EQ(mesh.position(mesh.vertexOfPoint(4)), both.points[1]);
+  // Equal coordinates do not make one vertex of different kinds.
+  const Surface twice = joined(left, left);
+  kinds = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  EXPECT_EQ(TriangleMesh(twice.points, twice.triangles, kinds).numberOfVertices(), 8u);
+  // The lowest point that a triangle uses stands for its kind.
+  both.points.insert(both.points.begin(), Vector3{ 9.0, 9.0, 9.0 });
+  for (Triangle& t : both.triangles)
+  {
+    t = { t[0] + 1, t[1] + 1, t[2] + 1 };
+  }
+  kinds = { 2, 0, 2, 1, 3, 2, 4, 3, 5 };
+  const TriangleMesh withBare(both.points, both.triangles, kinds);
+  EXPECT_EQ(withBare.numberOfVertices(), 6u);
+  EXPECT_EQ(withBare.vertexOfPoint(0), NoIndex);
+  EXPECT_EQ(withBare.pointOfVertex(withBare.vertexOfPoint(5)), 2u);
+}
+
 TEST(TriangleMesh, CoincidentPointsMergeOnRequest)
 {
   const Surface twice = joined(planeGrid(3, 3, 1.0, 1.0), planeGrid(3, 3, -1.0, 1.0));

@@ -7,7 +7,6 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFastMarchingGeodesicPath.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
 
@@ -345,14 +344,4 @@ TEST_F(SurfaceFilterErrors, ANegativeMaximumDistanceIsNamed)
       this->Filter->SetMaximumDistance(-2.0);
     },
     [&] { this->Filter->UseMaximumDistanceOff(); }, "-2");
-}
-
-TEST_F(SurfaceFilterErrors, SeveralBlocksAreRefused)
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, square(2));
-  blocks->SetBlock(1, square(3));
-  expectError(
-    this->Filter.Get(), [&] { this->Filter->SetInputDataObject(blocks); },
-    [&] { this->Filter->SetInputDataObject(this->Input); }, "Merge Blocks");
 }

@@ -74,7 +74,8 @@ protected:
     return this->path();
   }
 
-  /** Runs, and checks what every output is: one polyline of all points, as long as is said. */
+  /** Runs, and checks what every output is: one polyline of all points, as long as is said; that of
+   * one point is there and back. */
   std::vector<Vector3> path()
   {
     EXPECT_EQ(errorsOf(this->Path.Get()), "");
@@ -87,9 +88,9 @@ protected:
     output->GetCellPoints(0, line);
     for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
     {
-      EXPECT_EQ(line->GetId(i), i);
+      EXPECT_EQ(line->GetId(i), std::min(i, count - 1));
     }
-    EXPECT_EQ(line->GetNumberOfIds(), count);
+    EXPECT_EQ(line->GetNumberOfIds(), std::max<vtkIdType>(count, 2));
     const auto points = pointsOf(output);
     EXPECT_EQ(this->Path->GetGeodesicLength(), lengthOf(points));
     return points;

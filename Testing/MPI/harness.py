@@ -27,6 +27,12 @@ def surface(name, cut, with_ids=False, bad_rank=-1):
         Script=HERE + f"pieces.make(self.GetOutput(), {name!r}, {cut!r}, {with_ids}, {bad_rank})")
 
 
+def in_blocks(name):
+    """Partitioned data: each rank has its part of the surface in two partitions."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkPartitionedDataSet", Script=HERE + f"pieces.make_blocks(self.GetOutput(), {name!r})")
+
+
 def redistributed(name):
     """The same cut by ParaView; before that it is whole on the first rank."""
     parts = simple.RedistributeDataSet(Input=surface(name, "first"))

@@ -44,13 +44,13 @@ expect_error("maximum distance is -1")
 distance.UseMaximumDistance = 0
 expect_well()
 
-# Inputs without a surface, or of several blocks.
+# Inputs without a surface.
 distance.Input = simple.PointSource(NumberOfPoints=5)
 expect_error("no surface")
 distance.Input = simple.PolyLineSource()
 expect_error("no surface")
-distance.Input = simple.GroupDatasets(Input=[simple.Sphere(), simple.Plane()])
-expect_error("Merge Blocks")
+distance.Input = simple.GroupDatasets(Input=[simple.PolyLineSource(), simple.PointSource()])
+expect_error("no surface")
 distance.Input = sphere
 expect_well()
 
@@ -86,7 +86,6 @@ across = testing.polyline([(-0.5, -0.4, 0), (0.5, 0.4, 0)])
 crossing = testing.polyline([(-0.3, 0.2, 0), (0.3, -0.2, 0)])
 apart = testing.polyline([(0, 0.1, 0), (0, 0, 5)])
 no_number = testing.polyline([(0, 0, 0), (0, float("nan"), 0)])
-blocks = simple.GroupDatasets(Input=[simple.Sphere(), simple.Plane()])
 nothing = servermanager.sources.IDSelectionSource(FieldType="POINT", IDs=[0, 25])
 
 distance.Input = surface
@@ -118,7 +117,6 @@ MISTAKES = [
     (dict(DestinationPositions=[0, 0]), "DestinationPositions", "2 numbers", "multiple of 3"),
     (dict(DestinationPositions=[0, float("inf"), 0]), "Point 0 of DestinationPositions", "inf"),
     (dict(SeedSource=no_number), "Point 1 of SeedSource", "nan", "finite"),
-    (dict(SeedSource=blocks), "SeedSource", "blocks", "Merge Blocks"),
     (dict(SeedSelection=nothing), "SeedSelection", "no point of the surface", "Select others"),
     # Barriers.
     (dict(BarrierArray=["POINTS", "middle"]), "Seed 0", "point 12", "off the barrier"),
@@ -128,7 +126,6 @@ MISTAKES = [
     (dict(BarrierSource=across), "Seed 0", "on a line of BarrierSource", "off the line"),
     (dict(BarrierSource=across, SeedPositions=[0.1, 0.2, 0], SeedSource=crossing), "Seed 1",
      "on a line of BarrierSource"),
-    (dict(BarrierSource=blocks), "BarrierSource", "blocks", "Merge Blocks"),
     # Stops.
     (dict(UseMaximumDistance=1, MaximumDistance=-1e-12), "maximum distance is -1e-12", "at least 0"),
     (dict(UseMaximumDistance=1, MaximumDistance=float("nan")), "maximum distance is nan", "at least 0"),

@@ -34,6 +34,7 @@ SETTINGS = {
     "UnreachedAs": "Value",
     "UnreachedValue": -5.5,
     "MergeCoincidentPoints": 0,
+    "ConnectBlocks": 0,
 }
 INPUTS = ("SeedSource", "SeedSelection", "BarrierSource")
 

@@ -2,3 +2,4 @@
 
 from .vtkFiltersGeodesics import *
 from .vtkFiltersSurfaceGeodesics import *
+from .vtkWidgetsTracing import *

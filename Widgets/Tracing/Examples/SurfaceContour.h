@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_examples_SurfaceContour_h
+#define geodesic_examples_SurfaceContour_h
+
+#include "SurfaceWindow.h"
+
+#include "vtkContourWidget.h"
+#include "vtkOrientedGlyphContourRepresentation.h"
+#include "vtkPolygonalSurfaceContourLineInterpolator2.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+class vtkObject;
+
+namespace geodesic::examples
+{
+
+/**
+ * A contour that is traced on a surface by mouse and keys, as vtkContourWidget has them: a click
+ * places a node, one at the first node closes the contour, the right button ends an open one; then
+ * nodes are dragged, Delete deletes the one under the pointer. Beside that, the key z takes back
+ * the last of these.
+ */
+class SurfaceContour
+{
+public:
+  /**
+   * @param window must live as long as this
+   * @param method,order,heightOffset see vtkPolygonalSurfaceContourLineInterpolator2
+   */
+  SurfaceContour(SurfaceWindow& window, int method, int order, double heightOffset);
+
+  /** Called after each change; during a drag only at its end. */
+  void onChange(std::function<void()> action) { this->Action = std::move(action); }
+
+  /**
+   * Replaces all nodes.
+   * @throws std::invalid_argument for an id that is no point of the surface
+   */
+  void setNodes(const std::vector<vtkIdType>& pointIds);
+
+  int numberOfNodes() const { return this->Representation->GetNumberOfNodes(); }
+  bool isClosed() const { return this->Representation->GetClosedLoop() != 0; }
+  /** Ids along the contour, see vtkPolygonalSurfaceContourLineInterpolator2. */
+  std::vector<vtkIdType> pointIds() const;
+  /** Those of the nodes alone. */
+  std::vector<vtkIdType> nodeIds() const;
+  /** Of the lines between the points of the surface that are nearest to the nodes. */
+  double length() const;
+
+private:
+  struct Node
+  {
+    vtkIdType id;
+    std::array<double, 3> position;
+    bool operator==(const Node&) const = default;
+  };
+  struct State
+  {
+    std::vector<Node> nodes;
+    bool isClosed = false;
+    bool isFinished = false;
+    bool operator==(const State&) const = default;
+  };
+
+  State state() const;
+  void restore(const State& state);
+  void remember(vtkObject*, unsigned long, void*);
+  void onKey(vtkObject*, unsigned long, void*);
+  void onWidgetEvent(vtkObject*, unsigned long, void*);
+
+  SurfaceWindow& Window;
+  vtkNew<vtkPolygonalSurfaceContourLineInterpolator2> Interpolator;
+  vtkNew<vtkOrientedGlyphContourRepresentation> Representation;
+  vtkNew<vtkContourWidget> Widget;
+  std::vector<State> History;
+  std::function<void()> Action;
+};
+
+}
+
+#endif

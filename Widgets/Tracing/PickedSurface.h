@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_PickedSurface_h
+#define geodesic_bridge_PickedSurface_h
+
+#include "DistanceSolver.h"
+#include "InputSurface.h"
+#include "PathFinder.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <optional>
+
+namespace geodesic::bridge
+{
+
+/** A surface that lines are drawn on, and what is kept from one line on it to the next. */
+class PickedSurface
+{
+public:
+  enum class Solver
+  {
+    Dijkstra,
+    FastMarching
+  };
+
+  explicit PickedSurface(std::shared_ptr<const InputSurface> surface)
+    : Surface(std::move(surface))
+  {
+  }
+
+  const std::shared_ptr<const InputSurface>& surface() const { return this->Surface; }
+  const TriangleMesh& mesh() const { return *this->Surface->mesh(); }
+
+  /** A point of the input near a position, and how far the surface is from there. */
+  struct NearPoint
+  {
+    vtkIdType id;
+    double distance;
+  };
+  /** The corner nearest to a finite position of the face that is nearest to it. */
+  NearPoint nearestPoint(const Vector3& position) const;
+
+  /**
+   * The shortest way from one point of the input to another: along edges, or across faces and then
+   * made locally shortest.
+   * @return none where there is no way, or one of the ids is no point of the surface
+   */
+  std::optional<SurfacePath> path(vtkIdType begin, vtkIdType end, Solver solver, PathOrder order);
+
+private:
+  Index vertexAt(vtkIdType id) const;
+  DistanceSolver& solverOf(Solver kind);
+
+  std::shared_ptr<const InputSurface> Surface;
+  std::unique_ptr<DistanceSolver> Dijkstra;
+  std::unique_ptr<DistanceSolver> FastMarching;
+};
+
+}
+
+#endif
