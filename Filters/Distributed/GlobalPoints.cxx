@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -231,6 +232,42 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
   }
   std::vector<bool> isKnown;
   return shareRows(ranks, surface, rows, own.size(), isKnown);
+}
+
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
+{
+  std::vector<double> points;
+  std::set<std::array<double, 3>> ofLowerRanks;
+  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
+  {
+    std::set<std::array<double, 3>> ofThis;
+    for (std::size_t i = 0; i < ofRank.size(); i += 3)
+    {
+      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
+      if (!ofLowerRanks.contains(point))
+      {
+        points.insert(points.end(), point.begin(), point.end());
+        ofThis.insert(point);
+      }
+    }
+    ofLowerRanks.merge(ofThis);
+  }
+  return points;
+}
+
+std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property)
+{
+  std::vector<double> own;
+  ranks.together(
+    [&]
+    {
+      if (source)
+      {
+        own = bridge::PointSource(source).coordinates;
+      }
+    });
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, own), property, Precision::Single);
 }
 
 std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkIdList;
 
 namespace geodesic::distributed
@@ -32,6 +33,11 @@ struct GlobalPoint
   std::array<double, 3> weights;
   /** The longest edge at any of the corners. */
   double longestEdge;
+
+  bool isAt(const GlobalPoint& other) const
+  {
+    return this->corners == other.corners && this->weights == other.weights;
+  }
 };
 
 /** Whether points are put where single precision can tell (see bridge::snappedAsSingle). */
@@ -50,6 +56,17 @@ enum class Precision
 std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property,
   Precision precision = Precision::Double);
+
+/**
+ * The points of a data set, also of those on lines, as globalPointsAt in single precision. Those of
+ * all ranks, one that a lower rank has as well counted once.
+ * @param source null where this rank has none of it
+ */
+std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property);
+
+/** x y z of the points of all ranks, without those that a lower rank has as well. Collective. */
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own);
 
 /**
  * The points that have ids. On one rank these are the input's point ids, on several the global ids

@@ -4,7 +4,6 @@
 
 #include "PointResolver.h"
 
-#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -34,28 +33,6 @@ std::vector<double> loosePoints(const bridge::PointSource& source)
     }
   }
   return loose;
-}
-
-/** The points of all ranks, without those that a lower rank has as well. */
-std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
-{
-  std::vector<double> points;
-  std::set<std::array<double, 3>> ofLowerRanks;
-  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
-  {
-    std::set<std::array<double, 3>> ofThis;
-    for (std::size_t i = 0; i < ofRank.size(); i += 3)
-    {
-      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
-      if (!ofLowerRanks.contains(point))
-      {
-        points.insert(points.end(), point.begin(), point.end());
-        ofThis.insert(point);
-      }
-    }
-    ofLowerRanks.merge(ofThis);
-  }
-  return points;
 }
 
 }

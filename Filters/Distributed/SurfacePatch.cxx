@@ -4,8 +4,6 @@
 
 #include "TriangleMesh.h"
 
-#include "vtkDataArray.h"
-
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -33,11 +31,36 @@ Ball widened(const Ball& ball)
 
 }
 
+RankGroup::Message messageOf(const SurfacePatch& patch)
+{
+  RankGroup::Message message;
+  append(message, patch.vertices.size());
+  for (const PatchVertex& vertex : patch.vertices)
+  {
+    append(message, vertex);
+  }
+  for (const PatchTriangle& triangle : patch.triangles)
+  {
+    append(message, triangle);
+  }
+  return message;
+}
+
+SurfacePatch patchIn(const RankGroup::Message& message)
+{
+  std::size_t count = 0;
+  const auto start = message.begin() + sizeof(count);
+  std::copy(message.begin(), start, reinterpret_cast<char*>(&count));
+  const auto middle = start + static_cast<std::ptrdiff_t>(count * sizeof(PatchVertex));
+  return { valuesIn<PatchVertex>({ start, middle }),
+    valuesIn<PatchTriangle>({ middle, message.end() }) };
+}
+
 PatchCutter::PatchCutter(
-  const DistributedSurface& surface, const SolveOptions& options, const PointAttributes& attributes)
+  const DistributedSurface& surface, const SolveOptions& options, PointAttributes attributes)
   : Surface(surface)
   , Options(options)
-  , Attributes(attributes)
+  , Attributes(std::move(attributes))
 {
   const std::span<const Vector3> positions = surface.mesh().positions();
   for (std::size_t first = 0; first < positions.size(); first += BlockSize)
@@ -138,23 +161,14 @@ PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) c
 {
   const TriangleMesh& mesh = this->Surface.mesh();
   const Index point = mesh.pointOfVertex(vertex);
-  PatchVertex result{ this->Surface.shared().globalOf(vertex), mesh.position(vertex),
+  const std::optional<Vector3> normal = this->Attributes.normal(vertex);
+  const std::vector<vtkIdType>& ids = this->Attributes.globalIds;
+  return { this->Surface.shared().globalOf(vertex), mesh.position(vertex),
     this->Surface.longestEdges()[vertex],
     this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
     field ? field->distance(vertex) : DistanceField::Unreached,
-    field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u, -1,
-    {} };
-  if (this->Attributes.ids)
-  {
-    result.id = static_cast<vtkIdType>(this->Attributes.ids->GetComponent(point, 0));
-  }
-  if (this->Attributes.normals)
-  {
-    result.normal = { this->Attributes.normals->GetComponent(point, 0),
-      this->Attributes.normals->GetComponent(point, 1),
-      this->Attributes.normals->GetComponent(point, 2) };
-  }
-  return result;
+    field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u,
+    ids.empty() ? -1 : ids[point], normal ? 1u : 0u, normal.value_or(Vector3{}) };
 }
 
 }

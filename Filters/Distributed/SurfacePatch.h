@@ -7,6 +7,7 @@
 #include "DistributedSurface.h"
 #include "SharedPoints.h"
 #include "SolveOptions.h"
+#include "SurfaceNormals.h"
 
 #include "vtkType.h"
 
@@ -14,8 +15,6 @@
 #include <cstdint>
 #include <span>
 #include <vector>
-
-class vtkDataArray;
 
 namespace geodesic::distributed
 {
@@ -45,7 +44,8 @@ struct PatchVertex
   std::uint32_t isExcluded;
   /** Its global id; -1 where there are none. */
   vtkIdType id;
-  /** The input's; 0 where there are none. */
+  std::uint32_t hasNormal;
+  /** The input's, of any length. */
   Vector3 normal;
 };
 
@@ -62,13 +62,16 @@ struct SurfacePatch
   std::vector<PatchTriangle> triangles;
 };
 
+/** A patch as it is sent, and back. */
+RankGroup::Message messageOf(const SurfacePatch& patch);
+SurfacePatch patchIn(const RankGroup::Message& message);
+
 /** What the input says of its points, where it does. */
 struct PointAttributes
 {
-  /** One global id a point, or null. */
-  vtkDataArray* ids = nullptr;
-  /** Of any length, or null. */
-  vtkDataArray* normals = nullptr;
+  /** One global id a point; empty: none. */
+  std::vector<vtkIdType> globalIds;
+  bridge::SurfaceNormals::InputNormal normal;
 };
 
 /** Cuts patches out of this rank's piece of a surface. */
@@ -76,11 +79,11 @@ class PatchCutter
 {
 public:
   /**
-   * All must live as long as this. Time O(n).
+   * Surface and options must live as long as this. Time O(n).
    * @param options costs and barriers
    */
-  PatchCutter(const DistributedSurface& surface, const SolveOptions& options,
-    const PointAttributes& attributes);
+  PatchCutter(
+    const DistributedSurface& surface, const SolveOptions& options, PointAttributes attributes);
 
   /** @param field null: no vertex has a distance yet */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;

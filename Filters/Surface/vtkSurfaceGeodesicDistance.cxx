@@ -28,7 +28,6 @@
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SeedResolver.h"
-#include "SharedGuides.h"
 #include "SolveSurface.h"
 
 #include <algorithm>
@@ -231,24 +230,11 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 {
   Internals& internal = *this->Internal;
   geodesic::distributed::RankGroup& ranks = run.ranks;
-  internal.Surface = this->FindDistributedSurface(ranks, run.blocks);
+  internal.Surface = this->FindSurface(ranks, run.blocks);
   const std::vector<geodesic::Seed> seeds = this->GatherSeeds(run);
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
-  ranks.together(
-    [&]
-    {
-      this->GatherBarriers(run.blocks, run.inputVector, internal.Surface->piece(), barriers);
-      if (ranks.size() > 1 && !barriers.lines.empty())
-      {
-        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
-                                    "surface is spread over several ranks. Use BarrierArray, or "
-                                    "run on one rank.");
-      }
-      cost = this->GatherCost(run.blocks, internal.Surface->piece());
-    });
-  geodesic::distributed::shareExcluded(ranks, *internal.Surface, barriers.excluded);
-  geodesic::distributed::shareCost(ranks, *internal.Surface, cost);
+  this->GatherGuides(ranks, run.blocks, run.inputVector, *internal.Surface, barriers, cost);
   internal.Lines.update(internal.Surface->piece().mesh(), geodesic::bridge::linesAmong(seeds),
     std::move(barriers.lines));
   const geodesic::bridge::SolveSurface surface(

@@ -22,6 +22,7 @@
 #include "PointIdentity.h"
 #include "PointResolver.h"
 #include "RankGroup.h"
+#include "SharedGuides.h"
 
 #include <optional>
 #include <stdexcept>
@@ -118,6 +119,28 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
+  std::vector<double>& cost)
+{
+  ranks.together(
+    [&]
+    {
+      this->GatherBarriers(blocks, inputVector, surface.piece(), barriers);
+      if (ranks.size() > 1 && !barriers.lines.empty())
+      {
+        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
+                                    "surface is spread over several ranks. Use BarrierArray, or "
+                                    "run on one rank.");
+      }
+      cost = this->GatherCost(blocks, surface.piece());
+    });
+  geodesic::distributed::shareExcluded(ranks, surface, barriers.excluded);
+  geodesic::distributed::shareCost(ranks, surface, cost);
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
   vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
   geodesic::bridge::Barriers& barriers)
@@ -154,16 +177,8 @@ std::vector<double> vtkSurfaceGeodesicFilter::GatherCost(
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const geodesic::bridge::InputSurface> vtkSurfaceGeodesicFilter::FindSurface(
-  const geodesic::bridge::InputBlocks& blocks) const
-{
-  return geodesic::bridge::InputSurface::of(
-    blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
-}
-
-//------------------------------------------------------------------------------
 std::shared_ptr<const geodesic::distributed::DistributedSurface>
-vtkSurfaceGeodesicFilter::FindDistributedSurface(
+vtkSurfaceGeodesicFilter::FindSurface(
   geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
   return geodesic::distributed::DistributedSurface::of(
