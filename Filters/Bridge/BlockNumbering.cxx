@@ -12,11 +12,12 @@
 namespace geodesic::bridge
 {
 
-BlockNumbering::BlockNumbering(const InputBlocks& blocks)
+BlockNumbering::BlockNumbering(const InputBlocks& blocks, std::optional<int> rank)
+  : Rank(rank)
 {
   const bool hasSeveral = blocks.numberWithFaces() > 1;
-  const bool hasGlobalIds = hasSeveral && blocks.haveGlobalPointIds();
-  this->UniqueIds = !hasSeveral || hasGlobalIds;
+  const bool hasGlobalIds = (hasSeveral || rank) && blocks.haveGlobalPointIds();
+  this->UniqueIds = hasGlobalIds || !(hasSeveral || rank);
   Index firstPoint = 0;
   Index firstCell = 0;
   for (const InputBlock& block : blocks)
@@ -58,8 +59,16 @@ unsigned int BlockNumbering::flatIndexOf(Index point) const
 std::string BlockNumbering::nameOfPoint(Index point) const
 {
   const Block& block = this->Blocks[this->blockOfPoint(point)];
-  return "point " + std::to_string(this->idOfPoint(point)) +
-    (this->UniqueIds ? "" : " of block " + block.name);
+  std::string name = "point " + std::to_string(this->idOfPoint(point));
+  if (!this->UniqueIds && !block.name.empty())
+  {
+    name += " of block " + block.name;
+  }
+  if (!this->UniqueIds && this->Rank)
+  {
+    name += " on rank " + std::to_string(*this->Rank);
+  }
+  return name;
 }
 
 std::vector<std::vector<Index>> BlockNumbering::pointsWithIds(std::span<const vtkIdType> ids) const

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,13 +19,14 @@ namespace geodesic::bridge
 
 /**
  * Numbers the points and cells of all blocks of an input one after the other, and knows them by the
- * ids that users know: of a data set its own, of several blocks their global point ids. Lives
- * longer than the input.
+ * ids that users know: of a data set its own, of several blocks and on several ranks their global
+ * point ids. Lives longer than the input.
  */
 class BlockNumbering
 {
 public:
-  explicit BlockNumbering(const InputBlocks& blocks);
+  /** @param rank that has these blocks of an input on several ranks */
+  explicit BlockNumbering(const InputBlocks& blocks, std::optional<int> rank = {});
 
   std::size_t numberOfBlocks() const { return this->Blocks.size(); }
   Index firstPointOf(std::size_t block) const { return this->Blocks[block].firstPoint; }
@@ -37,7 +39,7 @@ public:
   vtkIdType idOfPoint(Index point) const;
   /** The number of a point's block in the composite data set. */
   unsigned int flatIndexOf(Index point) const;
-  /** A point in a message: its id, and the block where that is needed. */
+  /** A point in a message: its id, and block and rank where they are needed. */
   std::string nameOfPoint(Index point) const;
   /**
    * The points that have ids, a list for each id, empty where there is none. Ids must be unique.
@@ -60,6 +62,7 @@ private:
   };
 
   std::vector<Block> Blocks;
+  std::optional<int> Rank;
   bool UniqueIds = true;
   vtkIdType NumberOfIds = 0;
 };

@@ -63,17 +63,34 @@ void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTri
 }
 
 std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
-  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
+  const ThreadTeam& team)
 {
   const bool areAllSeparate = identity.by == PointIdentity::By::Nothing;
   const bool isWithinBlocks = !identity.acrossBlocks && blocks.size() > 1;
   if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
   {
-    return std::make_shared<const TriangleMesh>(
-      points, triangles, areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge);
+    return std::make_shared<const TriangleMesh>(points, triangles,
+      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team);
   }
   return std::make_shared<const TriangleMesh>(
-    points, triangles, kindsOfPoints(blocks, identity, points));
+    points, triangles, kindsOfPoints(blocks, identity, points), team);
+}
+
+void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
+{
+  if (mesh.numberOfTriangles() == 0)
+  {
+    vtkIdType cells = 0;
+    for (const InputBlock& block : blocks)
+    {
+      cells += block.surface->GetNumberOfCells();
+    }
+    throw std::invalid_argument(
+      "The input has no surface: " + std::to_string(mesh.numberOfPoints()) +
+      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
+      " cells. Give a surface, for example by Extract Surface.");
+  }
 }
 
 struct Known
@@ -85,27 +102,7 @@ struct Known
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  const InputBlocks& blocks, const PointIdentity& points)
-{
-  auto surface = pieceOf(blocks, points);
-  if (surface->mesh()->numberOfTriangles() == 0)
-  {
-    vtkIdType cells = 0;
-    for (const InputBlock& block : blocks)
-    {
-      cells += block.surface->GetNumberOfCells();
-    }
-    throw std::invalid_argument(
-      "The input has no surface: " + std::to_string(surface->mesh()->numberOfPoints()) +
-      " points, and no triangle, polygon or strip with an area among its " + std::to_string(cells) +
-      " cells. Give a surface, for example by "
-      "Extract Surface.");
-  }
-  return surface;
-}
-
-std::shared_ptr<const InputSurface> InputSurface::pieceOf(
-  const InputBlocks& blocks, const PointIdentity& points)
+  const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
 {
   static std::mutex mutex;
   static std::vector<Known> known;
@@ -120,13 +117,18 @@ std::shared_ptr<const InputSurface> InputSurface::pieceOf(
       return surface;
     }
   }
-  auto surface = std::make_shared<const InputSurface>(blocks, points);
+  auto surface = std::make_shared<const InputSurface>(blocks, points, team);
+  if (!points.rank)
+  {
+    checkNotEmpty(*surface->mesh(), blocks);
+  }
   known.push_back({ version, surface });
   return surface;
 }
 
-InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& identity)
-  : Numbering(blocks)
+InputSurface::InputSurface(
+  const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team)
+  : Numbering(blocks, identity.rank)
 {
   std::vector<Vector3> points;
   SurfaceTriangles triangles;
@@ -137,7 +139,7 @@ InputSurface::InputSurface(const InputBlocks& blocks, const PointIdentity& ident
     appendTriangles(blocks[i].surface, points, this->Numbering.firstPointOf(i),
       this->Numbering.firstCellOf(i), triangles);
   }
-  this->Mesh = meshOf(blocks, identity, points, triangles.corners);
+  this->Mesh = meshOf(blocks, identity, points, triangles.corners, team);
   if (triangles.cells.empty())
   {
     return;

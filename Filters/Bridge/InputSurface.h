@@ -6,6 +6,7 @@
 #include "BlockNumbering.h"
 #include "ClosestPointTree.h"
 #include "PointIdentity.h"
+#include "ThreadTeam.h"
 #include "TriangleMesh.h"
 
 #include <memory>
@@ -26,16 +27,14 @@ public:
    * The surface of an input, built now unless some filter still holds it. It is known by the
    * objects that hold points and cells, and ids where they count, and by their modification times,
    * so new arrays on the same surface, or a shallow copy of it, find it again.
-   * @throws std::invalid_argument where there is no triangle, polygon or strip, and see
-   * TriangleMesh and kindsOfPoints
+   * @param team threads to build it on
+   * @throws std::invalid_argument where there is no triangle, polygon or strip, unless this is one
+   * piece of several; and see TriangleMesh and kindsOfPoints
    */
-  static std::shared_ptr<const InputSurface> of(
-    const InputBlocks& blocks, const PointIdentity& identity);
-  /** The same for a piece of a surface, which may be without triangles. */
-  static std::shared_ptr<const InputSurface> pieceOf(
-    const InputBlocks& blocks, const PointIdentity& identity);
+  static std::shared_ptr<const InputSurface> of(const InputBlocks& blocks,
+    const PointIdentity& identity, const ThreadTeam& team = ThreadTeam());
 
-  InputSurface(const InputBlocks& blocks, const PointIdentity& identity);
+  InputSurface(const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const ClosestPointTree& closestPoints() const;

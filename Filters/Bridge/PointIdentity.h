@@ -9,6 +9,7 @@
 
 #include "vtkType.h"
 
+#include <optional>
 #include <vector>
 
 namespace geodesic::bridge
@@ -26,6 +27,8 @@ struct PointIdentity
 
   By by = By::Nothing;
   bool acrossBlocks = false;
+  /** The rank that has this piece of a surface; none: the surface is in one piece. */
+  std::optional<int> rank = {};
 
   friend bool operator==(const PointIdentity&, const PointIdentity&) = default;
 };

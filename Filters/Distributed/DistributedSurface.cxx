@@ -28,7 +28,7 @@ bridge::PointIdentity identityOf(RankGroup& ranks, const bridge::InputBlocks& bl
   double haveIds = blocks.haveGlobalPointIds() ? 1.0 : 0.0;
   ranks.takeLeast({ &haveIds, 1 });
   const bridge::PointIdentity identity{ bridge::identityBy(haveIds > 0.0, mergeCoincidentPoints),
-    connectBlocks };
+    connectBlocks, ranks.rank() };
   if (identity.by == bridge::PointIdentity::By::Nothing)
   {
     throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
@@ -81,12 +81,8 @@ std::shared_ptr<const DistributedSurface> DistributedSurface::of(RankGroup& rank
   const bridge::PointIdentity identity =
     identityOf(ranks, blocks, mergeCoincidentPoints, connectBlocks);
   std::shared_ptr<const bridge::InputSurface> piece;
-  ranks.together(
-    [&]
-    {
-      piece = ranks.size() == 1 ? bridge::InputSurface::of(blocks, identity)
-                                : bridge::InputSurface::pieceOf(blocks, identity);
-    });
+  const ThreadTeam team(ranks.threadsOfThisRank());
+  ranks.together([&] { piece = bridge::InputSurface::of(blocks, identity, team); });
   std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
   const auto found = std::find_if(
     known.begin(), known.end(), [&](const Known& k) { return k.piece.lock() == piece; });

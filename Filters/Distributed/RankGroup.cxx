@@ -8,9 +8,13 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
+
+#include <unistd.h>
 
 namespace geodesic::distributed
 {
@@ -119,6 +123,24 @@ std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
     byRank.emplace_back(first, first + lengths[rank]);
   }
   return byRank;
+}
+
+unsigned RankGroup::threadsOfThisRank()
+{
+  const unsigned usable = std::max(1u, std::thread::hardware_concurrency());
+  if (this->Size == 1)
+  {
+    return usable;
+  }
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  // A number that a double holds exactly.
+  const auto machine = static_cast<double>(std::hash<std::string>{}(name.data()) >> 12);
+  const std::vector<double> machines = this->gather({ &machine, 1 });
+  const auto ranks = static_cast<unsigned>(std::count(machines.begin(), machines.end(), machine));
+  // A rank may be bound to some of the processors only, and then shares those with no other.
+  const auto processors = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
+  return std::clamp(processors / ranks, 1u, usable);
 }
 
 void RankGroup::together(const std::function<void()>& step)

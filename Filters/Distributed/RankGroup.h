@@ -41,6 +41,8 @@ public:
   std::vector<Message> toFirst(const Message& own);
   /** Whether it is so on any rank. */
   bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
+  /** This rank's share of the processors of its machine, at least 1. */
+  unsigned threadsOfThisRank();
 
   /**
    * Runs a step that makes no collective call. Where it throws on one rank, all ranks throw, with

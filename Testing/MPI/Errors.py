@@ -37,8 +37,9 @@ def expect_success(source, **options):
 torus = harness.surface("torus", "slabs")
 with_ids = harness.surface("torus", "slabs", True)
 expect("no seed", torus)
-# Point 3600, which is on one rank only.
-expect(("BadCost", "-1"), torus, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
+# One point, which is on one rank only; a piece's point ids say nothing without the rank, global ids do.
+expect(("BadCost", "-1", "on rank"), torus, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
+expect(("BadCost", "-1", "point 10810"), with_ids, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
 expect("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
        CostArray=["POINTS", "Cost"])
 expect("barrier", torus, SeedPositions=[0, 1, 0.4], BarrierArray=["POINTS", "PointNumber"])

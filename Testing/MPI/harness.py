@@ -16,6 +16,16 @@ IS_FIRST = pieces.controller().GetLocalProcessId() == 0
 HERE = f"import sys; sys.path.append({os.path.dirname(os.path.abspath(__file__))!r}); import pieces; "
 
 
+def end_all_ranks(kind, error, traceback):
+    """Ranks that wait for one that failed would wait for ever."""
+    sys.__excepthook__(kind, error, traceback)
+    sys.stderr.flush()
+    os._exit(1)
+
+
+sys.excepthook = end_all_ranks
+
+
 def load(plugin):
     simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
 

@@ -158,8 +158,13 @@ def make_large(output, subdivisions):
 
 
 def make(output, surface, cut, with_ids=False, bad_rank=-1):
-    """Fills a polydata with this rank's part."""
+    """Fills a polydata with this rank's part; on the bad rank it has no costs."""
     rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    output.ShallowCopy(part(surface, cut, rank, ranks, with_ids, bad_rank != rank))
+
+
+def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
+    """One of as many parts of a surface as there are ranks, with arrays to compute with."""
     points, cells = SURFACES[surface]()
     mine = np.flatnonzero(owners(points, cells, cut, ranks) == rank)
     used, corners = np.unique(cells[mine], return_inverse=True)
@@ -175,7 +180,7 @@ def make(output, surface, cut, with_ids=False, bad_rank=-1):
     size = np.ptp(points, axis=0).max()
     along = (where @ [1.0, 0.3, 0.2]) / size
     add(data.GetPointData(), "PointNumber", used)
-    if bad_rank != rank:
+    if with_cost:
         add(data.GetPointData(), "Cost", 1.5 + np.sin(5 * along))
     add(data.GetPointData(), "BadCost", np.where(used == len(points) // 2, -1.0, 1.0))
     add(data.GetPointData(), "Region", np.where(np.abs(along - 0.1) < 0.05, 2.0, used % 997 == 5))
@@ -188,20 +193,41 @@ def make(output, surface, cut, with_ids=False, bad_rank=-1):
         ids = numpy_to_vtkIdTypeArray((used * 3 + 10).astype(np.int64), deep=True)
         ids.SetName("GlobalIds")
         data.GetPointData().SetGlobalIds(ids)
-    output.ShallowCopy(data)
+    return data
+
+
+def make_blocks(output, surface):
+    """Fills partitioned data with the two parts that this rank has of twice as many as there are ranks."""
+    rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    output.SetNumberOfPartitions(2)
+    for i in range(2):
+        output.SetPartition(i, part(surface, "slabs", 2 * rank + i, 2 * ranks))
 
 
 def part_path(path, rank):
     return f"{path}.{rank}.npz"
 
 
+def blocks_of(data):
+    """The data sets of a composite one; another is its only block."""
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    place = data.NewIterator()
+    blocks = []
+    while not place.IsDoneWithTraversal():
+        blocks.append(place.GetCurrentDataObject())
+        place.GoToNextItem()
+    return blocks
+
+
 def store(data, path):
     """Writes what this rank has, and waits for the others to have done so."""
     rank = controller().GetLocalProcessId()
+    blocks = blocks_of(data)
     arrays = {}
     for name in ("PointNumber", "GeodesicDistance", "NearestSeed"):
-        array = data.GetPointData().GetArray(name)
-        if array is not None:
-            arrays[name] = vtk_to_numpy(array)
-    np.savez(part_path(path, rank), cells=data.GetNumberOfCells(), points=data.GetNumberOfPoints(), **arrays)
+        of_blocks = [block.GetPointData().GetArray(name) for block in blocks]
+        if all(array is not None for array in of_blocks):
+            arrays[name] = np.concatenate([vtk_to_numpy(array) for array in of_blocks])
+    np.savez(part_path(path, rank), points=sum(block.GetNumberOfPoints() for block in blocks), **arrays)
     controller().Barrier()

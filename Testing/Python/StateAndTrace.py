@@ -77,7 +77,8 @@ def expect_settings(distance, fields):
 # Each property is named, and differs from its default.
 surface = make_sources()
 plain = simple.GeodesicDistance(Input=surface)
-others = {"Input", "MaximumDistanceReached", "NumberOfVisitedPoints"}
+others = {"Input", "MaximumDistanceReached", "NumberOfVisitedPoints", "NumberOfRounds", "NumberOfUpdates",
+          "BytesExchanged", "MostPointsOnARank"}
 assert set(plain.ListProperties()) == {*SETTINGS, *others}, plain.ListProperties()
 for name, value in values().items():
     assert value_of(plain, name) != value, name
