@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CorridorGround.h"
 
+#include "PathPoint.h"
+
 #include <algorithm>
 
 namespace geodesic::distributed

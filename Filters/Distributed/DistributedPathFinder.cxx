@@ -127,7 +127,7 @@ DistributedPathFinder::DistributedPathFinder(
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
-  this->Cutter.emplace(request.surface, this->Request.options, request.attributes);
+  this->Cutter.emplace(request.surface, this->Request.options, request.input);
 }
 
 bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
@@ -137,8 +137,8 @@ bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
     return this->Whole->march(pointsHere(starts));
   }
   return this->onCorridor(starts,
-    [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
-    { return finder.march(ground->pointsOf(starts)); });
+           [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
+           { return finder.march(ground->pointsOf(starts)) ? Index{ 1 } : Index{ 0 }; }) == 1;
 }
 
 std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& start)
@@ -155,20 +155,21 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
     traced.end = endOf(traced.path, this->Request.solver.mesh(), pointsHere(this->Ends));
     return traced;
   }
-  const bool isFound = this->onCorridor({ &start, 1 },
+  traced.end = this->onCorridor({ &start, 1 },
     [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
     {
       const SurfacePoint here = ground->pointsOf({ &start, 1 }).front();
       auto path = finder.march({ &here, 1 }) ? finder.pathFrom(here) : std::nullopt;
-      if (path)
+      if (!path)
       {
-        checkNormals(*ground, *path);
-        traced = { std::move(*path), ground, NoIndex };
-        traced.end = endOf(traced.path, ground->mesh(), ground->pointsOf(this->Ends));
+        return NoIndex;
       }
-      return path.has_value();
+      checkNormals(*ground, *path);
+      traced.path = std::move(*path);
+      traced.corridor = ground;
+      return endOf(traced.path, ground->mesh(), ground->pointsOf(this->Ends));
     });
-  return isFound ? std::optional(std::move(traced)) : std::nullopt;
+  return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
 }
 
 vtkIdType DistributedPathFinder::mostPointsOnARank()
@@ -179,7 +180,7 @@ vtkIdType DistributedPathFinder::mostPointsOnARank()
   return static_cast<vtkIdType>(-most);
 }
 
-bool DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, const Action& action)
+Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, const Action& action)
 {
   if (this->Request.ranks.rank() > 0)
   {
@@ -187,8 +188,8 @@ bool DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, cons
   }
   try
   {
-    const bool answer = this->lead(points, action);
-    this->give(Order::Done, { answer ? '\1' : '\0' });
+    const Index answer = this->lead(points, action);
+    this->give(Order::Done, bytesOf<Index>({ &answer, 1 }));
     return answer;
   }
   catch (const std::exception& error)
@@ -199,7 +200,7 @@ bool DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, cons
   }
 }
 
-bool DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
+Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
 {
   if (!this->FirstCorridor)
   {
@@ -228,7 +229,7 @@ bool DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Acti
   }
 }
 
-bool DistributedPathFinder::serve()
+Index DistributedPathFinder::serve()
 {
   while (true)
   {
@@ -237,7 +238,7 @@ bool DistributedPathFinder::serve()
     switch (static_cast<Order>(order.front()))
     {
       case Order::Done:
-        return content.front() != '\0';
+        return valuesIn<Index>(content).front();
       case Order::Fail:
         throw std::runtime_error(std::string(content.begin(), content.end()));
       case Order::Solve:

@@ -31,7 +31,8 @@ struct PathRequest
   /** Cost, barriers, progress. */
   SolveOptions options;
   PathStyle style;
-  PointAttributes attributes;
+  /** The surface's piece, with what the input says of it. */
+  const bridge::PathGround& input;
 };
 
 /** A path to one of the ends. */
@@ -72,7 +73,7 @@ public:
 private:
   class CorridorSource;
   /** @return what is told to all ranks */
-  using Action = std::function<bool(PathFinder&, const std::shared_ptr<const CorridorGround>&)>;
+  using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorGround>&)>;
 
   enum class Order : char
   {
@@ -87,9 +88,9 @@ private:
   };
 
   /** Does something with a path finder on the first rank, on a corridor with some points. */
-  bool onCorridor(std::span<const GlobalPoint> points, const Action& action);
-  bool lead(std::span<const GlobalPoint> points, const Action& action);
-  bool serve();
+  Index onCorridor(std::span<const GlobalPoint> points, const Action& action);
+  Index lead(std::span<const GlobalPoint> points, const Action& action);
+  Index serve();
   void give(Order order, const RankGroup::Message& content);
 
   /** Adds all triangles in some balls to a corridor of the first rank. */

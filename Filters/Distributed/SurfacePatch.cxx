@@ -57,10 +57,10 @@ SurfacePatch patchIn(const RankGroup::Message& message)
 }
 
 PatchCutter::PatchCutter(
-  const DistributedSurface& surface, const SolveOptions& options, PointAttributes attributes)
+  const DistributedSurface& surface, const SolveOptions& options, const bridge::PathGround& input)
   : Surface(surface)
   , Options(options)
-  , Attributes(std::move(attributes))
+  , Input(input)
 {
   const std::span<const Vector3> positions = surface.mesh().positions();
   for (std::size_t first = 0; first < positions.size(); first += BlockSize)
@@ -160,15 +160,14 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
 PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) const
 {
   const TriangleMesh& mesh = this->Surface.mesh();
-  const Index point = mesh.pointOfVertex(vertex);
-  const std::optional<Vector3> normal = this->Attributes.normal(vertex);
-  const std::vector<vtkIdType>& ids = this->Attributes.globalIds;
+  const std::optional<Vector3> normal = this->Input.normalOf(vertex);
+  const bool hasId = this->Surface.piece().numbering().hasUniqueIds();
   return { this->Surface.shared().globalOf(vertex), mesh.position(vertex),
     this->Surface.longestEdges()[vertex],
     this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
     field ? field->distance(vertex) : DistanceField::Unreached,
     field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u,
-    ids.empty() ? -1 : ids[point], normal ? 1u : 0u, normal.value_or(Vector3{}) };
+    hasId ? this->Input.idOf(vertex) : -1, normal ? 1u : 0u, normal.value_or(Vector3{}) };
 }
 
 }

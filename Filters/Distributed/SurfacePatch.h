@@ -5,9 +5,9 @@
 
 #include "DistanceField.h"
 #include "DistributedSurface.h"
+#include "PathGround.h"
 #include "SharedPoints.h"
 #include "SolveOptions.h"
-#include "SurfaceNormals.h"
 
 #include "vtkType.h"
 
@@ -66,24 +66,17 @@ struct SurfacePatch
 RankGroup::Message messageOf(const SurfacePatch& patch);
 SurfacePatch patchIn(const RankGroup::Message& message);
 
-/** What the input says of its points, where it does. */
-struct PointAttributes
-{
-  /** One global id a point; empty: none. */
-  std::vector<vtkIdType> globalIds;
-  bridge::SurfaceNormals::InputNormal normal;
-};
-
 /** Cuts patches out of this rank's piece of a surface. */
 class PatchCutter
 {
 public:
   /**
-   * Surface and options must live as long as this. Time O(n).
+   * All must live as long as this. Time O(n).
+   * @param input   the same piece of the surface
    * @param options costs and barriers
    */
-  PatchCutter(
-    const DistributedSurface& surface, const SolveOptions& options, PointAttributes attributes);
+  PatchCutter(const DistributedSurface& surface, const SolveOptions& options,
+    const bridge::PathGround& input);
 
   /** @param field null: no vertex has a distance yet */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
@@ -104,7 +97,7 @@ private:
 
   const DistributedSurface& Surface;
   const SolveOptions& Options;
-  PointAttributes Attributes;
+  const bridge::PathGround& Input;
   std::vector<Block> Blocks;
 };
 

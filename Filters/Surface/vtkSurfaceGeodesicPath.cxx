@@ -20,6 +20,7 @@
 #include "InputSurface.h"
 #include "NumberText.h"
 #include "PathFinder.h"
+#include "PathGround.h"
 #include "PathOutput.h"
 #include "ProgressReporter.h"
 #include "RankGroup.h"
@@ -35,8 +36,8 @@
 struct vtkSurfaceGeodesicPath::Run
 {
   geodesic::distributed::RankGroup& ranks;
-  const geodesic::bridge::InputBlocks& blocks;
   vtkInformationVector** inputVector;
+  geodesic::bridge::InputGround input;
 };
 
 /** A path on the input's own mesh, or on a corridor, from one point to another. */
@@ -176,9 +177,10 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
 {
   this->TotalLength = 0.0;
   this->CheckRequest();
-  const Run run{ ranks, blocks, inputVector };
   Internals& internal = *this->Internal;
   internal.Surface = this->FindSurface(ranks, blocks);
+  const Run run{ ranks, inputVector,
+    geodesic::bridge::InputGround(internal.Surface->piece(), blocks) };
   this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
   const Points waypoints = this->GatherPoints(
     run, WAYPOINT_SOURCE_PORT, this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
@@ -258,15 +260,8 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
 geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run) const
 {
   const Internals& internal = *this->Internal;
-  const geodesic::bridge::InputGround input(internal.Surface->piece(), run.blocks);
-  geodesic::distributed::PointAttributes attributes{ {},
-    [input](geodesic::Index vertex) { return input.normalOf(vertex); } };
-  if (run.ranks.size() > 1 && run.blocks.haveGlobalPointIds())
-  {
-    attributes.globalIds = geodesic::bridge::globalPointIdsOf(run.blocks);
-  }
   return { run.ranks, *internal.Surface, *internal.Solver, internal.Ground->options(),
-    internal.Style, std::move(attributes) };
+    internal.Style, run.input };
 }
 
 //------------------------------------------------------------------------------
@@ -391,10 +386,10 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
 {
   const Internals& internal = *this->Internal;
-  const geodesic::bridge::InputSurface& surface = internal.Surface->piece();
-  const geodesic::bridge::InputGround input(surface, run.blocks);
-  geodesic::bridge::PathOutput paths(
-    this->HeightOffset, run.ranks.size() == 1 && !surface.numbering().hasUniqueIds());
+  // A path over the pieces of several ranks has global ids or none.
+  const bool namesBlocks =
+    run.ranks.size() == 1 && !internal.Surface->piece().numbering().hasUniqueIds();
+  geodesic::bridge::PathOutput paths(this->HeightOffset, namesBlocks);
   const double maximumLength =
     this->UseMaximumPathLength ? this->MaximumPathLength : std::numeric_limits<double>::infinity();
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;
@@ -408,8 +403,9 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     if (segment.Path && run.ranks.rank() == 0)
     {
       const geodesic::distributed::TracedPath& path = *segment.Path;
-      const geodesic::bridge::PathGround& ground =
-        path.corridor ? static_cast<const geodesic::bridge::PathGround&>(*path.corridor) : input;
+      const geodesic::bridge::PathGround& ground = path.corridor
+        ? static_cast<const geodesic::bridge::PathGround&>(*path.corridor)
+        : run.input;
       const double length = paths.add(ground,
         geodesic::beginningOf(ground.mesh(), path.path, maximumLength,
           std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),

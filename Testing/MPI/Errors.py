@@ -16,14 +16,18 @@ harness.load(sys.argv[1])
 SEED = [1.4, 0, 0]
 
 
-def expect(words, source, **options):
-    distance = simple.GeodesicDistance(Input=source, **options)
-    messages = harness.messages_of(distance.UpdatePipeline)
+def expect(words, source, make=simple.GeodesicDistance, **options):
+    proxy = make(Input=source, **options)
+    messages = harness.messages_of(proxy.UpdatePipeline)
     for word in (words, ) if isinstance(words, str) else words:
         assert word in messages, (harness.RANKS, word, messages)
-    assert distance.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0
-    simple.Delete(distance)
+    assert proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0
+    simple.Delete(proxy)
     pieces.controller().Barrier()
+
+
+def expect_no_path(words, source, **options):
+    expect(words, source, simple.GeodesicPath, **options)
 
 
 def expect_success(source, **options):
@@ -58,13 +62,27 @@ expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # The source is on one rank, or on all alike.
 expect_success(torus, SeedSource=simple.PointSource(Center=SEED, NumberOfPoints=5, Radius=0.1))
 
-path = simple.GeodesicPath(Input=torus, WaypointPositions=[1.4, 0, 0, -1.4, 0, 0])
-assert "spread over" in harness.messages_of(path.UpdatePipeline)
+ENDS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
+expect_no_path("There are 1 waypoints", torus, WaypointPositions=ENDS[:3])
+expect_no_path("multiple of 3", torus, WaypointPositions=ENDS[:5])
+expect_no_path(("BadCost", "-1"), torus, WaypointPositions=ENDS, CostArray=["POINTS", "BadCost"])
+expect_no_path("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
+               CostArray=["POINTS", "Cost"])
+expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPositions=ENDS,
+               BarrierArray=["POINTS", "PointNumber"])
+expect_no_path("lines", torus, WaypointPositions=ENDS, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
+expect_no_path("Generate Global Ids", torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
+expect_no_path("no surface", simple.PointSource(), WaypointPositions=ENDS)
+path = simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)
+assert harness.messages_of(path.UpdatePipeline) == ""
+assert 3 < harness.informed(path, "TotalLength") < 4
+
 
 # Aborted on one rank, no rank has an output; all know.
-distance = simple.GeodesicDistance(Input=torus, SeedPositions=SEED)
-algorithm = distance.GetClientSideObject()
-if harness.IS_FIRST:
-    algorithm.AddObserver("ProgressEvent", lambda *_: algorithm.AbortExecuteOn())
-distance.UpdatePipeline()
-assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+for proxy in (simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
+              simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)):
+    algorithm = proxy.GetClientSideObject()
+    if harness.IS_FIRST:
+        algorithm.AddObserver("ProgressEvent", lambda *_, filter=algorithm: filter.AbortExecuteOn())
+    assert harness.messages_of(proxy.UpdatePipeline) == ""
+    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0

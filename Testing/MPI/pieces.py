@@ -110,12 +110,18 @@ def corner():
     return weld(np.vstack([points, points + [7, 7, 0]]), np.vstack([cells, cells + len(points)]))
 
 
+def parts():
+    """Two squares that have nothing in common."""
+    points, cells = square()
+    return np.vstack([points, points + [0, 0, 5]]), np.vstack([cells, cells + len(points)])
+
+
 def weld(points, cells):
     points, numbers = np.unique(points, axis=0, return_inverse=True)
     return points, numbers.ravel()[cells]
 
 
-SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner)}
+SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner, parts)}
 
 
 def owners(points, cells, cut, ranks):
