@@ -26,8 +26,8 @@ BlockNumbering::BlockNumbering(const InputBlocks& blocks, std::optional<int> ran
     vtkDataArray* own = block.surface->GetPointData()->GetArray("vtkOriginalPointIds");
     vtkDataArray* ids =
       hasGlobalIds ? block.globalPointIds() : (block.outerSurface ? own : nullptr);
-    this->Blocks.push_back(
-      { firstPoint, firstCell, points, block.flatIndex, block.name, ids, block.outerSurface });
+    this->Blocks.push_back({ firstPoint, firstCell, points, block.flatIndex, block.block,
+      block.name, ids, block.outerSurface });
     if (!hasSeveral && block.hasFaces())
     {
       this->NumberOfIds = block.data->GetNumberOfPoints();
@@ -54,6 +54,11 @@ vtkIdType BlockNumbering::idOfPoint(Index point) const
 unsigned int BlockNumbering::flatIndexOf(Index point) const
 {
   return this->Blocks[this->blockOfPoint(point)].flatIndex;
+}
+
+unsigned int BlockNumbering::blockNumberOf(Index point) const
+{
+  return this->Blocks[this->blockOfPoint(point)].number;
 }
 
 std::string BlockNumbering::nameOfPoint(Index point) const

@@ -37,8 +37,10 @@ public:
   bool hasUniqueIds() const { return this->UniqueIds; }
   /** The id of a point, in its block where ids are not unique; -1 for one that VTK made. */
   vtkIdType idOfPoint(Index point) const;
-  /** The number of a point's block in the composite data set. */
+  /** The number of a point's data set in the composite one. */
   unsigned int flatIndexOf(Index point) const;
+  /** See DataSetLeaf::block. */
+  unsigned int blockNumberOf(Index point) const;
   /** A point in a message: its id, and block and rank where they are needed. */
   std::string nameOfPoint(Index point) const;
   /**
@@ -55,6 +57,7 @@ private:
     Index firstCell;
     Index numberOfPoints;
     unsigned int flatIndex;
+    unsigned int number;
     std::string name;
     /** Null where the ids count from 0. */
     vtkSmartPointer<vtkDataArray> ids;

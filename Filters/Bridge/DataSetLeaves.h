@@ -18,6 +18,8 @@ struct DataSetLeaf
   vtkDataSet* data;
   /** Its number in the composite data set as VTK counts them; 0 for the data object itself. */
   unsigned int flatIndex = 0;
+  /** Of its block: the partitions of one partitioned data set, on all ranks, are one block. */
+  unsigned int block = 0;
   /** For messages: its name in quotes, or its number; empty for the data object itself. */
   std::string name;
 };

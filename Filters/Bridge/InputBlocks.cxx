@@ -44,6 +44,19 @@ InputBlocks::InputBlocks(vtkDataObject* input)
   }
 }
 
+void InputBlocks::setOuterSurfaces(const std::vector<std::shared_ptr<vtkPolyData>>& surfaces)
+{
+  auto next = surfaces.begin();
+  for (InputBlock& block : this->Blocks)
+  {
+    if (block.outerSurface)
+    {
+      block.outerSurface = *next++;
+      block.surface = block.outerSurface.get();
+    }
+  }
+}
+
 std::size_t InputBlocks::numberWithFaces() const
 {
   return static_cast<std::size_t>(std::count_if(

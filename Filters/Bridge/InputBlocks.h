@@ -45,6 +45,9 @@ public:
   auto begin() const { return this->Blocks.begin(); }
   auto end() const { return this->Blocks.end(); }
 
+  /** Puts others in the place of the outer surfaces, in their order. */
+  void setOuterSurfaces(const std::vector<std::shared_ptr<vtkPolyData>>& surfaces);
+
   /** How many have faces. */
   std::size_t numberWithFaces() const;
   /** Whether all that have faces have global point ids. */

@@ -4,6 +4,7 @@
 
 #include "ObjectVersion.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellTypes.h"
@@ -18,6 +19,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -155,9 +157,29 @@ std::shared_ptr<vtkPolyData> extractedBy(vtkDataSet* data, bool passIds)
   return { surface, [](vtkPolyData* s) { s->UnRegister(nullptr); } };
 }
 
+/** The cells of an image or a grid of rows; ids and attributes stay. */
+vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  // As precise as vtkGeometryFilter is without ghost cells, so that pieces fit to each other.
+  append->SetOutputPointsPrecision(vtkStructuredGrid::SafeDownCast(data)
+      ? vtkAlgorithm::DEFAULT_PRECISION
+      : vtkAlgorithm::SINGLE_PRECISION);
+  append->AddInputDataObject(data);
+  append->Update();
+  return append->GetOutput();
+}
+
 std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkSmartPointer<vtkUnstructuredGrid> made;
+  if (!grid && data->GetCellGhostArray())
+  {
+    // VTK puts faces at wrong places here, unless the grid is a cube that begins at 0.
+    made = unstructured(data);
+    grid = made;
+  }
   if (!grid)
   {
     // The other filter gives the six sides of an image points of their own.

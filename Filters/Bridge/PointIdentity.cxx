@@ -130,8 +130,9 @@ std::vector<Index> kindsOfPoints(
   };
   std::vector<Index> group;
   Index next = 0;
-  for (const InputBlock& block : blocks)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
+    const InputBlock& block = blocks[i];
     const Index end = next + static_cast<Index>(block.surface->GetNumberOfPoints());
     for (; next < end; ++next)
     {
@@ -142,7 +143,8 @@ std::vector<Index> kindsOfPoints(
         group.push_back(next);
       }
     }
-    if (!identity.acrossBlocks)
+    const bool isLastOfBlock = i + 1 == blocks.size() || blocks[i + 1].block != block.block;
+    if (!identity.acrossBlocks && isLastOfBlock)
     {
       join(std::move(group));
       group.clear();

@@ -18,6 +18,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace geodesic::bridge
 {
@@ -89,14 +90,39 @@ private:
     return dot(left, right);
   }
 
+  /**
+   * Whether the diagonal from corner 0 is the shorter one; of two equal ones that of the corner
+   * with the smallest coordinates. Which corner comes first does not matter: where a grid is cut
+   * for several ranks its faces may begin elsewhere.
+   */
+  bool isFirstDiagonalBetter() const
+  {
+    const double first = norm(this->at(2) - this->at(0));
+    const double second = norm(this->at(3) - this->at(1));
+    if (first != second)
+    {
+      return first < second;
+    }
+    const auto leastOf = [this](int a, int b)
+    {
+      const auto coordinates = [this](int i)
+      {
+        const Vector3& p = this->at(i);
+        return std::tuple(p.x, p.y, p.z);
+      };
+      return std::min(coordinates(a), coordinates(b));
+    };
+    return leastOf(0, 2) < leastOf(1, 3);
+  }
+
   const Vector3& at(int i) const { return this->Points[this->Corners[i % 4]]; }
 
   void addQuadrilateral()
   {
     const bool isFirstInside = this->innerness(0) > 0.0;
     const bool isSecondInside = this->innerness(1) > 0.0;
-    const bool isFirstShorter = norm(this->at(2) - this->at(0)) <= norm(this->at(3) - this->at(1));
-    const bool takesFirst = isFirstInside == isSecondInside ? isFirstShorter : isFirstInside;
+    const bool takesFirst =
+      isFirstInside == isSecondInside ? this->isFirstDiagonalBetter() : isFirstInside;
     const auto& c = this->Corners;
     if (takesFirst)
     {

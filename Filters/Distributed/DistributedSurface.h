@@ -25,13 +25,12 @@ class DistributedSurface
 public:
   /**
    * Collective; built now unless all ranks still hold what they built together. This rank may be
-   * without triangles. On several ranks points are one by their global ids where all ranks have
-   * them, else by their coordinates.
-   * @throws std::exception on all ranks where no rank has a triangle, or where nothing tells which
-   *         points are one
+   * without triangles.
+   * @param identity see identityOf
+   * @throws std::exception on all ranks where no rank has a triangle
    */
-  static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
-    const bridge::InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
+  static std::shared_ptr<const DistributedSurface> of(
+    RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
 
   DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> piece,
     const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);

@@ -125,6 +125,21 @@ std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
   return byRank;
 }
 
+double RankGroup::newNumber()
+{
+  static double last = 0.0;
+  const std::vector<double> lasts = this->gather({ &last, 1 });
+  last = *std::max_element(lasts.begin(), lasts.end()) + 1.0;
+  return last;
+}
+
+bool RankGroup::haveSame(double number)
+{
+  const std::vector<double> all = this->gather({ &number, 1 });
+  return number > 0.0 &&
+    std::all_of(all.begin(), all.end(), [number](double other) { return other == number; });
+}
+
 unsigned RankGroup::threadsOfThisRank()
 {
   const unsigned usable = std::max(1u, std::thread::hardware_concurrency());

@@ -41,6 +41,12 @@ public:
   std::vector<Message> toFirst(const Message& own);
   /** Whether it is so on any rank. */
   bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
+  /**
+   * A number that all ranks get and never got before, for what they made together; more than 0.
+   */
+  double newNumber();
+  /** Whether all ranks give one and the same such number. */
+  bool haveSame(double number);
   /** This rank's share of the processors of its machine, at least 1. */
   unsigned threadsOfThisRank();
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedPoints.h"
 
+#include "PointKeys.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 namespace geodesic::distributed
 {
@@ -53,7 +53,8 @@ bool isIn(const Box& box, const Vector3& p)
 }
 
 /** The vertices that other pieces may have. */
-std::vector<Index> candidates(RankGroup& ranks, const TriangleMesh& mesh)
+std::vector<KeyedNumber> candidates(
+  RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys)
 {
   std::vector<Box> boxes;
   for (const std::vector<double>& box : ranks.gatherByRank(boxOf(mesh)))
@@ -61,109 +62,22 @@ std::vector<Index> candidates(RankGroup& ranks, const TriangleMesh& mesh)
     boxes.push_back(widened(box));
   }
   boxes.erase(boxes.begin() + ranks.rank());
-  std::vector<Index> vertices;
+  std::vector<KeyedNumber> vertices;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
     const Vector3& p = mesh.position(v);
-    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return isIn(box, p); }))
+    if (keys[v] != NoKey &&
+      std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return isIn(box, p); }))
     {
-      vertices.push_back(v);
+      vertices.push_back({ keys[v], v });
     }
   }
   return vertices;
 }
 
-struct KeyedVertex
-{
-  PointKey key;
-  GlobalVertex vertex;
-};
-
-std::size_t hashOf(const PointKey& key)
-{
-  std::uint64_t hash = 0;
-  for (const std::uint64_t part : key)
-  {
-    hash = (hash ^ part) * 0x9e3779b97f4a7c15ull;
-    hash ^= hash >> 29;
-  }
-  return hash;
 }
 
-/** One of the vertices that are one point, as the rank of the first one hears of it. */
-struct Copy
-{
-  Index receiver;
-  Index unused;
-  GlobalVertex vertex;
-};
-
-/** A message for every rank; this rank's own does not leave it. */
-template <class T>
-std::vector<T> deliver(RankGroup& ranks, std::vector<RankGroup::Message>& byRank)
-{
-  const std::vector<int> others = ranks.others();
-  std::vector<RankGroup::Message> messages;
-  for (const int rank : others)
-  {
-    messages.push_back(std::move(byRank[rank]));
-  }
-  std::vector<T> all = valuesIn<T>(byRank[ranks.rank()]);
-  for (const RankGroup::Message& message : ranks.exchange(others, messages))
-  {
-    const std::vector<T> values = valuesIn<T>(message);
-    all.insert(all.end(), values.begin(), values.end());
-  }
-  return all;
-}
-
-/** All vertices that are one point with one of this rank's, next to it and in order of rank. */
-std::vector<Copy> copiesOf(
-  RankGroup& ranks, const std::vector<Index>& vertices, std::span<const PointKey> keys)
-{
-  std::vector<RankGroup::Message> asked(ranks.size());
-  for (const Index vertex : vertices)
-  {
-    const KeyedVertex keyed{ keys[vertex], { ranks.rank(), vertex } };
-    append(asked[hashOf(keyed.key) % ranks.size()], keyed);
-  }
-  auto known = deliver<KeyedVertex>(ranks, asked);
-  std::sort(known.begin(), known.end(),
-    [](const KeyedVertex& a, const KeyedVertex& b)
-    { return std::tie(a.key, a.vertex) < std::tie(b.key, b.vertex); });
-  // Of vertices of one rank with one key, the first stands for all.
-  const auto isSame = [](const KeyedVertex& a, const KeyedVertex& b)
-  { return a.key == b.key && a.vertex.rank == b.vertex.rank; };
-  known.erase(std::unique(known.begin(), known.end(), isSame), known.end());
-
-  std::vector<RankGroup::Message> answers(ranks.size());
-  for (auto first = known.begin(); first != known.end();)
-  {
-    const auto last = std::find_if(
-      first, known.end(), [&](const KeyedVertex& other) { return other.key != first->key; });
-    if (last - first > 1)
-    {
-      for (auto to = first; to != last; ++to)
-      {
-        for (auto copy = first; copy != last; ++copy)
-        {
-          append(answers[to->vertex.rank], Copy{ to->vertex.vertex, 0, copy->vertex });
-        }
-      }
-    }
-    first = last;
-  }
-  auto copies = deliver<Copy>(ranks, answers);
-  std::sort(copies.begin(), copies.end(),
-    [](const Copy& a, const Copy& b)
-    { return std::tie(a.receiver, a.vertex) < std::tie(b.receiver, b.vertex); });
-  return copies;
-}
-
-}
-
-SharedPoints::SharedPoints(
-  RankGroup& ranks, const TriangleMesh& mesh, std::span<const PointKey> keys)
+SharedPoints::SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys)
   : Rank(ranks.rank())
 {
   this->FirstPlaces.push_back(0);
@@ -171,19 +85,19 @@ SharedPoints::SharedPoints(
   {
     return;
   }
-  const std::vector<Copy> copies = copiesOf(ranks, candidates(ranks, mesh), keys);
   std::map<int, std::vector<std::uint32_t>> slotsOfRank;
-  for (const Copy& copy : copies)
+  for (const KeyMatch& match : matchKeys(ranks, candidates(ranks, mesh, keys)))
   {
-    if (this->Vertices.empty() || this->Vertices.back() != copy.receiver)
+    if (this->Vertices.empty() || this->Vertices.back() != match.own)
     {
-      this->Vertices.push_back(copy.receiver);
-      this->Globals.push_back(copy.vertex);
+      this->Vertices.push_back(match.own);
+      // Of the lowest rank, as they are sorted.
+      this->Globals.push_back({ match.rank, match.number });
     }
-    if (copy.vertex.rank != this->Rank)
+    if (match.rank != this->Rank)
     {
       const auto slot = static_cast<std::uint32_t>(this->Vertices.size() - 1);
-      slotsOfRank[copy.vertex.rank].push_back(slot);
+      slotsOfRank[match.rank].push_back(slot);
     }
   }
   const auto isBefore = [this](std::uint32_t a, std::uint32_t b)

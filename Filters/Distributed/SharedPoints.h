@@ -4,11 +4,11 @@
 #define geodesic_distributed_SharedPoints_h
 
 #include "Index.h"
+#include "KeyMatches.h"
 #include "RankGroup.h"
 #include "StartValue.h"
 
 #include <algorithm>
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -22,9 +22,6 @@ class TriangleMesh;
 namespace geodesic::distributed
 {
 
-/** What makes vertices of different ranks one point: equal keys. */
-using PointKey = std::array<std::uint64_t, 4>;
-
 /** A vertex by the lowest rank that has it and the number it has there. */
 struct GlobalVertex
 {
@@ -37,15 +34,17 @@ struct GlobalVertex
 /**
  * The vertices of this rank's piece of a surface that other ranks have as well.
  *
- * Only vertices inside the bounding box of another piece are looked at. Each of their keys goes to
- * the rank that the key's hash names, which tells those who sent it of each other: no rank gathers
- * more than its share of them. Time and memory O(vertices in overlapping boxes + boundary).
+ * Only vertices inside the bounding box of another piece are looked at. Time and memory O(vertices
+ * in overlapping boxes + boundary).
  */
 class SharedPoints
 {
 public:
-  /** Collective. @param keys one a vertex; -0 is 0 */
-  SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const PointKey> keys);
+  /**
+   * Collective.
+   * @param keys one a vertex, equal for those of different ranks that are one point
+   */
+  SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys);
 
   /** Their vertex numbers on this rank; a *slot* is a place in this list. */
   std::span<const Index> vertices() const { return this->Vertices; }

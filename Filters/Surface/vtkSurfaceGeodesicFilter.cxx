@@ -17,9 +17,11 @@
 #include "ErrorMessage.h"
 #include "FastMarchingSolver.h"
 #include "GuideResolver.h"
+#include "InnerFaces.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
 #include "PointIdentity.h"
+#include "PointKeys.h"
 #include "PointResolver.h"
 #include "RankGroup.h"
 #include "SharedGuides.h"
@@ -91,6 +93,9 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
         checkRequest(input);
         blocks.emplace(input);
       });
+    geodesic::distributed::hideInnerFaces(ranks, *blocks,
+      geodesic::distributed::identityOf(
+        ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
     this->Compute(ranks, *blocks, inputVector, output);
   }
   catch (const std::exception& error)
@@ -181,8 +186,9 @@ std::shared_ptr<const geodesic::distributed::DistributedSurface>
 vtkSurfaceGeodesicFilter::FindSurface(
   geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
-  return geodesic::distributed::DistributedSurface::of(
-    ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks);
+  return geodesic::distributed::DistributedSurface::of(ranks, blocks,
+    geodesic::distributed::identityOf(
+      ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,18 @@ def redistributed(name):
     return simple.ExtractSurface(Input=parts)
 
 
+def brick(cut):
+    """The source of a grid of volume cells."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkUnstructuredGrid", Script=HERE + f"pieces.make_brick(self.GetOutput(), {cut!r})")
+
+
+def image():
+    """An image, which each rank has a part of, with PointNumber."""
+    wavelet = simple.Wavelet(WholeExtent=[0, 16, 0, 12, 0, 9])
+    return simple.Calculator(Input=wavelet, ResultArrayName="PointNumber", Function="coordsX+17*coordsY+17*13*coordsZ")
+
+
 def ghosted(source):
     return simple.GhostCellsGenerator(Input=source, BuildIfRequired=0)
 

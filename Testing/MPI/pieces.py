@@ -9,11 +9,14 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON, VTK_TETRA, vtkCellArray, vtkDataSetAttributes, vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 DATA = os.path.join(os.path.dirname(__file__), "..", "Data")
+
+HIDDEN = vtkDataSetAttributes.HIDDENCELL
 
 
 def controller():
@@ -121,6 +124,18 @@ def weld(points, cells):
     return points, numbers.ravel()[cells]
 
 
+def brick(size=12):
+    """A bent brick of hexahedra, and its lower half cut into tetrahedra: points, hexahedra, tetrahedra."""
+    i, j, k = (a.ravel() for a in np.meshgrid(*[np.arange(size + 1)] * 3, indexing="ij"))
+    number = np.arange(len(i)).reshape([size + 1] * 3)
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    cells = np.stack([number[a:a + size, b:b + size, c:c + size].ravel() for a, b, c in corners], -1)
+    is_low = np.stack([i, j, k], -1)[cells[:, 0], 2] < size // 2
+    tetrahedra = [(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)]
+    points = np.stack([i, j + 0.1 * i, k], -1) / size
+    return points, cells[~is_low], np.vstack([cells[is_low][:, t] for t in tetrahedra])
+
+
 SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner, parts)}
 
 
@@ -202,6 +217,31 @@ def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
     return data
 
 
+def make_brick(output, cut):
+    """Fills an unstructured grid: whole on the first rank, or the cells of all dealt out at random."""
+    rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    points, *kinds = brick()
+    random = np.random.default_rng(11)
+    owners = [random.integers(ranks if cut == "random" else 1, size=len(kind)) for kind in kinds]
+    kinds = [kind[owner == rank] for kind, owner in zip(kinds, owners)]
+    used = np.unique(np.concatenate([kind.ravel() for kind in kinds]))
+    types = np.concatenate([np.full(len(kind), type) for kind, type in zip(kinds, (VTK_HEXAHEDRON, VTK_TETRA))])
+    sizes = np.concatenate([np.full(len(kind), kind.shape[1]) for kind in kinds])
+    corners = np.concatenate([np.searchsorted(used, kind).ravel() for kind in kinds])
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
+    grid_of_rank = vtkUnstructuredGrid()
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points[used]), deep=True))
+    grid_of_rank.SetPoints(coordinates)
+    grid_of_rank.SetCells(numpy_to_vtk(types.astype(np.uint8), deep=True), cells)
+    numbers = numpy_to_vtk(used.astype(float), deep=True)
+    numbers.SetName("PointNumber")
+    grid_of_rank.GetPointData().AddArray(numbers)
+    output.ShallowCopy(grid_of_rank)
+
+
 def make_blocks(output, surface):
     """Fills partitioned data with the two parts that this rank has of twice as many as there are ranks."""
     rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
@@ -226,6 +266,18 @@ def blocks_of(data):
     return blocks
 
 
+def is_visible(block):
+    """Which points have a value: all but those that only hidden faces use."""
+    ghosts = block.GetCellData().GetArray("vtkGhostType")
+    if ghosts is None or block.GetNumberOfPolys() == 0:
+        return slice(None)
+    sizes = np.diff(vtk_to_numpy(block.GetPolys().GetOffsetsArray()))
+    is_shown = (vtk_to_numpy(ghosts) & HIDDEN) == 0
+    visible = np.zeros(block.GetNumberOfPoints(), bool)
+    visible[vtk_to_numpy(block.GetPolys().GetConnectivityArray())[np.repeat(is_shown, sizes)]] = True
+    return visible
+
+
 def store(data, path):
     """Writes what this rank has, and waits for the others to have done so."""
     rank = controller().GetLocalProcessId()
@@ -234,6 +286,7 @@ def store(data, path):
     for name in ("PointNumber", "GeodesicDistance", "NearestSeed"):
         of_blocks = [block.GetPointData().GetArray(name) for block in blocks]
         if all(array is not None for array in of_blocks):
-            arrays[name] = np.concatenate([vtk_to_numpy(array) for array in of_blocks])
+            arrays[name] = np.concatenate(
+                [vtk_to_numpy(array)[is_visible(block)] for array, block in zip(of_blocks, blocks)])
     np.savez(part_path(path, rank), points=sum(block.GetNumberOfPoints() for block in blocks), **arrays)
     controller().Barrier()
