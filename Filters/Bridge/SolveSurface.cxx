@@ -24,10 +24,11 @@ bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& aft
 
 }
 
-SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base, const SurfaceLines& lines,
+SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base,
+  const std::shared_ptr<const TriangleMesh>& mesh, const SurfaceLines& lines,
   const Barriers& barriers, const std::vector<double>& cost, bool alongEdges)
   : Base(std::move(base))
-  , Mesh(lines.split() ? lines.split()->mesh() : this->Base->mesh())
+  , Mesh(lines.split() ? lines.split()->mesh() : mesh)
   , Split(lines.split())
   , SeedLines(lines.seeds())
 {
@@ -61,6 +62,11 @@ SolveOptions SolveSurface::options() const
   return options;
 }
 
+const TriangleMesh& SolveSurface::baseMesh() const
+{
+  return this->Split ? this->Split->base() : *this->Mesh;
+}
+
 SurfacePoint SolveSurface::pointOf(const SurfacePoint& basePoint) const
 {
   return this->Split ? this->Split->pointOf(basePoint) : basePoint;
@@ -86,8 +92,10 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
   if (isExcluded)
   {
     const Index vertex = this->Split ? this->Split->origin(carriers[0]).carriers()[0] : carriers[0];
+    const Index input = this->baseMesh().pointOfVertex(vertex);
     throw std::invalid_argument(name + " is at " +
-      this->Base->numbering().nameOfPoint(this->Base->mesh()->pointOfVertex(vertex)) +
+      (input < this->Base->mesh()->numberOfPoints() ? this->Base->numbering().nameOfPoint(input)
+                                                    : "a point of another rank") +
       ", on a barrier, where nothing may be; move it off the barrier.");
   }
 }
@@ -107,11 +115,11 @@ std::vector<Seed> SolveSurface::seedsOf(const std::vector<Seed>& baseSeeds) cons
       {
         seed.points = this->Split->curve(line);
       }
-      else
+      else if (!this->SeedLines.empty())
       {
         for (const PathPoint& point : this->SeedLines[line])
         {
-          seed.points.push_back(surfacePointOf(*this->Base->mesh(), point));
+          seed.points.push_back(surfacePointOf(*this->Mesh, point));
         }
       }
       ++line;

@@ -21,6 +21,9 @@ class DistanceSource;
 SurfacePath joinedCurve(
   DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name);
 
+/** Throws what joinedCurve does where no way leads to point @p i of a curve. */
+[[noreturn]] void throwUnjoined(const std::string& name, std::size_t i);
+
 }
 
 #endif

@@ -119,7 +119,7 @@ DistributedPathFinder::DistributedPathFinder(
   const PathRequest& request, std::vector<GlobalPoint> ends)
   : Request(request)
   , Ends(std::move(ends))
-  , Partition(request.ranks, request.surface)
+  , Partition(request.ranks, request.surface.divided())
 {
   if (request.ranks.size() == 1)
   {

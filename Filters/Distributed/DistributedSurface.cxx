@@ -79,31 +79,7 @@ DistributedSurface::DistributedSurface(RankGroup& ranks,
   {
     ranks.together([&] { keys = keysOf(*this->Piece, blocks, identity); });
   }
-  this->Shared = std::make_unique<const SharedPoints>(ranks, mesh, keys);
-  if (ranks.size() > 1)
-  {
-    this->agreeOnLongestEdges(ranks);
-  }
-  this->chooseStep(ranks);
-}
-
-void DistributedSurface::agreeOnLongestEdges(RankGroup& ranks)
-{
-  this->LongestEdges.resize(this->mesh().numberOfVertices());
-  for (Index v = 0; v < this->LongestEdges.size(); ++v)
-  {
-    this->LongestEdges[v] = static_cast<float>(this->mesh().longestEdgeAround(v));
-  }
-  this->Shared->takeLargest<float>(ranks, this->LongestEdges);
-}
-
-void DistributedSurface::chooseStep(RankGroup& ranks)
-{
-  const auto vertices = static_cast<double>(this->mesh().numberOfVertices());
-  const auto shared = static_cast<double>(this->Shared->vertices().size());
-  constexpr double atSharedVertex = 0.1;
-  constexpr double least = 0.5;
-  this->StepInEdges = std::max(least, atSharedVertex * ranks.sum(vertices) / ranks.sum(shared));
+  this->Divided = std::make_unique<const DividedMesh>(ranks, this->Piece->mesh(), keys);
 }
 
 }

@@ -47,39 +47,19 @@ std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
   return seeds;
 }
 
-std::vector<Seed> seedsOfSource(
+std::vector<GlobalPoint> loosePointsOf(
   RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source)
 {
   std::vector<double> loose;
-  std::vector<std::vector<SurfacePoint>> lines;
   ranks.together(
     [&]
     {
-      if (!source)
+      if (source)
       {
-        return;
+        loose = loosePoints(bridge::PointSource(source));
       }
-      const bridge::PointSource points(source);
-      loose = loosePoints(points);
-      if (points.lines.empty())
-      {
-        return;
-      }
-      if (ranks.size() > 1)
-      {
-        throw std::invalid_argument("SeedSource has lines, which are no seeds yet where the "
-                                    "surface is spread over several ranks. Give points, or run "
-                                    "on one rank.");
-      }
-      lines = bridge::surfaceLinesOf(surface.piece(), points, "SeedSource");
     });
-  std::vector<Seed> seeds = seedsAt(
-    globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single));
-  for (std::vector<SurfacePoint>& line : lines)
-  {
-    seeds.push_back(Seed::alongCurve(std::move(line)));
-  }
-  return seeds;
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single);
 }
 
 std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions)

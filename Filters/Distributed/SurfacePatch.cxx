@@ -87,10 +87,16 @@ bool PatchCutter::Block::isNear(const Ball& ball) const
 
 SurfacePatch PatchCutter::cut(std::span<const Ball> balls, const DistanceField* field) const
 {
+  return this->cutRound(this->verticesIn(balls), field);
+}
+
+SurfacePatch PatchCutter::cutRound(
+  std::span<const Index> vertices, const DistanceField* field) const
+{
   const TriangleMesh& mesh = this->Surface.mesh();
   SurfacePatch patch;
   std::unordered_map<Index, std::uint32_t> places;
-  for (const Index t : this->trianglesRound(this->verticesIn(balls)))
+  for (const Index t : this->trianglesRound(vertices))
   {
     PatchTriangle triangle{ {}, this->Options.isClosed(t) ? 1u : 0u };
     for (int c = 0; c < 3; ++c)
@@ -163,7 +169,7 @@ PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) c
   const std::optional<Vector3> normal = this->Input.normalOf(vertex);
   const bool hasId = this->Surface.piece().numbering().hasUniqueIds();
   return { this->Surface.shared().globalOf(vertex), mesh.position(vertex),
-    this->Surface.longestEdges()[vertex],
+    this->Surface.divided().longestEdges()[vertex],
     this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
     field ? field->distance(vertex) : DistanceField::Unreached,
     field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u,

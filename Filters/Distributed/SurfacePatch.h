@@ -80,6 +80,9 @@ public:
 
   /** @param field null: no vertex has a distance yet */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
+  /** The same of the triangles round some vertices. */
+  SurfacePatch cutRound(std::span<const Index> vertices, const DistanceField* field) const;
+  std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
 
 private:
   /** The box round consecutive vertices, which lie near each other. */
@@ -92,7 +95,6 @@ private:
   };
 
   std::vector<Index> verticesIn(std::span<const Ball> balls) const;
-  std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
   PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
 
   const DistributedSurface& Surface;

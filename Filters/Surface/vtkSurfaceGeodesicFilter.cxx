@@ -132,32 +132,26 @@ void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ra
   ranks.together(
     [&]
     {
-      this->GatherBarriers(blocks, inputVector, surface.piece(), barriers);
-      if (ranks.size() > 1 && !barriers.lines.empty())
+      this->GatherBarriers(blocks, surface.piece(), barriers);
+      vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]);
+      if (source && ranks.size() == 1)
       {
-        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
-                                    "surface is spread over several ranks. Use BarrierArray, or "
-                                    "run on one rank.");
+        barriers.lines = geodesic::bridge::surfaceLinesOf(
+          surface.piece(), geodesic::bridge::PointSource(source), "BarrierSource");
       }
       cost = this->GatherCost(blocks, surface.piece());
     });
-  geodesic::distributed::shareExcluded(ranks, surface, barriers.excluded);
+  geodesic::distributed::shareExcluded(ranks, surface.divided(), barriers.excluded);
   geodesic::distributed::shareCost(ranks, surface, cost);
 }
 
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
-  vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
-  geodesic::bridge::Barriers& barriers)
+  const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers)
 {
   if (const auto array = this->GetChosenArray(BARRIER_ARRAY, blocks))
   {
     geodesic::bridge::addBarrierArray(surface, array, barriers);
-  }
-  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]))
-  {
-    barriers.lines = geodesic::bridge::surfaceLinesOf(
-      surface, geodesic::bridge::PointSource(source), "BarrierSource");
   }
 }
 

@@ -151,8 +151,8 @@ protected:
   geodesic::bridge::ChosenArray GetChosenArray(
     int number, const geodesic::bridge::InputBlocks& blocks);
   /**
-   * BARRIER_ARRAY, the lines of BarrierSource and the cost of each vertex (empty: 1), the same on
-   * all ranks where they share vertices. Collective.
+   * BARRIER_ARRAY, on one rank the lines of BarrierSource, and the cost of each vertex (empty: 1),
+   * the same on all ranks where they share vertices. Collective.
    */
   void GatherGuides(geodesic::distributed::RankGroup& ranks,
     const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
@@ -171,8 +171,7 @@ protected:
 
 private:
   void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
-    vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
-    geodesic::bridge::Barriers& barriers);
+    const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers);
   std::vector<double> GatherCost(
     const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface);
 

@@ -14,6 +14,7 @@
 #include "DistanceSolver.h"
 #include "DistributedPathFinder.h"
 #include "DistributedSurface.h"
+#include "GlobalLines.h"
 #include "GlobalPoints.h"
 #include "GuideResolver.h"
 #include "InputBlocks.h"
@@ -188,6 +189,14 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
     run, START_SOURCE_PORT, this->StartCoordinates, "StartPositions", "StartSource");
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
+  const auto barrierLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
+    vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
+  if (ranks.size() > 1 && !barrierLines.empty())
+  {
+    throw std::invalid_argument("BarrierSource has lines, which are no barriers of paths yet where "
+                                "the surface is spread over several ranks. Use BarrierArray, or "
+                                "run on one rank.");
+  }
   this->GatherGuides(ranks, blocks, inputVector, *internal.Surface, barriers, cost);
   internal.Lines.update(internal.Surface->piece().mesh(), {}, std::move(barriers.lines));
   const bool hasCost = ranks.isAny(!cost.empty());
@@ -195,8 +204,9 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const bool hadMethod = internal.Method == this->Method;
-  internal.setGround(geodesic::bridge::SolveSurface(internal.Surface->sharedPiece(), internal.Lines,
-                       barriers, cost, this->Method == DIJKSTRA),
+  internal.setGround(
+    geodesic::bridge::SolveSurface(internal.Surface->sharedPiece(),
+      internal.Surface->piece().mesh(), internal.Lines, barriers, cost, this->Method == DIJKSTRA),
     this->Method, style);
   const auto& mesh = internal.Ground->mesh();
   if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)

@@ -53,8 +53,13 @@ expect("Seed point id 11 ", with_ids, SeedPointIds=[10, 11])
 expect("Destination point id 12 ", with_ids, SeedPointIds=[10], DestinationPointIds=[12])
 expect("multiple of 3", torus, SeedPositions=[1, 2])
 expect("maximum distance", torus, SeedPositions=SEED, UseMaximumDistance=1, MaximumDistance=-1)
-expect("lines", torus, SeedSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
-expect("lines", torus, SeedPositions=SEED, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
+LINE = simple.PolyLineSource(Points=[0.3, 0.2, 0, 0.3, 0.2, 5])
+expect("SeedSource's line 0 can't be joined from its point 0 to its point 1", harness.surface("parts", "random"),
+       SeedSource=LINE)
+expect("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs"), SeedPositions=SEED,
+       BarrierSource=LINE)
+expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
+       BarrierSource=simple.PolyLineSource(Points=SEED + [0, 1, 0]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 expect_success(torus, SeedPositions=SEED)
