@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
-# Labels: core vtk tracing pvpython gui install. Without any, all tests are run.
+# Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
 #        bash Testing/run.sh bench [distances|paths]
 # Runs the benchmarks instead, for about a quarter of an hour, and writes Plugin/Documentation/benchmarks.md and
 # path_benchmarks.md.
@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
 
 build=build/dev
-all_labels=(core vtk tracing pvpython gui install)
+all_labels=(core vtk tracing pvpython mpi gui install)
 labels=("${@:-${all_labels[@]}}")
 
 fail()

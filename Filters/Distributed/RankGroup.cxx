@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,12 @@ namespace
 /** Tells our messages from those of others on the same controller. */
 constexpr int LengthTag = 81501;
 constexpr int ContentTag = 81502;
+
+/** Not-a-number is the same as itself here. */
+bool areSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
 
 }
 
@@ -185,6 +192,19 @@ void RankGroup::together(const std::function<void()>& step)
     message.resize(length);
     this->Controller->Broadcast(message.data(), length, rank);
     throw std::runtime_error(message);
+  }
+}
+
+void RankGroup::requireSame(std::span<const double> values, const std::string& what)
+{
+  const auto all = this->gatherByRank(values);
+  const auto isOther = [&](const std::vector<double>& others)
+  { return !std::equal(others.begin(), others.end(), all[0].begin(), all[0].end(), areSame); };
+  const auto other = std::find_if(all.begin(), all.end(), isOther);
+  if (other != all.end())
+  {
+    throw std::invalid_argument("The " + what + " of rank " + std::to_string(other - all.begin()) +
+      " are not those of rank 0. Set the same on all ranks.");
   }
 }
 

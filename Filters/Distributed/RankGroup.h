@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -55,6 +56,12 @@ public:
    * the message of the lowest one.
    */
   void together(const std::function<void()>& step);
+
+  /**
+   * Throws on all ranks unless all give the same values.
+   * @param what they are, for the message
+   */
+  void requireSame(std::span<const double> values, const std::string& what);
 
   /**
    * Sends a message to each partner and returns theirs.

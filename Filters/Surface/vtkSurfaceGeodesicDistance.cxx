@@ -273,6 +273,25 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
+{
+  this->Superclass::DescribeRequest(numbers);
+  for (const auto* coordinates : { &this->SeedCoordinates, &this->DestinationCoordinates })
+  {
+    numbers.push_back(static_cast<double>(coordinates->size()));
+    numbers.insert(numbers.end(), coordinates->begin(), coordinates->end());
+  }
+  for (vtkIdList* ids : { this->SeedPointIds.Get(), this->DestinationPointIds.Get() })
+  {
+    numbers.push_back(static_cast<double>(ids->GetNumberOfIds()));
+    numbers.insert(numbers.end(), ids->begin(), ids->end());
+  }
+  numbers.insert(numbers.end(),
+    { static_cast<double>(this->DestinationMode), static_cast<double>(this->UseMaximumDistance),
+      this->MaximumDistance });
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::Forget()
 {
   *this->Internal = Internals();

@@ -218,6 +218,7 @@ protected:
     vtkInformationVector* outputVector) override;
   void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
     vtkInformationVector** inputVector, vtkDataObject* output) override;
+  void DescribeRequest(std::vector<double>& numbers) override;
   void Forget() override;
 
   std::vector<double> SeedCoordinates;

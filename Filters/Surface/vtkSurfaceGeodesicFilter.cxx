@@ -26,6 +26,7 @@
 #include "RankGroup.h"
 #include "SharedGuides.h"
 
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -93,6 +94,9 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
         checkRequest(input);
         blocks.emplace(input);
       });
+    std::vector<double> numbers;
+    this->DescribeRequest(numbers);
+    ranks.requireSame(numbers, "properties");
     geodesic::distributed::hideInnerFaces(ranks, *blocks,
       geodesic::distributed::identityOf(
         ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
@@ -105,6 +109,21 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(),
+    { static_cast<double>(this->CostMode), static_cast<double>(this->Method),
+      static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks) });
+  for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
+  {
+    vtkInformation* choice = this->GetInputArrayInformation(number);
+    const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+    numbers.push_back(static_cast<double>(std::hash<std::string>{}(name ? name : "")));
+    numbers.push_back(choice->Get(vtkDataObject::FIELD_ASSOCIATION()));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -142,6 +142,8 @@ protected:
   virtual void Compute(geodesic::distributed::RankGroup& ranks,
     const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
     vtkDataObject* output) = 0;
+  /** Appends what is set, which must be the same on all ranks, as numbers. */
+  virtual void DescribeRequest(std::vector<double>& numbers);
   /** Drops what is kept from run to run, after an error. */
   virtual void Forget() = 0;
 

@@ -22,6 +22,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -240,7 +241,8 @@ TEST_F(Grids, HiddenCellsAreNotThere)
   for (const vtkSmartPointer<vtkDataSet>& data :
     { vtkSmartPointer<vtkDataSet>(box()), vtkSmartPointer<vtkDataSet>(hexahedra(box())) })
   {
-    EXPECT_NEAR(fieldOf(this->run(data)).at({ 0.0, 1.0, 0.0 }), std::sqrt(2.0), 1e-9);
+    const Field whole = fieldOf(this->run(data));
+    EXPECT_NEAR(whole.at({ 0.0, 1.0, 0.0 }), std::sqrt(2.0), 1e-9);
     vtkNew<vtkUnsignedCharArray> ghosts;
     ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
     ghosts->SetNumberOfTuples(data->GetNumberOfCells());
@@ -251,7 +253,50 @@ TEST_F(Grids, HiddenCellsAreNotThere)
     EXPECT_EQ(field.count({ 0.0, 0.0, 0.0 }), 0u);
     EXPECT_NEAR(field.at({ 0.0, 1.0, 0.0 }), 2.0, 0.01);
     EXPECT_EQ(field.count({ 1.0, 1.0, 1.0 }), 1u);
+    // All else is there, and no more.
+    EXPECT_EQ(field.size(), whole.size());
+    for (const auto& [point, distance] : whole)
+    {
+      EXPECT_EQ(field.count(point), (point == std::array{ 0.0, 0.0, 0.0 } ? 0u : 1u));
+    }
   }
+}
+
+// The faces between two halves of a box are inside; as blocks of their own the halves keep theirs.
+TEST_F(Grids, PartitionsHaveNoFacesInside)
+{
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  const Field whole = fieldOf(this->run(box()));
+  vtkNew<vtkImageData> low;
+  low->SetExtent(0, 3, 0, 5, 0, 4);
+  vtkNew<vtkImageData> high;
+  high->SetExtent(3, 6, 0, 5, 0, 4);
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, low);
+  partitions->SetPartition(1, high);
+  for (int run = 0; run < 2; ++run)
+  {
+    this->Filter->SetInputDataObject(partitions);
+    ASSERT_EQ(errorsOf(this->Filter.Get()), "");
+    auto* output = vtkPartitionedDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      for (const auto& [point, distance] :
+        fieldOf(vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(i))))
+      {
+        EXPECT_EQ(std::isnan(distance), whole.count(point) == 0);
+        EXPECT_TRUE(std::isnan(distance) || std::abs(distance - whole.at(point)) < 1e-9);
+      }
+    }
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, low);
+  blocks->SetBlock(1, high);
+  this->Filter->SetInputDataObject(blocks);
+  ASSERT_EQ(errorsOf(this->Filter.Get()), "");
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+  EXPECT_NEAR(fieldOf(vtkPolyData::SafeDownCast(output->GetBlock(1))).at({ 3.0, 1.0, 1.0 }),
+    std::sqrt(17.0), 0.3);
 }
 
 TEST_F(Grids, PointIdsAreTheirOwn)

@@ -62,6 +62,13 @@ expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
        BarrierSource=simple.PolyLineSource(Points=SEED + [0, 1, 0]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
+# Each rank runs the script, and may set something else.
+expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else SEED + SEED)
+expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else [])
+expect("same on all ranks", torus, SeedPositions=SEED, MergeCoincidentPoints=int(harness.IS_FIRST))
+expect("same on all ranks", torus, SeedPositions=SEED, CostArray=["POINTS", "Cost" if harness.IS_FIRST else "None"])
+expect("same on all ranks", torus, SeedPositions=SEED, Method="Dijkstra" if harness.IS_FIRST else "FastMarching")
+
 expect_success(torus, SeedPositions=SEED)
 expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # The source is on one rank, or on all alike.
