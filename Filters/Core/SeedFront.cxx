@@ -351,6 +351,7 @@ private:
   std::vector<Index> withThoseOfOthers(std::vector<Index> vertices)
   {
     std::vector<StartValue> own;
+    own.reserve(vertices.size());
     for (Index vertex : vertices)
     {
       own.push_back({ vertex, 0, 0.0, false });

@@ -20,7 +20,7 @@
  * vtkSurfaceGeodesicFilter names.
  *
  * On several ranks the pieces of the input are one surface. Which of their points are one is told
- * as for blocks. Point ids are global ids then, and lines of seeds or barriers are an error.
+ * as for blocks. Point ids are global ids then.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h

@@ -166,6 +166,20 @@ int vtkSurfaceGeodesicPath::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicPath::DescribeRequest(std::vector<double>& numbers)
+{
+  this->Superclass::DescribeRequest(numbers);
+  for (const auto* coordinates : { &this->WaypointCoordinates, &this->StartCoordinates })
+  {
+    numbers.push_back(static_cast<double>(coordinates->size()));
+    numbers.insert(numbers.end(), coordinates->begin(), coordinates->end());
+  }
+  numbers.insert(numbers.end(),
+    { static_cast<double>(this->Closed), static_cast<double>(this->PathMode),
+      static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten) });
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicPath::Forget()
 {
   *this->Internal = Internals();
