@@ -85,7 +85,7 @@ expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPosit
 expect_no_path("lines", torus, WaypointPositions=ENDS, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
 expect_no_path("Generate Global Ids", torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
 expect_no_path("no surface", simple.PointSource(), WaypointPositions=ENDS)
-expect_no_path("properties", torus, WaypointPositions=ENDS[:3] + [-1.3, harness.IS_FIRST, 0])
+expect_no_path("same on all ranks", torus, WaypointPositions=ENDS[:3] + [-1.3, harness.IS_FIRST, 0])
 path = simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)
 assert harness.messages_of(path.UpdatePipeline) == ""
 assert 3 < harness.informed(path, "TotalLength") < 4
