@@ -80,6 +80,7 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
       }
     });
   std::vector<StartValue> own;
+  own.reserve(open.size());
   for (Index vertex : open)
   {
     own.push_back({ vertex, 0, 0.0, false });
