@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathOutput.h"
 
+#include "SurfaceNormals.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -18,12 +20,6 @@ namespace geodesic::bridge
 namespace
 {
 
-Vector3 normalized(const Vector3& v)
-{
-  const double length = norm(v);
-  return length > 0.0 ? 1.0 / length * v : Vector3{ 0.0, 0.0, 1.0 };
-}
-
 /** The vertices that carry a point, nearest first. */
 std::vector<Index> nearestCarriers(const PathPoint& point)
 {
@@ -36,11 +32,9 @@ std::vector<Index> nearestCarriers(const PathPoint& point)
 
 }
 
-PathOutput::PathOutput(const InputSurface& surface, const InputBlocks& blocks, double heightOffset)
-  : Surface(surface)
-  , Mesh(*surface.mesh())
-  , Blocks(blocks)
-  , HeightOffset(heightOffset)
+PathOutput::PathOutput(double heightOffset, bool namesBlocks)
+  : HeightOffset(heightOffset)
+  , NamesBlocks(namesBlocks)
 {
   this->Points->SetDataTypeToDouble();
   this->ArcLengths->SetName("ArcLength");
@@ -58,8 +52,11 @@ PathOutput::PathOutput(const InputSurface& surface, const InputBlocks& blocks, d
 
 PathOutput::~PathOutput() = default;
 
-double PathOutput::add(const SurfacePath& path, vtkIdType segment, double arcLength)
+double PathOutput::add(
+  const PathGround& ground, const SurfacePath& path, vtkIdType segment, double arcLength)
 {
+  const TriangleMesh& mesh = ground.mesh();
+  const SurfaceNormals normals(mesh, [&](Index vertex) { return ground.normalOf(vertex); });
   double length = 0.0;
   // A polyline has two points at least.
   const std::size_t count = std::max<std::size_t>(path.size(), 2);
@@ -67,25 +64,24 @@ double PathOutput::add(const SurfacePath& path, vtkIdType segment, double arcLen
   for (std::size_t i = 0; i < count; ++i)
   {
     const PathPoint& point = path[std::min(i, path.size() - 1)];
-    const Vector3 position = point.position(this->Mesh);
+    const Vector3 position = point.position(mesh);
     if (i > 0)
     {
-      length += norm(position - path[i - 1].position(this->Mesh));
+      length += norm(position - path[i - 1].position(mesh));
     }
-    const Vector3 normal = this->normalAt(point);
+    const Vector3 normal = normals.at(point);
     const Vector3 raised = position + this->HeightOffset * normal;
     this->Lines->InsertCellPoint(this->Points->InsertNextPoint(raised.x, raised.y, raised.z));
     const std::vector<Index> nearest = nearestCarriers(point);
-    const Index first = this->Mesh.pointOfVertex(nearest[0]);
-    const Index second = this->Mesh.pointOfVertex(nearest[nearest.size() > 1 ? 1 : 0]);
-    const BlockNumbering& numbering = this->Surface.numbering();
+    const Index first = nearest[0];
+    const Index second = nearest[nearest.size() > 1 ? 1 : 0];
     this->ArcLengths->InsertNextValue(arcLength + length);
-    this->OriginalPointIds->InsertNextValue(numbering.idOfPoint(first));
-    this->OriginalBlocks->InsertNextValue(numbering.flatIndexOf(first));
+    this->OriginalPointIds->InsertNextValue(ground.idOf(first));
+    this->OriginalBlocks->InsertNextValue(ground.blockOf(first));
     for (Index end : { first, second })
     {
-      this->EdgePointIds->InsertNextValue(numbering.idOfPoint(end));
-      this->EdgeBlocks->InsertNextValue(numbering.flatIndexOf(end));
+      this->EdgePointIds->InsertNextValue(ground.idOf(end));
+      this->EdgeBlocks->InsertNextValue(ground.blockOf(end));
     }
     this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
   }
@@ -105,7 +101,7 @@ void PathOutput::writeTo(vtkPolyData* output) const
   pointData->SetScalars(this->ArcLengths);
   pointData->AddArray(this->OriginalPointIds);
   pointData->AddArray(this->EdgePointIds);
-  if (!this->Surface.numbering().hasUniqueIds())
+  if (this->NamesBlocks)
   {
     pointData->AddArray(this->OriginalBlocks);
     pointData->AddArray(this->EdgeBlocks);
@@ -117,44 +113,6 @@ void PathOutput::writeTo(vtkPolyData* output) const
   total->SetName("TotalLength");
   total->InsertNextValue(this->TotalLength);
   output->GetFieldData()->AddArray(total);
-}
-
-Vector3 PathOutput::normalAt(const PathPoint& point) const
-{
-  Vector3 normal;
-  for (Index vertex : point.carriers())
-  {
-    normal = normal + weightOf(point, vertex) * this->normalAtVertex(vertex);
-  }
-  return normalized(normal);
-}
-
-Vector3 PathOutput::normalAtVertex(Index vertex) const
-{
-  const BlockNumbering& numbering = this->Surface.numbering();
-  const Index point = this->Mesh.pointOfVertex(vertex);
-  const std::size_t block = numbering.blockOfPoint(point);
-  if (vtkDataArray* normals = this->Blocks[block].surface->GetPointData()->GetNormals())
-  {
-    double n[3];
-    normals->GetTuple(point - numbering.firstPointOf(block), n);
-    return normalized({ n[0], n[1], n[2] });
-  }
-  Vector3 sum;
-  const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (ring[i].opensTriangle())
-    {
-      // Rings have no orientation; the triangle itself has the input's.
-      const std::array<Index, 3> corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
-      const Triangle& t = this->Mesh.triangle(this->Mesh.trianglesWith(corners).front());
-      sum = sum +
-        cross(this->Mesh.position(t[1]) - this->Mesh.position(t[0]),
-          this->Mesh.position(t[2]) - this->Mesh.position(t[0]));
-    }
-  }
-  return normalized(sum);
 }
 
 }

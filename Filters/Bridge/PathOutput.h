@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_PathOutput_h
 #define geodesic_bridge_PathOutput_h
 
-#include "InputSurface.h"
+#include "PathGround.h"
 #include "PathPoint.h"
 
 #include "vtkNew.h"
@@ -30,30 +30,24 @@ namespace geodesic::bridge
 class PathOutput
 {
 public:
-  /**
-   * @param blocks the input, whose point normals of any length are taken; where a block has none
-   *               they are those of the faces round each vertex, weighted by area
-   */
-  PathOutput(const InputSurface& surface, const InputBlocks& blocks, double heightOffset);
+  /** @param namesBlocks whether ids do not tell of which block points are */
+  PathOutput(double heightOffset, bool namesBlocks);
   ~PathOutput();
 
   /**
+   * @param ground     what the path runs on
    * @param segment    its number
    * @param arcLength  at its first point
    * @return its length on the surface, before the offset
    */
-  double add(const SurfacePath& path, vtkIdType segment, double arcLength);
+  double add(
+    const PathGround& ground, const SurfacePath& path, vtkIdType segment, double arcLength);
   void writeTo(vtkPolyData* output) const;
   double totalLength() const { return this->TotalLength; }
 
 private:
-  Vector3 normalAt(const PathPoint& point) const;
-  Vector3 normalAtVertex(Index vertex) const;
-
-  const InputSurface& Surface;
-  const TriangleMesh& Mesh;
-  const InputBlocks& Blocks;
   double HeightOffset;
+  bool NamesBlocks;
   double TotalLength = 0.0;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;

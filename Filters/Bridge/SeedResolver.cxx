@@ -82,17 +82,4 @@ RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedEle
   return regions;
 }
 
-std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds)
-{
-  std::vector<std::vector<SurfacePoint>> lines;
-  for (const Seed& seed : seeds)
-  {
-    if (seed.kind == Seed::Kind::Curve)
-    {
-      lines.push_back(seed.points);
-    }
-  }
-  return lines;
-}
-
 }

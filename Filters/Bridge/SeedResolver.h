@@ -28,9 +28,6 @@ RegionsByValue regionsOfArray(const InputSurface& surface, const ChosenArray& ar
 /** The region of all selected points, by 0, and that of all selected cells, by 1. */
 RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedElements& selected);
 
-/** The points of those seeds that are curves. */
-std::vector<std::vector<SurfacePoint>> linesAmong(std::span<const Seed> seeds);
-
 }
 
 #endif

@@ -22,24 +22,13 @@ bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& aft
   return norm(cross(in, out)) <= StraightSine * norm(in) * norm(out) && dot(in, out) >= 0.0;
 }
 
-SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
-{
-  const Carriers carriers = point.carriers();
-  SurfacePoint result;
-  result.triangle = mesh.trianglesWith({ carriers.begin(), carriers.end() }).front();
-  for (int i = 0; i < 3; ++i)
-  {
-    result.weights[i] = weightOf(point, mesh.triangle(result.triangle)[i]);
-  }
-  return result;
 }
 
-}
-
-SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base, const SurfaceLines& lines,
+SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base,
+  const std::shared_ptr<const TriangleMesh>& mesh, const SurfaceLines& lines,
   const Barriers& barriers, const std::vector<double>& cost, bool alongEdges)
   : Base(std::move(base))
-  , Mesh(lines.split() ? lines.split()->mesh() : this->Base->mesh())
+  , Mesh(lines.split() ? lines.split()->mesh() : mesh)
   , Split(lines.split())
   , SeedLines(lines.seeds())
 {
@@ -73,6 +62,11 @@ SolveOptions SolveSurface::options() const
   return options;
 }
 
+const TriangleMesh& SolveSurface::baseMesh() const
+{
+  return this->Split ? this->Split->base() : *this->Mesh;
+}
+
 SurfacePoint SolveSurface::pointOf(const SurfacePoint& basePoint) const
 {
   return this->Split ? this->Split->pointOf(basePoint) : basePoint;
@@ -98,8 +92,10 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
   if (isExcluded)
   {
     const Index vertex = this->Split ? this->Split->origin(carriers[0]).carriers()[0] : carriers[0];
+    const Index input = this->baseMesh().pointOfVertex(vertex);
     throw std::invalid_argument(name + " is at " +
-      this->Base->numbering().nameOfPoint(this->Base->mesh()->pointOfVertex(vertex)) +
+      (input < this->Base->mesh()->numberOfPoints() ? this->Base->numbering().nameOfPoint(input)
+                                                    : "a point of another rank") +
       ", on a barrier, where nothing may be; move it off the barrier.");
   }
 }
@@ -119,11 +115,11 @@ std::vector<Seed> SolveSurface::seedsOf(const std::vector<Seed>& baseSeeds) cons
       {
         seed.points = this->Split->curve(line);
       }
-      else
+      else if (!this->SeedLines.empty())
       {
         for (const PathPoint& point : this->SeedLines[line])
         {
-          seed.points.push_back(surfacePointOf(*this->Base->mesh(), point));
+          seed.points.push_back(surfacePointOf(*this->Mesh, point));
         }
       }
       ++line;

@@ -24,14 +24,19 @@ class SolveSurface
 {
 public:
   /**
+   * @param mesh       the input's, or on several ranks what took its place: its points after the
+   *                   input's are other ranks'
    * @param alongEdges whether ways go along edges only: then they also keep off the points that
    *                   the splitting made on barriers
    */
-  SolveSurface(std::shared_ptr<const InputSurface> base, const SurfaceLines& lines,
+  SolveSurface(std::shared_ptr<const InputSurface> base,
+    const std::shared_ptr<const TriangleMesh>& mesh, const SurfaceLines& lines,
     const Barriers& barriers, const std::vector<double>& cost, bool alongEdges);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const SplitMesh* split() const { return this->Split.get(); }
+  /** One flag a vertex, or empty; for what other ranks exclude. */
+  std::vector<std::uint8_t>& excluded() { return this->Excluded; }
   /** What does not depend on where to start: cost and barriers, which live as long as this. */
   SolveOptions options() const;
 
@@ -50,6 +55,7 @@ public:
   bool isLike(const SolveSurface& other) const;
 
 private:
+  const TriangleMesh& baseMesh() const;
   void checkOpen(const SurfacePoint& point, const std::string& name) const;
 
   std::shared_ptr<const InputSurface> Base;

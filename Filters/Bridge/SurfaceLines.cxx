@@ -39,18 +39,26 @@ void SurfaceLines::update(const std::shared_ptr<const TriangleMesh>& mesh,
   if (!seeds.empty() || !barriers.empty())
   {
     FastMarchingSolver solver(mesh);
-    this->SeedPaths = joined(solver, seeds, "SeedSource");
-    this->BarrierPaths = joined(solver, barriers, "BarrierSource");
-    const auto splits = [](const std::vector<SurfacePath>& paths)
-    { return std::any_of(paths.begin(), paths.end(), SplitMesh::splits); };
-    if (splits(this->SeedPaths) || splits(this->BarrierPaths))
-    {
-      this->Split = std::make_shared<const SplitMesh>(mesh, this->SeedPaths, this->BarrierPaths);
-    }
+    this->take(
+      mesh, joined(solver, seeds, "SeedSource"), joined(solver, barriers, "BarrierSource"));
   }
   this->Mesh = mesh;
   this->Seeds = std::move(seeds);
   this->Barriers = std::move(barriers);
+}
+
+void SurfaceLines::take(const std::shared_ptr<const TriangleMesh>& mesh,
+  std::vector<SurfacePath> seeds, std::vector<SurfacePath> barriers)
+{
+  *this = SurfaceLines();
+  this->SeedPaths = std::move(seeds);
+  this->BarrierPaths = std::move(barriers);
+  const auto splits = [](const std::vector<SurfacePath>& paths)
+  { return std::any_of(paths.begin(), paths.end(), SplitMesh::splits); };
+  if (splits(this->SeedPaths) || splits(this->BarrierPaths))
+  {
+    this->Split = std::make_shared<const SplitMesh>(mesh, this->SeedPaths, this->BarrierPaths);
+  }
 }
 
 }

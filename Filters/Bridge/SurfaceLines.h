@@ -34,6 +34,10 @@ public:
   void update(const std::shared_ptr<const TriangleMesh>& mesh, std::vector<LinePoints> seeds,
     std::vector<LinePoints> barriers);
 
+  /** Lines that are joined; splits where that is needed. */
+  void take(const std::shared_ptr<const TriangleMesh>& mesh, std::vector<SurfacePath> seeds,
+    std::vector<SurfacePath> barriers);
+
   const std::vector<SurfacePath>& seeds() const { return this->SeedPaths; }
   const std::vector<SurfacePath>& barriers() const { return this->BarrierPaths; }
   /** Null where all lines run along edges of the mesh. */

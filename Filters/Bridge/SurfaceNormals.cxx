@@ -20,6 +20,21 @@ Vector3 normalized(const Vector3& v)
 
 }
 
+SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNormals)
+  : SurfaceNormals(mesh,
+      [&mesh, inputNormals](Index vertex) -> std::optional<Vector3>
+      {
+        if (!inputNormals)
+        {
+          return std::nullopt;
+        }
+        double n[3];
+        inputNormals->GetTuple(mesh.pointOfVertex(vertex), n);
+        return Vector3{ n[0], n[1], n[2] };
+      })
+{
+}
+
 Vector3 SurfaceNormals::at(const PathPoint& point) const
 {
   Vector3 normal;
@@ -32,11 +47,9 @@ Vector3 SurfaceNormals::at(const PathPoint& point) const
 
 Vector3 SurfaceNormals::atVertex(Index vertex) const
 {
-  if (this->InputNormals)
+  if (const std::optional<Vector3> normal = this->OfInput(vertex))
   {
-    double n[3];
-    this->InputNormals->GetTuple(this->Mesh.pointOfVertex(vertex), n);
-    return normalized({ n[0], n[1], n[2] });
+    return normalized(*normal);
   }
   Vector3 sum;
   const std::span<const RingEntry> ring = this->Mesh.ring(vertex);

@@ -5,6 +5,9 @@
 
 #include "PathPoint.h"
 
+#include <functional>
+#include <optional>
+
 class vtkDataArray;
 
 namespace geodesic::bridge
@@ -14,15 +17,22 @@ namespace geodesic::bridge
 class SurfaceNormals
 {
 public:
+  /** The input's normal at a vertex, of any length; none where it has none. */
+  using InputNormal = std::function<std::optional<Vector3>(Index vertex)>;
+
   /**
-   * @param normals the input's point normals of any length, or null: then they are those of the
-   *                faces round each vertex, weighted by area. Both must live as long as this.
+   * @param mesh        must live as long as this
+   * @param inputNormal where it gives none, normals are those of the faces round each vertex,
+   *                    weighted by area
    */
-  SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* normals)
+  SurfaceNormals(const TriangleMesh& mesh, InputNormal inputNormal)
     : Mesh(mesh)
-    , InputNormals(normals)
+    , OfInput(std::move(inputNormal))
   {
   }
+
+  /** @param inputNormals by point, or null: none */
+  SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNormals);
 
   /** Between vertices theirs, interpolated. */
   Vector3 at(const PathPoint& point) const;
@@ -31,7 +41,7 @@ private:
   Vector3 atVertex(Index vertex) const;
 
   const TriangleMesh& Mesh;
-  vtkDataArray* InputNormals;
+  InputNormal OfInput;
 };
 
 }

@@ -1,10 +1,8 @@
 #ifndef geodesic_DistanceSolver_h
 #define geodesic_DistanceSolver_h
 
-#include "DistanceField.h"
-#include "Seed.h"
+#include "DistanceSource.h"
 #include "SeedFront.h"
-#include "SolveOptions.h"
 
 #include <memory>
 #include <span>
@@ -21,26 +19,22 @@ class TriangleMesh;
  * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a
  * second run on it allocates nothing and touches only what its front reaches.
  */
-class DistanceSolver
+class DistanceSolver : public DistanceSource
 {
 public:
-  virtual ~DistanceSolver() = default;
   DistanceSolver(const DistanceSolver&) = delete;
   DistanceSolver& operator=(const DistanceSolver&) = delete;
 
-  const TriangleMesh& mesh() const { return *this->Mesh; }
+  const TriangleMesh& mesh() const final { return *this->Mesh; }
 
   /**
-   * @param seeds   at least one
-   * @param options see there; what its spans refer to must live as long as the call
-   * @return the field, which the next call overwrites. A target that can't be reached, or a
-   * cancelled run, is no error: see DistanceField::stopReason.
+   * See DistanceSource.
    * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
    * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
    * @throws std::runtime_error where fast marching does not settle (see MarchControl). After any
    *         exception from within a run the solver's workspace is undefined: make a new solver.
    */
-  const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {});
+  const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {}) final;
 
 protected:
   explicit DistanceSolver(std::shared_ptr<const TriangleMesh> mesh);

@@ -98,7 +98,7 @@ std::optional<SurfacePath> shorterEdgePath(const Terrain& terrain, const Distanc
       best = trial.length + lastStep->second;
       last = trial.vertex;
     }
-    const std::span<const RingEntry> ring = mesh.ring(trial.vertex);
+    const std::span<const RingEntry> ring = terrain.ring(trial.vertex);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index neighbour = ring[i].neighbour();

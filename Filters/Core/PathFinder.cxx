@@ -1,6 +1,6 @@
 #include "PathFinder.h"
 
-#include "DistanceSolver.h"
+#include "DistanceSource.h"
 #include "EdgePathSearch.h"
 #include "PathStraightener.h"
 
@@ -41,7 +41,7 @@ private:
 
 }
 
-PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
+PathFinder::PathFinder(DistanceSource& solver, std::span<const SurfacePoint> seeds,
   const SolveOptions& options, const PathStyle& style)
   : Solver(solver)
   , Options(options)
@@ -235,7 +235,7 @@ Carriers PathFinder::cornersOffThePath(const SurfacePath& path, const PathPoint&
   return corners;
 }
 
-std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
+std::optional<SurfacePath> shortestPath(DistanceSource& solver, const SurfacePoint& from,
   const SurfacePoint& to, const SolveOptions& options, const PathStyle& style)
 {
   PathFinder finder(solver, { &from, 1 }, options, style);

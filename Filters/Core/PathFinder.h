@@ -12,7 +12,7 @@
 namespace geodesic
 {
 
-class DistanceSolver;
+class DistanceSource;
 
 /** How a path is made from a field of distances. */
 struct PathStyle
@@ -38,7 +38,7 @@ public:
    * @throws std::invalid_argument where paths of varying cost, or of PathOrder::Vertices, are to be
    * straightened
    */
-  PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
+  PathFinder(DistanceSource& solver, std::span<const SurfacePoint> seeds,
     const SolveOptions& options, const PathStyle& style);
 
   /**
@@ -84,7 +84,7 @@ private:
    */
   bool addTargetsAlong(const SurfacePath& path);
 
-  DistanceSolver& Solver;
+  DistanceSource& Solver;
   SolveOptions Options;
   Terrain Surface;
   PathStyle Style;
@@ -99,7 +99,7 @@ private:
  * @return none where there is no way, or the march was cancelled
  * @throws as PathFinder
  */
-std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
+std::optional<SurfacePath> shortestPath(DistanceSource& solver, const SurfacePoint& from,
   const SurfacePoint& to, const SolveOptions& options, const PathStyle& style);
 
 }

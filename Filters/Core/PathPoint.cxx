@@ -62,6 +62,18 @@ double weightOf(const PathPoint& point, Index vertex)
   return weight;
 }
 
+SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
+{
+  const Carriers carriers = point.carriers();
+  SurfacePoint result;
+  result.triangle = mesh.trianglesWith({ carriers.begin(), carriers.end() }).front();
+  for (int i = 0; i < 3; ++i)
+  {
+    result.weights[i] = weightOf(point, mesh.triangle(result.triangle)[i]);
+  }
+  return result;
+}
+
 double lengthOf(const TriangleMesh& mesh, const SurfacePath& path)
 {
   double length = 0.0;

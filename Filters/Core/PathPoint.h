@@ -108,6 +108,9 @@ Carriers unionOf(const PathPoint& a, const PathPoint& b);
 /** The weight that a vertex has in a point. */
 double weightOf(const PathPoint& point, Index vertex);
 
+/** The point on one of the triangles that it lies in. */
+SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point);
+
 /** A face that two consecutive points of a path lie in. */
 Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b);
 

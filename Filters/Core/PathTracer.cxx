@@ -237,7 +237,7 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
   };
   if (carriers.size() == 1)
   {
-    const std::span<const RingEntry> ring = this->Surface.mesh().ring(carriers[0]);
+    const std::span<const RingEntry> ring = this->Surface.ring(carriers[0]);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       if (this->Surface.isOpenEdge(carriers[0], i))
@@ -281,7 +281,7 @@ std::vector<Index> PathTracer::wayDown(Index vertex) const
       std::reverse(way.begin(), way.end());
       return way;
     }
-    const std::span<const RingEntry> ring = mesh.ring(here);
+    const std::span<const RingEntry> ring = this->Surface.ring(here);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index next = ring[i].neighbour();

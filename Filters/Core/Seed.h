@@ -18,7 +18,9 @@ struct Seed
   {
     /** The one entry of points. */
     Point,
-    /** The straight segments from each of points to the next, each inside a face or along an edge.
+    /**
+     * The straight segments from each of points to the next, each inside a face or along an edge.
+     * Of a surface in several pieces, one has all of them and the others none.
      */
     Curve,
     /** All of vertices, on this piece of the surface, and what lies between neighbours among them.

@@ -174,7 +174,41 @@ private:
     }
   }
 
+  /** @param points all of the curve's, on one of the pieces; none on the others */
   void addCurve(const std::vector<SurfacePoint>& points)
+  {
+    const std::size_t first = this->Front.labels.size();
+    if (!points.empty())
+    {
+      this->addWholeCurve(points);
+    }
+    if (this->Pieces.isDivided())
+    {
+      this->addLabelsOfOthers(first);
+    }
+  }
+
+  /** The labels of the piece that has some from @p first on, for those that have none. */
+  void addLabelsOfOthers(std::size_t first)
+  {
+    const bool hasOwn = this->Front.labels.size() > first;
+    std::vector<double> own;
+    for (std::size_t i = first; i < this->Front.labels.size(); ++i)
+    {
+      const Label& label = this->Front.labels[i];
+      own.insert(own.end(),
+        { label.shape == FrontShape::Round ? 1.0 : 0.0, label.position.x, label.position.y,
+          label.position.z });
+    }
+    const std::vector<double> all = this->Pieces.gather(own);
+    for (std::size_t i = 0; i < all.size() && !hasOwn; i += 4)
+    {
+      this->addLabel(all[i] == 1.0 ? FrontShape::Round : FrontShape::Straight, {},
+        { all[i + 1], all[i + 2], all[i + 3] });
+    }
+  }
+
+  void addWholeCurve(const std::vector<SurfacePoint>& points)
   {
     std::vector<std::size_t> bends = this->bendsOf(points);
     if (bends.size() > MostRoundLabels)

@@ -4,6 +4,7 @@
 #include "Index.h"
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <span>
@@ -19,6 +20,25 @@ enum class TargetMode
 };
 
 class Partition;
+
+/** Thrown where a path on a part of a surface depends on what lies beyond that part. */
+class IncompleteRing : public std::exception
+{
+public:
+  explicit IncompleteRing(Index vertex)
+    : Vertex(vertex)
+  {
+  }
+  /** Whose triangles are not all there. */
+  Index vertex() const { return this->Vertex; }
+  const char* what() const noexcept override
+  {
+    return "The mesh lacks triangles round a vertex of the path.";
+  }
+
+private:
+  Index Vertex;
+};
 
 struct SolveOptions
 {
@@ -53,8 +73,18 @@ struct SolveOptions
    * the surface is in one piece.
    */
   Partition* partition = nullptr;
+  /**
+   * For paths only. One flag a vertex: non-zero where the mesh, a part of a larger surface, lacks
+   * some of the triangles round it. A path that depends on them ends in IncompleteRing. Empty: the
+   * mesh is the surface.
+   */
+  std::span<const std::uint8_t> incomplete;
 
   bool isExcluded(Index vertex) const { return !this->excluded.empty() && this->excluded[vertex]; }
+  bool isIncomplete(Index vertex) const
+  {
+    return !this->incomplete.empty() && this->incomplete[vertex];
+  }
   bool isClosed(Index triangle) const
   {
     return !this->closedTriangles.empty() && this->closedTriangles[triangle];

@@ -1,6 +1,6 @@
 #include "SurfaceCurve.h"
 
-#include "DistanceSolver.h"
+#include "DistanceSource.h"
 #include "PathFinder.h"
 
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace geodesic
 {
 
 SurfacePath joinedCurve(
-  DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name)
+  DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name)
 {
   const TriangleMesh& mesh = solver.mesh();
   SurfacePath curve{ PathPoint::at(mesh, points[0]) };
@@ -25,14 +25,18 @@ SurfacePath joinedCurve(
     const auto way = shortestPath(solver, points[i - 1], points[i], {}, {});
     if (!way)
     {
-      throw std::invalid_argument(name + " can't be joined from its point " +
-        std::to_string(i - 1) + " to its point " + std::to_string(i) +
-        ": no way over the surface leads there. Connect the parts of the surface, or split the "
-        "line.");
+      throwUnjoined(name, i);
     }
     curve.insert(curve.end(), way->begin() + 1, way->end());
   }
   return curve;
+}
+
+void throwUnjoined(const std::string& name, std::size_t i)
+{
+  throw std::invalid_argument(name + " can't be joined from its point " + std::to_string(i - 1) +
+    " to its point " + std::to_string(i) +
+    ": no way over the surface leads there. Connect the parts of the surface, or split the line.");
 }
 
 }

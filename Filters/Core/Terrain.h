@@ -22,6 +22,15 @@ public:
   }
 
   const TriangleMesh& mesh() const { return this->Mesh; }
+  /** The triangles round a vertex. @throws IncompleteRing */
+  std::span<const RingEntry> ring(Index vertex) const
+  {
+    if (this->Options.isIncomplete(vertex))
+    {
+      throw IncompleteRing(vertex);
+    }
+    return this->Mesh.ring(vertex);
+  }
 
   bool isExcluded(Index vertex) const { return this->Options.isExcluded(vertex); }
   /** Whether entry @p i of the ring of @p vertex opens a triangle that is no barrier. */
@@ -62,7 +71,7 @@ inline void visitFaces(const Terrain& surface, const PathPoint& point, Visit&& v
 {
   const Carriers carriers = point.carriers();
   const Index centre = carriers[0];
-  const std::span<const RingEntry> ring = surface.mesh().ring(centre);
+  const std::span<const RingEntry> ring = surface.ring(centre);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (surface.isOpen(centre, i))

@@ -18,7 +18,7 @@ VertexLink::VertexLink(const Terrain& terrain, Index vertex)
   : Surface(terrain)
   , Vertex(vertex)
 {
-  const std::span<const RingEntry> ring = terrain.mesh().ring(vertex);
+  const std::span<const RingEntry> ring = terrain.ring(vertex);
   this->Nodes.reserve(ring.size());
   for (const RingEntry& entry : ring)
   {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedSolver.h"
 
-#include "DistributedSurface.h"
-#include "InputSurface.h"
+#include "DividedMesh.h"
 #include "SharedPoints.h"
 #include "StopLimit.h"
 #include "TriangleMesh.h"
@@ -15,40 +14,40 @@
 namespace geodesic::distributed
 {
 
-DistributedSolver::DistributedSolver(RankGroup& ranks, const DistributedSurface& surface)
+DistributedSolver::DistributedSolver(RankGroup& ranks, const DividedMesh& mesh)
   : Ranks(ranks)
-  , Surface(surface)
+  , Mesh(mesh)
 {
-  for (const SharedPoints::Neighbour& neighbour : surface.shared().neighbours())
+  for (const SharedPoints::Neighbour& neighbour : mesh.shared().neighbours())
   {
     this->Partners.push_back(neighbour.rank);
   }
-  this->Known.resize(surface.shared().vertices().size());
+  this->Known.resize(mesh.shared().vertices().size());
 }
 
 bool DistributedSolver::owns(Index vertex) const
 {
-  return this->Surface.shared().owns(vertex);
+  return this->Mesh.shared().owns(vertex);
 }
 
 std::span<const Index> DistributedSolver::sharedVertices() const
 {
-  return this->Surface.shared().vertices();
+  return this->Mesh.shared().vertices();
 }
 
 std::span<const float> DistributedSolver::longestEdges() const
 {
-  return this->Surface.longestEdges();
+  return this->Mesh.longestEdges();
 }
 
 std::span<const float> DistributedSolver::margins() const
 {
-  return this->Surface.margins();
+  return this->Mesh.margins();
 }
 
 std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)
 {
-  return this->Surface.shared().exchange(this->Ranks, own);
+  return this->Mesh.shared().exchange(this->Ranks, own);
 }
 
 bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
@@ -102,15 +101,15 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
 
 double DistributedSolver::stepOf(const MarchingFront& front)
 {
-  const auto triangles = static_cast<double>(this->Surface.mesh().numberOfTriangles());
+  const auto triangles = static_cast<double>(this->Mesh.mesh().numberOfTriangles());
   const double meanEdge =
     this->Ranks.sum(triangles * front.meanEdge()) / this->Ranks.sum(triangles);
-  return this->Surface.stepInEdges() * meanEdge;
+  return this->Mesh.stepInEdges() * meanEdge;
 }
 
 void DistributedSolver::exchangeNews(MarchingFront& front)
 {
-  const SharedPoints& shared = this->Surface.shared();
+  const SharedPoints& shared = this->Mesh.shared();
   const std::vector<RankGroup::Message> messages = this->gatherNews(front);
   for (const RankGroup::Message& message : messages)
   {
@@ -132,7 +131,7 @@ void DistributedSolver::exchangeNews(MarchingFront& front)
 
 std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFront& front)
 {
-  const SharedPoints& shared = this->Surface.shared();
+  const SharedPoints& shared = this->Mesh.shared();
   std::vector<RankGroup::Message> messages(this->Partners.size());
   std::uint32_t slot = 0;
   const MarchingFront::Visit visit = [&](Index label, double value)

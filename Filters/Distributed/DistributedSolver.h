@@ -14,7 +14,7 @@
 namespace geodesic::distributed
 {
 
-class DistributedSurface;
+class DividedMesh;
 
 /** What solving on several ranks took, over all of them. */
 struct DistributedWork
@@ -43,8 +43,8 @@ struct DistributedWork
 class DistributedSolver final : public Partition
 {
 public:
-  /** @param ranks and @param surface must live as long as this */
-  DistributedSolver(RankGroup& ranks, const DistributedSurface& surface);
+  /** @param ranks and @param mesh must live as long as this */
+  DistributedSolver(RankGroup& ranks, const DividedMesh& mesh);
 
   bool isDivided() const override { return this->Ranks.size() > 1; }
   bool owns(Index vertex) const override;
@@ -79,7 +79,7 @@ private:
   bool isNews(std::uint32_t slot, Index label, double value);
 
   RankGroup& Ranks;
-  const DistributedSurface& Surface;
+  const DividedMesh& Mesh;
   std::vector<int> Partners;
   std::vector<std::vector<KnownValue>> Known;
   DistributedWork Own;

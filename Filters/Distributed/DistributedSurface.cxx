@@ -79,30 +79,7 @@ DistributedSurface::DistributedSurface(RankGroup& ranks,
   {
     ranks.together([&] { keys = keysOf(*this->Piece, blocks, identity); });
   }
-  this->Shared = std::make_unique<const SharedPoints>(ranks, mesh, keys);
-  if (ranks.size() > 1)
-  {
-    this->agreeOnSizes(ranks);
-  }
-  this->chooseStep(ranks);
-}
-
-void DistributedSurface::agreeOnSizes(RankGroup& ranks)
-{
-  const VertexRings& rings = this->mesh().rings();
-  this->LongestEdges.assign(rings.longestSides().begin(), rings.longestSides().end());
-  this->Margins.assign(rings.margins().begin(), rings.margins().end());
-  this->Shared->takeLargest<float>(ranks, this->LongestEdges);
-  this->Shared->takeLargest<float>(ranks, this->Margins);
-}
-
-void DistributedSurface::chooseStep(RankGroup& ranks)
-{
-  const auto vertices = static_cast<double>(this->mesh().numberOfVertices());
-  const auto shared = static_cast<double>(this->Shared->vertices().size());
-  constexpr double atSharedVertex = 0.1;
-  constexpr double least = 0.5;
-  this->StepInEdges = std::max(least, atSharedVertex * ranks.sum(vertices) / ranks.sum(shared));
+  this->Divided = std::make_unique<const DividedMesh>(ranks, this->Piece->mesh(), keys);
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef geodesic_distributed_DistributedSurface_h
 #define geodesic_distributed_DistributedSurface_h
 
+#include "DividedMesh.h"
 #include "InputSurface.h"
 #include "RankGroup.h"
 #include "SharedPoints.h"
@@ -10,7 +11,6 @@
 #include "vtkType.h"
 
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace geodesic::distributed
@@ -38,30 +38,15 @@ public:
   const bridge::InputSurface& piece() const { return *this->Piece; }
   const std::shared_ptr<const bridge::InputSurface>& sharedPiece() const { return this->Piece; }
   const TriangleMesh& mesh() const { return *this->Piece->mesh(); }
-  const SharedPoints& shared() const { return *this->Shared; }
+  const DividedMesh& divided() const { return *this->Divided; }
+  const SharedPoints& shared() const { return this->Divided->shared(); }
 
-  /** See Partition::longestEdges. */
-  std::span<const float> longestEdges() const { return this->LongestEdges; }
-  std::span<const float> margins() const { return this->Margins; }
-  /**
-   * By how many mean edges the limit of the march grows from round to round. The more vertices are
-   * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
-   * random, half an edge led to twice the work of one rank and one edge to up to ten times. Where
-   * few are, a round is to hold enough work to be worth its messages. Infinite where none are.
-   */
-  double stepInEdges() const { return this->StepInEdges; }
   /** The number of points on the rank that has most. */
   vtkIdType mostPointsOnARank() const { return this->MostPoints; }
 
 private:
-  void agreeOnSizes(RankGroup& ranks);
-  void chooseStep(RankGroup& ranks);
-
   std::shared_ptr<const bridge::InputSurface> Piece;
-  std::unique_ptr<const SharedPoints> Shared;
-  std::vector<float> LongestEdges;
-  std::vector<float> Margins;
-  double StepInEdges = 0.0;
+  std::unique_ptr<const DividedMesh> Divided;
   vtkIdType MostPoints = 0;
 };
 

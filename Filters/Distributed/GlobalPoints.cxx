@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -85,7 +86,7 @@ std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& o
 class CarriedPoint
 {
 public:
-  static constexpr std::size_t Size = 13;
+  static constexpr std::size_t Size = 14;
   using Row = std::array<double, Size>;
 
   static Row rowOf(std::size_t number, const Vector3& position, const TriangleMesh& mesh,
@@ -99,6 +100,7 @@ public:
       entry[0] = carrier.rank;
       entry[1] = carrier.vertex;
       entry[2] = point.weights[c];
+      row.back() = std::max(row.back(), mesh.longestEdgeAround(mesh.triangle(point.triangle)[c]));
     }
     return row;
   }
@@ -109,8 +111,21 @@ public:
   }
 
   std::size_t number() const { return static_cast<std::size_t>(this->Values[0]); }
-  Vector3 position() const { return { this->Values[1], this->Values[2], this->Values[3] }; }
 
+  GlobalPoint point(const TriangleMesh& mesh, const SharedPoints& shared) const
+  {
+    GlobalPoint point{ { this->Values[1], this->Values[2], this->Values[3] },
+      this->here(mesh, shared), {}, {}, this->Values[Size - 1] };
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* entry = this->Values + 4 + 3 * c;
+      point.corners[c] = { static_cast<int>(entry[0]), static_cast<Index>(entry[1]) };
+      point.weights[c] = entry[2];
+    }
+    return point;
+  }
+
+private:
   /** The point on this rank's piece, if it has all carriers and a triangle with them. */
   std::vector<SurfacePoint> here(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
@@ -145,7 +160,6 @@ public:
     return { point };
   }
 
-private:
   const double* Values;
 };
 
@@ -159,8 +173,7 @@ std::vector<GlobalPoint> shareRows(RankGroup& ranks, const DistributedSurface& s
   for (std::size_t i = 0; i < rows.size(); i += CarriedPoint::Size)
   {
     const CarriedPoint carried(rows.data() + i);
-    points[carried.number()] = { carried.position(),
-      carried.here(surface.mesh(), surface.shared()) };
+    points[carried.number()] = carried.point(surface.mesh(), surface.shared());
     isKnown[carried.number()] = true;
   }
   return points;
@@ -219,6 +232,42 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
   }
   std::vector<bool> isKnown;
   return shareRows(ranks, surface, rows, own.size(), isKnown);
+}
+
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
+{
+  std::vector<double> points;
+  std::set<std::array<double, 3>> ofLowerRanks;
+  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
+  {
+    std::set<std::array<double, 3>> ofThis;
+    for (std::size_t i = 0; i < ofRank.size(); i += 3)
+    {
+      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
+      if (!ofLowerRanks.contains(point))
+      {
+        points.insert(points.end(), point.begin(), point.end());
+        ofThis.insert(point);
+      }
+    }
+    ofLowerRanks.merge(ofThis);
+  }
+  return points;
+}
+
+std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property)
+{
+  std::vector<double> own;
+  ranks.together(
+    [&]
+    {
+      if (source)
+      {
+        own = bridge::PointSource(source).coordinates;
+      }
+    });
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, own), property, Precision::Single);
 }
 
 std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,

@@ -6,13 +6,16 @@
 #include "DistributedSurface.h"
 #include "RankGroup.h"
 #include "Seed.h"
+#include "SharedPoints.h"
 
 #include "vtkType.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkIdList;
 
 namespace geodesic::distributed
@@ -25,6 +28,16 @@ struct GlobalPoint
   Vector3 position;
   /** The point on this rank's piece: one, or none where the piece does not have it. */
   std::vector<SurfacePoint> here;
+  /** The corners of a triangle that it lies in, and their weights; the same on all ranks. */
+  std::array<GlobalVertex, 3> corners;
+  std::array<double, 3> weights;
+  /** The longest edge at any of the corners. */
+  double longestEdge;
+
+  bool isAt(const GlobalPoint& other) const
+  {
+    return this->corners == other.corners && this->weights == other.weights;
+  }
 };
 
 /** Whether points are put where single precision can tell (see bridge::snappedAsSingle). */
@@ -43,6 +56,17 @@ enum class Precision
 std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property,
   Precision precision = Precision::Double);
+
+/**
+ * The points of a data set, also of those on lines, as globalPointsAt in single precision. Those of
+ * all ranks, one that a lower rank has as well counted once.
+ * @param source null where this rank has none of it
+ */
+std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property);
+
+/** x y z of the points of all ranks, without those that a lower rank has as well. Collective. */
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own);
 
 /**
  * The points that have ids. On one rank these are the input's point ids, on several the global ids

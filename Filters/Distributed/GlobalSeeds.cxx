@@ -4,7 +4,6 @@
 
 #include "PointResolver.h"
 
-#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -36,28 +35,6 @@ std::vector<double> loosePoints(const bridge::PointSource& source)
   return loose;
 }
 
-/** The points of all ranks, without those that a lower rank has as well. */
-std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
-{
-  std::vector<double> points;
-  std::set<std::array<double, 3>> ofLowerRanks;
-  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
-  {
-    std::set<std::array<double, 3>> ofThis;
-    for (std::size_t i = 0; i < ofRank.size(); i += 3)
-    {
-      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
-      if (!ofLowerRanks.contains(point))
-      {
-        points.insert(points.end(), point.begin(), point.end());
-        ofThis.insert(point);
-      }
-    }
-    ofLowerRanks.merge(ofThis);
-  }
-  return points;
-}
-
 }
 
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
@@ -70,39 +47,19 @@ std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
   return seeds;
 }
 
-std::vector<Seed> seedsOfSource(
+std::vector<GlobalPoint> loosePointsOf(
   RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source)
 {
   std::vector<double> loose;
-  std::vector<std::vector<SurfacePoint>> lines;
   ranks.together(
     [&]
     {
-      if (!source)
+      if (source)
       {
-        return;
+        loose = loosePoints(bridge::PointSource(source));
       }
-      const bridge::PointSource points(source);
-      loose = loosePoints(points);
-      if (points.lines.empty())
-      {
-        return;
-      }
-      if (ranks.size() > 1)
-      {
-        throw std::invalid_argument("SeedSource has lines, which are no seeds yet where the "
-                                    "surface is spread over several ranks. Give points, or run "
-                                    "on one rank.");
-      }
-      lines = bridge::surfaceLinesOf(surface.piece(), points, "SeedSource");
     });
-  std::vector<Seed> seeds = seedsAt(
-    globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single));
-  for (std::vector<SurfacePoint>& line : lines)
-  {
-    seeds.push_back(Seed::alongCurve(std::move(line)));
-  }
-  return seeds;
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single);
 }
 
 std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions)

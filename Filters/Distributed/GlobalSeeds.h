@@ -20,13 +20,11 @@ namespace geodesic::distributed
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);
 
 /**
- * The points of a data set that no line uses, one seed each, then its lines and polylines, one
- * seed each, a curve; all projected to the nearest point of the surface. On several ranks the
- * points are those of all ranks, one that a lower rank has as well counted once.
+ * The points of a SeedSource that no line uses, projected to the nearest point of the surface:
+ * those of all ranks, one that a lower rank has as well counted once.
  * @param source null where this rank has none of it
- * @throws std::exception on all ranks for lines on several ranks
  */
-std::vector<Seed> seedsOfSource(
+std::vector<GlobalPoint> loosePointsOf(
   RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source);
 
 /**

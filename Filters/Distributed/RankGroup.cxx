@@ -95,6 +95,43 @@ double RankGroup::sum(double own)
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
+RankGroup::Message RankGroup::fromFirst(Message message)
+{
+  auto length = static_cast<vtkIdType>(message.size());
+  if (this->Size > 1)
+  {
+    this->Controller->Broadcast(&length, 1, 0);
+    message.resize(length);
+    if (length > 0)
+    {
+      this->Controller->Broadcast(message.data(), length, 0);
+    }
+  }
+  return message;
+}
+
+std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
+{
+  if (this->Size == 1)
+  {
+    return { own };
+  }
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(this->Size);
+  this->Controller->Gather(&length, lengths.data(), 1, 0);
+  std::vector<vtkIdType> offsets(this->Size);
+  std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), vtkIdType{ 0 });
+  Message all(offsets.back() + lengths.back());
+  this->Controller->GatherV(own.data(), all.data(), length, lengths.data(), offsets.data(), 0);
+  std::vector<Message> byRank;
+  for (int rank = 0; this->Rank == 0 && rank < this->Size; ++rank)
+  {
+    const auto first = all.begin() + offsets[rank];
+    byRank.emplace_back(first, first + lengths[rank]);
+  }
+  return byRank;
+}
+
 double RankGroup::newNumber()
 {
   static double last = 0.0;

@@ -21,6 +21,8 @@ namespace geodesic::distributed
 class RankGroup
 {
 public:
+  using Message = std::vector<char>;
+
   /** @param controller null: this process is the only rank */
   explicit RankGroup(vtkMultiProcessController* controller);
 
@@ -34,6 +36,10 @@ public:
   /** The least of what the ranks give for each of the values, which are as many on all. */
   void takeLeast(std::span<double> values);
   double sum(double own);
+  /** What the first rank gives. */
+  Message fromFirst(Message message);
+  /** What each rank gives, on the first rank; nothing on the others. */
+  std::vector<Message> toFirst(const Message& own);
   /** Whether it is so on any rank. */
   bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
   /**
@@ -57,7 +63,6 @@ public:
    */
   void requireSame(std::span<const double> values, const std::string& what);
 
-  using Message = std::vector<char>;
   /**
    * Sends a message to each partner and returns theirs.
    * @param partners other ranks, in the order of their number xor this rank's. Then no two ranks

@@ -42,20 +42,19 @@ void shareCost(RankGroup& ranks, const DistributedSurface& surface, std::vector<
   }
 }
 
-void shareExcluded(
-  RankGroup& ranks, const DistributedSurface& surface, std::vector<std::uint8_t>& excluded)
+void shareExcluded(RankGroup& ranks, const DividedMesh& mesh, std::vector<std::uint8_t>& excluded)
 {
   std::vector<StartValue> own;
-  for (const Index vertex : surface.shared().vertices())
+  for (const Index vertex : mesh.shared().vertices())
   {
     if (!excluded.empty() && excluded[vertex])
     {
       own.push_back({ vertex, 0, 0.0, false });
     }
   }
-  for (const StartValue& other : surface.shared().exchange(ranks, own))
+  for (const StartValue& other : mesh.shared().exchange(ranks, own))
   {
-    excluded.resize(surface.mesh().numberOfVertices(), 0);
+    excluded.resize(mesh.mesh().numberOfVertices(), 0);
     excluded[other.vertex] = 1;
   }
 }

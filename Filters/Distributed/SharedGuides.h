@@ -23,8 +23,7 @@ void shareCost(RankGroup& ranks, const DistributedSurface& surface, std::vector<
  * Excludes each shared vertex that another rank excludes. Collective.
  * @param excluded one flag a vertex, or empty: none
  */
-void shareExcluded(
-  RankGroup& ranks, const DistributedSurface& surface, std::vector<std::uint8_t>& excluded);
+void shareExcluded(RankGroup& ranks, const DividedMesh& mesh, std::vector<std::uint8_t>& excluded);
 
 }
 

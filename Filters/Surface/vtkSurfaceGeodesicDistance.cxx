@@ -20,6 +20,8 @@
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"
 #include "FieldArray.h"
+#include "GatheredSurface.h"
+#include "GlobalLines.h"
 #include "GlobalPoints.h"
 #include "GlobalSeeds.h"
 #include "GuideResolver.h"
@@ -30,10 +32,12 @@
 #include "SeedResolver.h"
 #include "SharedGuides.h"
 #include "SolveSurface.h"
+#include "SplitMesh.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 
@@ -51,6 +55,28 @@ void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
   output->SetFieldData(fields);
 }
 
+/** The points of lines, on one rank. */
+std::vector<geodesic::bridge::LinePoints> linesHere(
+  const std::vector<std::vector<geodesic::distributed::GlobalPoint>>& lines)
+{
+  std::vector<geodesic::bridge::LinePoints> here;
+  for (const auto& line : lines)
+  {
+    geodesic::bridge::LinePoints& points = here.emplace_back();
+    for (const geodesic::distributed::GlobalPoint& point : line)
+    {
+      points.push_back(point.here.front());
+    }
+  }
+  return here;
+}
+
+/** Whether a vertex stands for points of the input, and was not made where it was split. */
+bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
+{
+  return !split || geodesic::isVertex(split->origin(vertex));
+}
+
 }
 
 /** What is kept from run to run, so that only what changed is computed again. */
@@ -58,9 +84,35 @@ struct vtkSurfaceGeodesicDistance::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::bridge::SurfaceLines Lines;
+  /** On several ranks, where there are lines. */
+  std::unique_ptr<const geodesic::distributed::GatheredSurface> Gathered;
+  std::unique_ptr<const geodesic::distributed::DividedMesh> Divided;
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   const geodesic::DistanceField* Field = nullptr;
+
+  /** The input's own mesh, or what took its place. */
+  const std::shared_ptr<const geodesic::TriangleMesh>& mesh() const
+  {
+    return this->Gathered ? this->Gathered->mesh() : this->Surface->piece().mesh();
+  }
+  /** What is solved on. */
+  const geodesic::distributed::DividedMesh& divided() const
+  {
+    return this->Divided ? *this->Divided : this->Surface->divided();
+  }
+  std::vector<geodesic::distributed::GlobalPoint> relocated(
+    std::vector<geodesic::distributed::GlobalPoint> points) const
+  {
+    for (geodesic::distributed::GlobalPoint& point : points)
+    {
+      if (this->Gathered)
+      {
+        this->Gathered->relocate(point);
+      }
+    }
+    return points;
+  }
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -250,28 +302,23 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 {
   Internals& internal = *this->Internal;
   geodesic::distributed::RankGroup& ranks = run.ranks;
-  internal.Surface = this->FindDistributedSurface(ranks, run.blocks);
-  const std::vector<geodesic::Seed> seeds = this->GatherSeeds(run);
+  internal.Surface = this->FindSurface(ranks, run.blocks);
+  const GlobalLines seedLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
+    vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT]), "SeedSource");
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
-  ranks.together(
-    [&]
-    {
-      this->GatherBarriers(run.blocks, run.inputVector, internal.Surface->piece(), barriers);
-      if (ranks.size() > 1 && !barriers.lines.empty())
-      {
-        throw std::invalid_argument("BarrierSource has lines, which are no barriers yet where the "
-                                    "surface is spread over several ranks. Use BarrierArray, or "
-                                    "run on one rank.");
-      }
-      cost = this->GatherCost(run.blocks, internal.Surface->piece());
-    });
-  geodesic::distributed::shareExcluded(ranks, *internal.Surface, barriers.excluded);
-  geodesic::distributed::shareCost(ranks, *internal.Surface, cost);
-  internal.Lines.update(internal.Surface->piece().mesh(), geodesic::bridge::linesAmong(seeds),
-    std::move(barriers.lines));
-  const geodesic::bridge::SolveSurface surface(
-    internal.Surface->sharedPiece(), internal.Lines, barriers, cost, this->Method == DIJKSTRA);
+  this->GatherGuides(ranks, run.blocks, run.inputVector, *internal.Surface, barriers, cost);
+  this->JoinLines(run, seedLines, barriers, cost);
+  geodesic::bridge::SolveSurface surface(internal.Surface->sharedPiece(), internal.mesh(),
+    internal.Lines, barriers, cost, this->Method == DIJKSTRA);
+  internal.Divided.reset();
+  if (internal.Gathered)
+  {
+    internal.Divided = std::make_unique<const geodesic::distributed::DividedMesh>(ranks,
+      surface.mesh(), internal.Gathered->keysOf(*surface.mesh(), internal.Lines.split().get()));
+    geodesic::distributed::shareExcluded(ranks, *internal.Divided, surface.excluded());
+  }
+  std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines);
 
   std::vector<geodesic::Triangle> targets;
   for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
@@ -282,7 +329,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
     }
     targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.here));
   }
-  geodesic::distributed::DistributedSolver partition(ranks, *internal.Surface);
+  geodesic::distributed::DistributedSolver partition(ranks, internal.divided());
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.targets = targets;
@@ -308,6 +355,48 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::JoinLines(const Run& run, const GlobalLines& seedLines,
+  geodesic::bridge::Barriers& barriers, std::vector<double>& cost)
+{
+  Internals& internal = *this->Internal;
+  geodesic::distributed::RankGroup& ranks = run.ranks;
+  const geodesic::distributed::DistributedSurface& surface = *internal.Surface;
+  internal.Gathered.reset();
+  if (ranks.size() == 1)
+  {
+    internal.Lines.update(surface.piece().mesh(), linesHere(seedLines), std::move(barriers.lines));
+    return;
+  }
+  internal.Lines = {};
+  const GlobalLines barrierLines = geodesic::distributed::globalLinesOf(
+    ranks, surface, vtkDataObject::GetData(run.inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
+  if (seedLines.empty() && barrierLines.empty())
+  {
+    return;
+  }
+  const geodesic::bridge::InputGround input(surface.piece(), run.blocks);
+  const auto seedPaths =
+    geodesic::distributed::joinedLines(ranks, surface, input, seedLines, "SeedSource");
+  const auto barrierPaths =
+    geodesic::distributed::joinedLines(ranks, surface, input, barrierLines, "BarrierSource");
+  std::vector<geodesic::distributed::GlobalPath> paths = seedPaths;
+  paths.insert(paths.end(), barrierPaths.begin(), barrierPaths.end());
+  internal.Gathered = std::make_unique<const geodesic::distributed::GatheredSurface>(
+    ranks, surface, input, paths, barriers, cost);
+  barriers = internal.Gathered->barriers();
+  cost = internal.Gathered->cost();
+  ranks.together(
+    [&]
+    {
+      if (ranks.rank() == 0)
+      {
+        internal.Lines.take(internal.mesh(), internal.Gathered->pathsOf(seedPaths),
+          internal.Gathered->pathsOf(barrierPaths));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::ReportWork(
   const Run& run, geodesic::distributed::DistributedSolver& partition)
 {
@@ -321,18 +410,23 @@ void vtkSurfaceGeodesicDistance::ReportWork(
     ? geodesic::bridge::numberOfReachedPoints(
         { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() })
     : std::count_if(reached.begin(), reached.end(),
-        [&](geodesic::Index vertex) { return partition.owns(vertex); });
+        [&](geodesic::Index vertex)
+        { return partition.owns(vertex) && isOfInput(internal.Lines.split().get(), vertex); });
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
   this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
   this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
-  this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
+  double mostPoints = -static_cast<double>(internal.mesh()->numberOfPoints());
+  ranks.takeLeast({ &mostPoints, 1 });
+  this->MostPointsOnARank = static_cast<vtkIdType>(-mostPoints);
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(const Run& run)
+std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
+  const Run& run, const GlobalLines& seedLines)
 {
+  const Internals& internal = *this->Internal;
   const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
   std::vector<geodesic::Seed> seeds;
   const auto add = [&](std::vector<geodesic::Seed> more)
@@ -340,14 +434,23 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(const Run& r
     seeds.insert(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsAt(
-    run.ranks, surface, this->SeedCoordinates, "SeedPositions")));
-  add(geodesic::distributed::seedsAt(geodesic::distributed::globalPointsWith(
-    run.ranks, surface, run.blocks, this->SeedPointIds, "Seed")));
-  add(geodesic::distributed::seedsOfSource(
+  const auto addPoints = [&](std::vector<geodesic::distributed::GlobalPoint> points)
+  { add(geodesic::distributed::seedsAt(internal.relocated(std::move(points)))); };
+  addPoints(geodesic::distributed::globalPointsAt(
+    run.ranks, surface, this->SeedCoordinates, "SeedPositions"));
+  addPoints(geodesic::distributed::globalPointsWith(
+    run.ranks, surface, run.blocks, this->SeedPointIds, "Seed"));
+  addPoints(geodesic::distributed::loosePointsOf(
     run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
+  // Where their points are is up to the lines that are joined.
+  seeds.insert(seeds.end(), seedLines.size(), geodesic::Seed::alongCurve({}));
   add(this->GatherArraySeeds(run));
   add(this->GatherSelectedSeeds(run));
+  if (internal.Gathered)
+  {
+    internal.Gathered->relocateRegions(
+      run.ranks, *internal.Divided, internal.Lines.split().get(), seeds);
+  }
   if (seeds.empty())
   {
     throw std::invalid_argument("There is no seed to measure from. Set SeedPositions to x, y and z "
@@ -418,7 +521,7 @@ std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::Gath
   {
     points.push_back(std::move(point));
   }
-  return points;
+  return this->Internal->relocated(std::move(points));
 }
 
 //------------------------------------------------------------------------------
@@ -452,7 +555,7 @@ void vtkSurfaceGeodesicDistance::WriteOutput(
 void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* output) const
 {
   const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
-  const geodesic::bridge::FieldOnInput field{ *surface.mesh(), *this->Internal->Field,
+  const geodesic::bridge::FieldOnInput field{ *this->Internal->mesh(), *this->Internal->Field,
     this->Internal->Lines.split().get(), surface.numbering().firstPointOf(block),
     static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
   vtkPointData* pointData = output->GetPointData();

@@ -20,7 +20,7 @@
  * vtkSurfaceGeodesicFilter names.
  *
  * On several ranks the pieces of the input are one surface. Which of their points are one is told
- * as for blocks. Point ids are global ids then, and lines of seeds or barriers are an error.
+ * as for blocks. Point ids are global ids then.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -249,7 +249,14 @@ private:
     vtkInformationVector** inputVector;
   };
   void Solve(const Run& run);
-  std::vector<geodesic::Seed> GatherSeeds(const Run& run);
+  using GlobalLines = std::vector<std::vector<geodesic::distributed::GlobalPoint>>;
+  /**
+   * The lines of seeds and barriers joined over the surface. On several ranks what is round them
+   * moves to the first rank, and barriers and cost with it.
+   */
+  void JoinLines(const Run& run, const GlobalLines& seedLines, geodesic::bridge::Barriers& barriers,
+    std::vector<double>& cost);
+  std::vector<geodesic::Seed> GatherSeeds(const Run& run, const GlobalLines& seedLines);
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);

@@ -24,6 +24,7 @@
 #include "PointKeys.h"
 #include "PointResolver.h"
 #include "RankGroup.h"
+#include "SharedGuides.h"
 
 #include <functional>
 #include <optional>
@@ -142,18 +143,34 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
+  std::vector<double>& cost)
+{
+  ranks.together(
+    [&]
+    {
+      this->GatherBarriers(blocks, surface.piece(), barriers);
+      vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]);
+      if (source && ranks.size() == 1)
+      {
+        barriers.lines = geodesic::bridge::surfaceLinesOf(
+          surface.piece(), geodesic::bridge::PointSource(source), "BarrierSource");
+      }
+      cost = this->GatherCost(blocks, surface.piece());
+    });
+  geodesic::distributed::shareExcluded(ranks, surface.divided(), barriers.excluded);
+  geodesic::distributed::shareCost(ranks, surface, cost);
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
-  vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
-  geodesic::bridge::Barriers& barriers)
+  const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers)
 {
   if (const auto array = this->GetChosenArray(BARRIER_ARRAY, blocks))
   {
     geodesic::bridge::addBarrierArray(surface, array, barriers);
-  }
-  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]))
-  {
-    barriers.lines = geodesic::bridge::surfaceLinesOf(
-      surface, geodesic::bridge::PointSource(source), "BarrierSource");
   }
 }
 
@@ -178,16 +195,8 @@ std::vector<double> vtkSurfaceGeodesicFilter::GatherCost(
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const geodesic::bridge::InputSurface> vtkSurfaceGeodesicFilter::FindSurface(
-  const geodesic::bridge::InputBlocks& blocks) const
-{
-  return geodesic::bridge::InputSurface::of(
-    blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
-}
-
-//------------------------------------------------------------------------------
 std::shared_ptr<const geodesic::distributed::DistributedSurface>
-vtkSurfaceGeodesicFilter::FindDistributedSurface(
+vtkSurfaceGeodesicFilter::FindSurface(
   geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
   return geodesic::distributed::DistributedSurface::of(ranks, blocks,

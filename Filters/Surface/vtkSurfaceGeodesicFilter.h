@@ -152,17 +152,16 @@ protected:
   /** The array chosen by SetInputArrayToProcess; throws where there is no such array. */
   geodesic::bridge::ChosenArray GetChosenArray(
     int number, const geodesic::bridge::InputBlocks& blocks);
-  /** BARRIER_ARRAY and the lines of BarrierSource. */
-  void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
-    vtkInformationVector** inputVector, const geodesic::bridge::InputSurface& surface,
-    geodesic::bridge::Barriers& barriers);
-  /** The cost of each vertex; empty: 1. */
-  std::vector<double> GatherCost(
-    const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface);
-  std::shared_ptr<const geodesic::bridge::InputSurface> FindSurface(
-    const geodesic::bridge::InputBlocks& blocks) const;
+  /**
+   * BARRIER_ARRAY, on one rank the lines of BarrierSource, and the cost of each vertex (empty: 1),
+   * the same on all ranks where they share vertices. Collective.
+   */
+  void GatherGuides(geodesic::distributed::RankGroup& ranks,
+    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+    const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
+    std::vector<double>& cost);
   /** The surface of which the input is this rank's piece. */
-  std::shared_ptr<const geodesic::distributed::DistributedSurface> FindDistributedSurface(
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> FindSurface(
     geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
   std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
     const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
@@ -173,6 +172,11 @@ protected:
   bool ConnectBlocks = true;
 
 private:
+  void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
+    const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers);
+  std::vector<double> GatherCost(
+    const geodesic::bridge::InputBlocks& blocks, const geodesic::bridge::InputSurface& surface);
+
   vtkSurfaceGeodesicFilter(const vtkSurfaceGeodesicFilter&) = delete;
   void operator=(const vtkSurfaceGeodesicFilter&) = delete;
 };

@@ -12,13 +12,17 @@
 
 #include "Abort.h"
 #include "DistanceSolver.h"
+#include "DistributedPathFinder.h"
+#include "DistributedSurface.h"
+#include "GlobalLines.h"
+#include "GlobalPoints.h"
 #include "GuideResolver.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
 #include "NumberText.h"
 #include "PathFinder.h"
+#include "PathGround.h"
 #include "PathOutput.h"
-#include "PointResolver.h"
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SolveSurface.h"
@@ -29,13 +33,21 @@
 #include <optional>
 #include <stdexcept>
 
-/** A path on the input's own mesh, from one of its points to another. */
+/** What RequestData was called with. */
+struct vtkSurfaceGeodesicPath::Run
+{
+  geodesic::distributed::RankGroup& ranks;
+  vtkInformationVector** inputVector;
+  geodesic::bridge::InputGround input;
+};
+
+/** A path on the input's own mesh, or on a corridor, from one point to another. */
 struct vtkSurfaceGeodesicPath::Segment
 {
-  geodesic::SurfacePoint From;
-  geodesic::SurfacePoint To;
+  geodesic::distributed::GlobalPoint From;
+  geodesic::distributed::GlobalPoint To;
   /** None where there is no route. */
-  std::optional<geodesic::SurfacePath> Path;
+  std::optional<geodesic::distributed::TracedPath> Path;
   /** The waypoint that a start's path leads to. */
   vtkIdType NearestSeed = -1;
 };
@@ -43,7 +55,7 @@ struct vtkSurfaceGeodesicPath::Segment
 /** What is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicPath::Internals
 {
-  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::bridge::SurfaceLines Lines;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   // Segments are the same as long as all this is.
@@ -67,10 +79,22 @@ struct vtkSurfaceGeodesicPath::Internals
     this->Style = style;
   }
 
-  const Segment* find(const geodesic::SurfacePoint& from, const geodesic::SurfacePoint& to) const
+  /** A path on the input's own mesh, unless it is on a corridor. */
+  std::optional<geodesic::distributed::TracedPath> onInput(
+    std::optional<geodesic::distributed::TracedPath> path) const
+  {
+    if (path && !path->corridor)
+    {
+      path->path = this->Ground->basePathOf(path->path);
+    }
+    return path;
+  }
+
+  const Segment* find(const geodesic::distributed::GlobalPoint& from,
+    const geodesic::distributed::GlobalPoint& to) const
   {
     const auto found = std::find_if(this->Segments.begin(), this->Segments.end(),
-      [&](const Segment& segment) { return segment.From == from && segment.To == to; });
+      [&](const Segment& segment) { return segment.From.isAt(from) && segment.To.isAt(to); });
     return found == this->Segments.end() ? nullptr : &*found;
   }
 };
@@ -142,6 +166,20 @@ int vtkSurfaceGeodesicPath::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicPath::DescribeRequest(std::vector<double>& numbers)
+{
+  this->Superclass::DescribeRequest(numbers);
+  for (const auto* coordinates : { &this->WaypointCoordinates, &this->StartCoordinates })
+  {
+    numbers.push_back(static_cast<double>(coordinates->size()));
+    numbers.insert(numbers.end(), coordinates->begin(), coordinates->end());
+  }
+  numbers.insert(numbers.end(),
+    { static_cast<double>(this->Closed), static_cast<double>(this->PathMode),
+      static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten) });
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicPath::Forget()
 {
   *this->Internal = Internals();
@@ -153,60 +191,107 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   vtkDataObject* output)
 {
   this->TotalLength = 0.0;
-  if (ranks.size() > 1)
-  {
-    throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
-      " ranks, where this version finds no paths. Run Geodesic Path on one rank.");
-  }
   this->CheckRequest();
   Internals& internal = *this->Internal;
-  internal.Surface = this->FindSurface(blocks);
-  const auto waypoints = this->GatherPoints(inputVector[WAYPOINT_SOURCE_PORT],
-    this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
-  const auto starts = this->GatherPoints(
-    inputVector[START_SOURCE_PORT], this->StartCoordinates, "StartPositions", "StartSource");
+  internal.Surface = this->FindSurface(ranks, blocks);
+  const Run run{ ranks, inputVector,
+    geodesic::bridge::InputGround(internal.Surface->piece(), blocks) };
+  this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
+  const Points waypoints = this->GatherPoints(
+    run, WAYPOINT_SOURCE_PORT, this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
+  const Points starts = this->GatherPoints(
+    run, START_SOURCE_PORT, this->StartCoordinates, "StartPositions", "StartSource");
   geodesic::bridge::Barriers barriers;
-  this->GatherBarriers(blocks, inputVector, *internal.Surface, barriers);
-  const std::vector<double> cost = this->GatherCost(blocks, *internal.Surface);
-  internal.Lines.update(internal.Surface->mesh(), {}, std::move(barriers.lines));
+  std::vector<double> cost;
+  const auto barrierLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
+    vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
+  if (ranks.size() > 1 && !barrierLines.empty())
+  {
+    throw std::invalid_argument("BarrierSource has lines, which are no barriers of paths yet where "
+                                "the surface is spread over several ranks. Use BarrierArray, or "
+                                "run on one rank.");
+  }
+  this->GatherGuides(ranks, blocks, inputVector, *internal.Surface, barriers, cost);
+  internal.Lines.update(internal.Surface->piece().mesh(), {}, std::move(barriers.lines));
+  const bool hasCost = ranks.isAny(!cost.empty());
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
-    this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && cost.empty() };
+    this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const bool hadMethod = internal.Method == this->Method;
-  internal.setGround(geodesic::bridge::SolveSurface(
-                       internal.Surface, internal.Lines, barriers, cost, this->Method == DIJKSTRA),
+  internal.setGround(
+    geodesic::bridge::SolveSurface(internal.Surface->sharedPiece(),
+      internal.Surface->piece().mesh(), internal.Lines, barriers, cost, this->Method == DIJKSTRA),
     this->Method, style);
-  const geodesic::bridge::SolveSurface& ground = *internal.Ground;
-  if (!internal.Solver || &internal.Solver->mesh() != ground.mesh().get() || !hadMethod)
+  const auto& mesh = internal.Ground->mesh();
+  if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)
   {
-    internal.Solver = this->MakeSolver(ground.mesh());
+    internal.Solver = this->MakeSolver(mesh);
+  }
+  if (ranks.size() > 1)
+  {
+    // On corridors they hold what an earlier input said of their points.
+    internal.Segments.clear();
   }
 
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
-    ? this->TraceThroughWaypoints(ground, waypoints)
-    : this->TraceToNearest(ground, waypoints, starts);
-  if (!geodesic::bridge::isAborted(*this))
+    ? this->TraceThroughWaypoints(run, waypoints)
+    : this->TraceToNearest(run, waypoints, starts);
+  if (!this->IsAborted(run))
   {
-    this->WriteOutput(blocks, vtkPolyData::SafeDownCast(output));
+    this->WriteOutput(run, vtkPolyData::SafeDownCast(output));
   }
 }
 
 //------------------------------------------------------------------------------
-std::vector<geodesic::SurfacePoint> vtkSurfaceGeodesicPath::GatherPoints(
-  vtkInformationVector* sourceVector, const std::vector<double>& coordinates, const char* positions,
-  const char* source) const
+vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::GatherPoints(const Run& run, int sourcePort,
+  const std::vector<double>& coordinates, const char* positions, const char* source) const
 {
-  const geodesic::bridge::InputSurface& surface = *this->Internal->Surface;
-  vtkDataObject* points = vtkDataObject::GetData(sourceVector);
-  if (points && !coordinates.empty())
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  vtkDataObject* points = vtkDataObject::GetData(run.inputVector[sourcePort]);
+  if (!run.ranks.isAny(points != nullptr))
+  {
+    return geodesic::distributed::globalPointsAt(run.ranks, surface, coordinates, positions);
+  }
+  if (!coordinates.empty())
   {
     throw std::invalid_argument(std::string(positions) + " has " +
       std::to_string(coordinates.size()) + " numbers, and " + source +
       " is set as well: take one of them away.");
   }
-  return points
-    ? geodesic::bridge::surfacePointsOf(surface, geodesic::bridge::PointSource(points), source)
-    : geodesic::bridge::surfacePointsAt(surface, coordinates, positions);
+  return geodesic::distributed::globalPointsOf(run.ranks, surface, points, source);
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
+  const Run& run, const Points& points, const std::string& role) const
+{
+  Points openPoints = points;
+  run.ranks.together(
+    [&]
+    {
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        for (geodesic::SurfacePoint& here : openPoints[i].here)
+        {
+          here = this->Internal->Ground->openPointOf(here, role + " " + std::to_string(i));
+        }
+      }
+    });
+  return openPoints;
+}
+
+//------------------------------------------------------------------------------
+geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run) const
+{
+  const Internals& internal = *this->Internal;
+  return { run.ranks, *internal.Surface, *internal.Solver, internal.Ground->options(),
+    internal.Style, run.input };
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceGeodesicPath::IsAborted(const Run& run)
+{
+  return run.ranks.isAny(geodesic::bridge::isAborted(*this));
 }
 
 //------------------------------------------------------------------------------
@@ -221,8 +306,7 @@ void vtkSurfaceGeodesicPath::CheckRequest() const
 
 //------------------------------------------------------------------------------
 std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroughWaypoints(
-  const geodesic::bridge::SolveSurface& ground,
-  const std::vector<geodesic::SurfacePoint>& waypoints)
+  const Run& run, const Points& waypoints)
 {
   if (waypoints.size() < 2)
   {
@@ -231,33 +315,33 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
       "points on or near the surface, or give a WaypointSource.");
   }
   const Internals& internal = *this->Internal;
-  std::vector<geodesic::SurfacePoint> points;
-  for (const geodesic::SurfacePoint& waypoint : waypoints)
-  {
-    points.push_back(ground.openPointOf(waypoint, "Waypoint " + std::to_string(points.size())));
-  }
+  const Points points = this->OpenPoints(run, waypoints, "Waypoint");
+  geodesic::distributed::PathRequest request = this->MakeRequest(run);
   std::vector<Segment> segments;
   std::string missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
-  for (std::size_t i = 0; i < count && !geodesic::bridge::isAborted(*this); ++i)
+  for (std::size_t i = 0; i < count && !this->IsAborted(run); ++i)
   {
     const std::size_t next = (i + 1) % waypoints.size();
-    const Segment* known = internal.find(waypoints[i], waypoints[next]);
-    if (known)
+    if (const Segment* known = internal.find(waypoints[i], waypoints[next]))
     {
       segments.push_back(*known);
     }
     else
     {
-      geodesic::bridge::ProgressReporter reporter(*this, ground.mesh()->numberOfVertices());
-      geodesic::SolveOptions options = ground.options();
-      options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
-      const auto path =
-        geodesic::shortestPath(*internal.Solver, points[i], points[next], options, internal.Style);
-      segments.push_back({ waypoints[i], waypoints[next],
-        path ? std::optional(ground.basePathOf(*path)) : std::nullopt });
+      segments.push_back({ waypoints[i], waypoints[next], {} });
+      geodesic::bridge::ProgressReporter reporter(*this, request.solver.mesh().numberOfVertices());
+      request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
+      geodesic::distributed::DistributedPathFinder finder(request, { points[i] });
+      auto path = finder.march({ &points[next], 1 }) ? finder.pathFrom(points[next]) : std::nullopt;
+      if (path)
+      {
+        std::reverse(path->path.begin(), path->path.end());
+      }
+      segments.back().Path = internal.onInput(std::move(path));
+      this->MostPointsOnARank = std::max(this->MostPointsOnARank, finder.mostPointsOnARank());
     }
-    if (!segments.back().Path && !geodesic::bridge::isAborted(*this))
+    if (!segments.back().Path && !this->IsAborted(run))
     {
       missing += (missing.empty() ? "" : ", or ") + std::string("from waypoint ") +
         std::to_string(i) + " to waypoint " + std::to_string(next);
@@ -266,12 +350,9 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   this->ReportMissing(missing);
   return segments;
 }
-
 //------------------------------------------------------------------------------
 std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNearest(
-  const geodesic::bridge::SolveSurface& ground,
-  const std::vector<geodesic::SurfacePoint>& waypoints,
-  const std::vector<geodesic::SurfacePoint>& starts)
+  const Run& run, const Points& waypoints, const Points& starts)
 {
   if (waypoints.empty() || starts.empty())
   {
@@ -281,20 +362,12 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
       "StartPositions, or give a WaypointSource and a StartSource.");
   }
   const Internals& internal = *this->Internal;
-  std::vector<geodesic::SurfacePoint> ends;
-  for (const geodesic::SurfacePoint& waypoint : waypoints)
-  {
-    ends.push_back(ground.openPointOf(waypoint, "Waypoint " + std::to_string(ends.size())));
-  }
-  std::vector<geodesic::SurfacePoint> points;
-  for (const geodesic::SurfacePoint& start : starts)
-  {
-    points.push_back(ground.openPointOf(start, "Start " + std::to_string(points.size())));
-  }
-  geodesic::bridge::ProgressReporter reporter(*this, ground.mesh()->numberOfVertices());
-  geodesic::SolveOptions options = ground.options();
-  options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
-  geodesic::PathFinder finder(*internal.Solver, ends, options, internal.Style);
+  const Points ends = this->OpenPoints(run, waypoints, "Waypoint");
+  const Points points = this->OpenPoints(run, starts, "Start");
+  geodesic::distributed::PathRequest request = this->MakeRequest(run);
+  geodesic::bridge::ProgressReporter reporter(*this, request.solver.mesh().numberOfVertices());
+  request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
+  geodesic::distributed::DistributedPathFinder finder(request, ends);
   if (!finder.march(points))
   {
     return {};
@@ -302,23 +375,22 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
 
   std::vector<Segment> segments;
   std::string missing;
-  for (std::size_t i = 0; i < starts.size() && !geodesic::bridge::isAborted(*this); ++i)
+  for (std::size_t i = 0; i < starts.size() && !this->IsAborted(run); ++i)
   {
-    const auto path = finder.pathFrom(points[i]);
-    Segment& segment = segments.emplace_back();
+    auto path = internal.onInput(finder.pathFrom(points[i]));
     if (path)
     {
-      const auto isEnd = [&](const geodesic::SurfacePoint& end)
-      { return geodesic::PathPoint::at(*ground.mesh(), end) == path->back(); };
-      const auto end = std::find_if(ends.begin(), ends.end(), isEnd) - ends.begin();
-      segment = { starts[i], waypoints[end], ground.basePathOf(*path), end };
+      const geodesic::Index end = path->end;
+      segments.push_back({ starts[i], waypoints[end], std::move(path), end });
     }
     else
     {
+      segments.emplace_back();
       missing += (missing.empty() ? "" : ", or ") + std::string("from start ") + std::to_string(i) +
         " to any waypoint";
     }
   }
+  this->MostPointsOnARank = finder.mostPointsOnARank();
   this->ReportMissing(missing);
   return segments;
 }
@@ -335,12 +407,13 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::WriteOutput(
-  const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output)
+void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
 {
   const Internals& internal = *this->Internal;
-  const geodesic::TriangleMesh& mesh = *internal.Surface->mesh();
-  geodesic::bridge::PathOutput paths(*internal.Surface, blocks, this->HeightOffset);
+  // A path over the pieces of several ranks has global ids or none.
+  const bool namesBlocks =
+    run.ranks.size() == 1 && !internal.Surface->piece().numbering().hasUniqueIds();
+  geodesic::bridge::PathOutput paths(this->HeightOffset, namesBlocks);
   const double maximumLength =
     this->UseMaximumPathLength ? this->MaximumPathLength : std::numeric_limits<double>::infinity();
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;
@@ -350,12 +423,17 @@ void vtkSurfaceGeodesicPath::WriteOutput(
   for (std::size_t i = 0; i < internal.Segments.size(); ++i)
   {
     const Segment& segment = internal.Segments[i];
-    if (segment.Path)
+    // Of several ranks the first one has the paths.
+    if (segment.Path && run.ranks.rank() == 0)
     {
-      const double length =
-        paths.add(geodesic::beginningOf(mesh, *segment.Path, maximumLength,
-                    std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),
-          static_cast<vtkIdType>(i), isChain ? arcLength : 0.0);
+      const geodesic::distributed::TracedPath& path = *segment.Path;
+      const geodesic::bridge::PathGround& ground = path.corridor
+        ? static_cast<const geodesic::bridge::PathGround&>(*path.corridor)
+        : run.input;
+      const double length = paths.add(ground,
+        geodesic::beginningOf(ground.mesh(), path.path, maximumLength,
+          std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),
+        static_cast<vtkIdType>(i), isChain ? arcLength : 0.0);
       arcLength += length;
       nearestSeeds->InsertNextValue(segment.NearestSeed);
     }
@@ -365,7 +443,7 @@ void vtkSurfaceGeodesicPath::WriteOutput(
   {
     output->GetCellData()->AddArray(nearestSeeds);
   }
-  this->TotalLength = paths.totalLength();
+  this->TotalLength = run.ranks.sum(paths.totalLength());
 }
 
 //------------------------------------------------------------------------------
@@ -384,4 +462,5 @@ void vtkSurfaceGeodesicPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n";
   os << indent << "HeightOffset: " << this->HeightOffset << "\n";
   os << indent << "TotalLength: " << this->TotalLength << "\n";
+  os << indent << "MostPointsOnARank: " << this->MostPointsOnARank << "\n";
 }

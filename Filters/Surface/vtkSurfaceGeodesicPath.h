@@ -13,8 +13,10 @@
  * path's point), EdgePointIds (both ends of the edge that it is on, nearest first; at a mesh point
  * twice its id; in a face the two nearest corners), Normals (of length 1: the input's, or made from
  * its faces). On several blocks ids are global ids; where there are none, OriginalBlocks and
- * EdgeBlocks have the blocks' numbers in the composite input. Cell arrays: Segment (its number, or
- * the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the waypoint's number).
+ * EdgeBlocks have the blocks' numbers in the composite input. On several ranks all paths are on the
+ * first one, ids are global ids, or -1 where there are none, and lines of BarrierSource are an
+ * error. Cell arrays: Segment (its number,
+ * or the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the waypoint's number).
  * Field array: TotalLength. Lengths are those on the surface, in the mesh's unit of length, without
  * cost and height offset.
  *
@@ -34,10 +36,10 @@ class vtkPolyData;
 
 namespace geodesic
 {
-struct SurfacePoint;
-namespace bridge
+namespace distributed
 {
-class SolveSurface;
+struct GlobalPoint;
+struct PathRequest;
 }
 }
 
@@ -167,6 +169,11 @@ public:
    * The length of all paths of the last run, in the mesh's unit of length; 0 before the first.
    */
   vtkGetMacro(TotalLength, double);
+  /**
+   * The most points of the surface that any rank held in the last run: its piece, and on the first
+   * rank of several also what it collected round a path.
+   */
+  vtkGetMacro(MostPointsOnARank, vtkIdType);
 
 protected:
   vtkSurfaceGeodesicPath();
@@ -175,6 +182,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Compute(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
     vtkInformationVector** inputVector, vtkDataObject* output) override;
+  void DescribeRequest(std::vector<double>& numbers) override;
   void Forget() override;
 
   std::vector<double> WaypointCoordinates;
@@ -187,23 +195,30 @@ protected:
   double MaximumPathLength = 1.0;
   double HeightOffset = 0.0;
   double TotalLength = 0.0;
+  vtkIdType MostPointsOnARank = 0;
 
 private:
   struct Internals;
+  struct Run;
   struct Segment;
+  using Points = std::vector<geodesic::distributed::GlobalPoint>;
+
   void CheckRequest() const;
   /** The points of a source or of positions, of which one may be set. */
-  std::vector<geodesic::SurfacePoint> GatherPoints(vtkInformationVector* sourceVector,
-    const std::vector<double>& coordinates, const char* positions, const char* source) const;
-  std::vector<Segment> TraceThroughWaypoints(const geodesic::bridge::SolveSurface& surface,
-    const std::vector<geodesic::SurfacePoint>& waypoints);
-  std::vector<Segment> TraceToNearest(const geodesic::bridge::SolveSurface& surface,
-    const std::vector<geodesic::SurfacePoint>& waypoints,
-    const std::vector<geodesic::SurfacePoint>& starts);
+  Points GatherPoints(const Run& run, int sourcePort, const std::vector<double>& coordinates,
+    const char* positions, const char* source) const;
+  /** The same on the mesh that is solved on. @throws where one lies on a barrier */
+  Points OpenPoints(const Run& run, const Points& points, const std::string& role) const;
+  std::vector<Segment> TraceThroughWaypoints(const Run& run, const Points& waypoints);
+  std::vector<Segment> TraceToNearest(
+    const Run& run, const Points& waypoints, const Points& starts);
+  geodesic::distributed::PathRequest MakeRequest(const Run& run) const;
+  /** Whether any rank is to stop. Collective. */
+  bool IsAborted(const Run& run);
 
   /** One error for all missing segments. */
   void ReportMissing(const std::string& missing);
-  void WriteOutput(const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output);
+  void WriteOutput(const Run& run, vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;
 

@@ -16,14 +16,18 @@ harness.load(sys.argv[1])
 SEED = [1.4, 0, 0]
 
 
-def expect(words, source, **options):
-    distance = simple.GeodesicDistance(Input=source, **options)
-    messages = harness.messages_of(distance.UpdatePipeline)
+def expect(words, source, make=simple.GeodesicDistance, **options):
+    proxy = make(Input=source, **options)
+    messages = harness.messages_of(proxy.UpdatePipeline)
     for word in (words, ) if isinstance(words, str) else words:
         assert word in messages, (harness.RANKS, word, messages)
-    assert distance.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0
-    simple.Delete(distance)
+    assert proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0
+    simple.Delete(proxy)
     pieces.controller().Barrier()
+
+
+def expect_no_path(words, source, **options):
+    expect(words, source, simple.GeodesicPath, **options)
 
 
 def expect_success(source, **options):
@@ -49,8 +53,13 @@ expect("Seed point id 11 ", with_ids, SeedPointIds=[10, 11])
 expect("Destination point id 12 ", with_ids, SeedPointIds=[10], DestinationPointIds=[12])
 expect("multiple of 3", torus, SeedPositions=[1, 2])
 expect("maximum distance", torus, SeedPositions=SEED, UseMaximumDistance=1, MaximumDistance=-1)
-expect("lines", torus, SeedSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
-expect("lines", torus, SeedPositions=SEED, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
+LINE = simple.PolyLineSource(Points=[0.3, 0.2, 0, 0.3, 0.2, 5])
+expect("SeedSource's line 0 can't be joined from its point 0 to its point 1", harness.surface("parts", "random"),
+       SeedSource=LINE)
+expect("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs"), SeedPositions=SEED,
+       BarrierSource=LINE)
+expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
+       BarrierSource=simple.PolyLineSource(Points=SEED + [0, 1, 0]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 # Each rank runs the script, and may set something else.
@@ -65,13 +74,28 @@ expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # The source is on one rank, or on all alike.
 expect_success(torus, SeedSource=simple.PointSource(Center=SEED, NumberOfPoints=5, Radius=0.1))
 
-path = simple.GeodesicPath(Input=torus, WaypointPositions=[1.4, 0, 0, -1.4, 0, 0])
-assert "spread over" in harness.messages_of(path.UpdatePipeline)
+ENDS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
+expect_no_path("There are 1 waypoints", torus, WaypointPositions=ENDS[:3])
+expect_no_path("multiple of 3", torus, WaypointPositions=ENDS[:5])
+expect_no_path(("BadCost", "-1"), torus, WaypointPositions=ENDS, CostArray=["POINTS", "BadCost"])
+expect_no_path("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
+               CostArray=["POINTS", "Cost"])
+expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPositions=ENDS,
+               BarrierArray=["POINTS", "PointNumber"])
+expect_no_path("lines", torus, WaypointPositions=ENDS, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
+expect_no_path("Generate Global Ids", torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
+expect_no_path("no surface", simple.PointSource(), WaypointPositions=ENDS)
+expect_no_path("same on all ranks", torus, WaypointPositions=ENDS[:3] + [-1.3, harness.IS_FIRST, 0])
+path = simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)
+assert harness.messages_of(path.UpdatePipeline) == ""
+assert 3 < harness.informed(path, "TotalLength") < 4
+
 
 # Aborted on one rank, no rank has an output; all know.
-distance = simple.GeodesicDistance(Input=torus, SeedPositions=SEED)
-algorithm = distance.GetClientSideObject()
-if harness.IS_FIRST:
-    algorithm.AddObserver("ProgressEvent", lambda *_: algorithm.AbortExecuteOn())
-distance.UpdatePipeline()
-assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+for proxy in (simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
+              simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)):
+    algorithm = proxy.GetClientSideObject()
+    if harness.IS_FIRST:
+        algorithm.AddObserver("ProgressEvent", lambda *_, filter=algorithm: filter.AbortExecuteOn())
+    assert harness.messages_of(proxy.UpdatePipeline) == ""
+    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0

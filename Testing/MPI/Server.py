@@ -1,7 +1,7 @@
-"""A server of several ranks gives its client the fields of one rank.
+"""A server of several ranks gives its client the fields and paths of one rank.
 
 usage: WithServer.py MPIEXEC PVSERVER pvpython Server.py URL OUR_PLUGIN FOLDER
-After Fields.py with one rank, whose fields are compared with.
+After Fields.py and Paths.py with one rank, whose results are compared with.
 """
 
 import os
@@ -35,4 +35,13 @@ for case in ("bunny", "costs"):
     assert harness.informed(distance, "BytesExchanged") > 0
     # No rank has the whole of it.
     assert visited / 2 <= harness.informed(distance, "MostPointsOnARank") < 0.6 * visited
+
+path = simple.GeodesicPath(Input=harness.surface("torus", "slabs"), WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
+line = servermanager.Fetch(path)
+with np.load(os.path.join(FOLDER, "torus.path.npz")) as reference:
+    assert line.GetNumberOfCells() == 1
+    assert line.GetNumberOfPoints() == len(reference["points"])
+    length = line.GetCellData().GetArray("Length").GetValue(0)
+    assert abs(length - reference["Length"][0]) <= 1e-9 * length
+    assert abs(harness.informed(path, "TotalLength") - length) <= 1e-12
 simple.Disconnect()

@@ -86,7 +86,9 @@ def check(folder, case, source, options):
     error = compare(case, parts, reference)
     assert numbers[4] == reference["numbers"][4], (case, "visited", numbers[4], reference["numbers"][4])
     assert abs(reached - reference["reached"]) <= 1e-9 * reached, (case, reached, reference["reached"])
-    assert numbers[3] == max(int(part["points"]) for part in parts)
+    largest = max(int(part["points"]) for part in parts)
+    # What is round lines is on the first rank as well.
+    assert largest <= numbers[3] <= (len(reference["PointNumber"]) if case.startswith("lines") else largest)
     if case.endswith("/slabs") and numbers[4] > 1000:
         assert numbers[1] <= 1.5 * reference["numbers"][1], (case, "updates", numbers[1])
     print(f"{case:24s} error {error:7.1e}  rounds {numbers[0]:5d}  updates x{numbers[1] / reference['numbers'][1]:5.2f}"

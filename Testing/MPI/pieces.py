@@ -113,6 +113,12 @@ def corner():
     return weld(np.vstack([points, points + [7, 7, 0]]), np.vstack([cells, cells + len(points)]))
 
 
+def parts():
+    """Two squares that have nothing in common."""
+    points, cells = square()
+    return np.vstack([points, points + [0, 0, 5]]), np.vstack([cells, cells + len(points)])
+
+
 def weld(points, cells):
     points, numbers = np.unique(points, axis=0, return_inverse=True)
     return points, numbers.ravel()[cells]
@@ -130,7 +136,7 @@ def brick(size=12):
     return points, cells[~is_low], np.vstack([cells[is_low][:, t] for t in tetrahedra])
 
 
-SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner)}
+SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner, parts)}
 
 
 def owners(points, cells, cut, ranks):

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DividedMesh.h"
+
+#include <algorithm>
+
+namespace geodesic::distributed
+{
+
+DividedMesh::DividedMesh(
+  RankGroup& ranks, std::shared_ptr<const TriangleMesh> mesh, std::span<const Key> keys)
+  : Mesh(std::move(mesh))
+  , Shared(ranks, *this->Mesh, keys)
+{
+  if (ranks.size() > 1)
+  {
+    this->agreeOnSizes(ranks);
+  }
+  this->chooseStep(ranks);
+}
+
+void DividedMesh::agreeOnSizes(RankGroup& ranks)
+{
+  const VertexRings& rings = this->mesh().rings();
+  this->LongestEdges.assign(rings.longestSides().begin(), rings.longestSides().end());
+  this->Margins.assign(rings.margins().begin(), rings.margins().end());
+  this->Shared.takeLargest<float>(ranks, this->LongestEdges);
+  this->Shared.takeLargest<float>(ranks, this->Margins);
+}
+
+void DividedMesh::chooseStep(RankGroup& ranks)
+{
+  const auto vertices = static_cast<double>(this->mesh().numberOfVertices());
+  const auto shared = static_cast<double>(this->Shared.vertices().size());
+  constexpr double atSharedVertex = 0.1;
+  constexpr double least = 0.5;
+  this->StepInEdges = std::max(least, atSharedVertex * ranks.sum(vertices) / ranks.sum(shared));
+}
+
+}

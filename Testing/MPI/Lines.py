@@ -1,0 +1,55 @@
+"""Seeds and barriers that are lines: the fields on several ranks are those on one, however the surface is cut.
+
+usage: mpiexec -n N pvbatch [--sym] Lines.py OUR_PLUGIN FOLDER
+The run with one rank leaves the fields in FOLDER that the others are compared with.
+"""
+
+import os
+import sys
+
+from paraview import simple
+
+sys.path.append(os.path.dirname(__file__))
+import cases
+import harness
+
+PLUGIN, FOLDER = sys.argv[1:]
+os.makedirs(FOLDER, exist_ok=True)
+harness.load(PLUGIN)
+
+
+def line(*points, closed=0):
+    return simple.PolyLineSource(Points=list(points), Closed=closed)
+
+
+SEED = [1.3, 0.2, 0.3]
+ROUND = [1.1, 0.3, 0.38, 0.2, 1.2, 0.3, -1.15, 0.25, -0.35]
+# Across the tube, so that the front has to go round the torus.
+RING = [0.03 + 1.4 * 0.7, 1.4 * 0.7, 0, 0.7, 0.72, 0.4, 0.42, 0.43, 0, 0.7, 0.72, -0.4]
+SHORT = [0.5, 1.2, 0.2, 0.2, 1.2, 0.3]
+LINES = {
+    "curve": ("torus", dict(SeedSource=line(*ROUND))),
+    "curve and seeds": ("torus", dict(SeedSource=line(*ROUND), SeedPositions=[-1, -0.9, 0.2] + ROUND[:3],
+                                      ComputeNearestSeed=1)),
+    "curve, dijkstra": ("torus", dict(SeedSource=line(*ROUND), Method="Dijkstra")),
+    "curve, cost": ("torus", dict(SeedSource=line(*ROUND), CostArray=["POINTS", "Cost"])),
+    "barrier": ("torus", dict(SeedPositions=SEED, BarrierSource=line(*SHORT))),
+    "barrier, edges": ("torus", dict(SeedPositions=SEED, BarrierSource=line(*SHORT), Method="Dijkstra")),
+    "ring": ("torus", dict(SeedPositions=SEED, BarrierSource=line(*RING, closed=1))),
+    "both": ("torus", dict(SeedSource=line(*ROUND[:6]), BarrierSource=line(-0.3, 1, 0.4, -1.2, 0.1, 0.3),
+                           DestinationPositions=[-0.9, -0.9, 0.1])),
+    "region": ("sphere", dict(SeedArray=["POINTS", "Region"], BarrierSource=line(0.1, 0.2, 0.9, 0.8, 0.1, 0.1))),
+    "bunny": ("bunny", dict(SeedSource=line(*cases.points_on("bunny", 3)))),
+}
+
+for name, (surface, options) in LINES.items():
+    if harness.RANKS == 1:
+        cases.check(FOLDER, f"lines {name}/whole", harness.surface(surface, "whole"), options)
+        continue
+    cases.check(FOLDER, f"lines {name}/slabs", harness.surface(surface, "slabs"), options)
+    if name in ("curve and seeds", "barrier, edges", "both"):
+        cases.check(FOLDER, f"lines {name}/random", harness.surface(surface, "random"), options)
+        cases.check(FOLDER, f"lines {name}/all on the last", harness.surface(surface, "last"), options)
+    if name in ("curve, cost", "ring", "region"):
+        cases.check(FOLDER, f"lines {name}/with ghosts", harness.ghosted(harness.surface(surface, "slabs", True)),
+                     options)
