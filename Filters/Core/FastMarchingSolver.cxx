@@ -1,15 +1,15 @@
 #include "FastMarchingSolver.h"
 
 #include "ClosedFans.h"
+#include "FrontValues.h"
 #include "MarchControl.h"
 #include "Partition.h"
+#include "QueuedFront.h"
 #include "RingSweep.h"
 #include "StopLimit.h"
 #include "TriangleCost.h"
 #include "TriangleMesh.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace geodesic
@@ -17,292 +17,8 @@ namespace geodesic
 namespace
 {
 
-constexpr std::uint8_t Queued = 1;
-constexpr std::uint8_t Pinned = 2;
-
-/** Width of the queue's buckets; 0.1 to 0.5 serve about equally well. */
-constexpr double BucketWidthInMeanEdges = 0.25;
-
 /** How far ahead in the queue the mesh is fetched: the time that memory takes to answer. */
 constexpr std::size_t Lookahead = 3;
-
-double smallestValue(std::span<const Label> labels)
-{
-  return std::min_element(
-    labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value < b.value; })
-    ->value;
-}
-
-/**
- * No way is shorter than the straight line to where a round front starts. Holding updates to that
- * keeps them monotone, and keeps rounding from growing from update to update where triangles lie on
- * each other over the source: there the update's slope exceeds 1.
- */
-class StraightLineBound
-{
-public:
-  StraightLineBound(const Label& label, double smallestCost)
-    : Origin(label.position)
-    , SquaredCost(label.shape == FrontShape::Round ? smallestCost * smallestCost : 0.0)
-  {
-  }
-
-  /** @p value, or the bound at @p position where that is more. */
-  double raised(double value, const Vector3& position) const
-  {
-    const Vector3 away = position - this->Origin;
-    const double square = this->SquaredCost * dot(away, away);
-    return value * value < square ? std::sqrt(square) : value;
-  }
-
-private:
-  Vector3 Origin;
-  double SquaredCost;
-};
-
-/** What the values of every label have in common; see RingSweep. */
-template <class Cost>
-struct MarchContext
-{
-  const TriangleMesh& mesh;
-  const Cost& cost;
-  const SolveOptions& options;
-  const StopLimit& limit;
-  const MarchControl& control;
-  DistanceField& field;
-  BucketQueue& queue;
-};
-
-/** A march as a Partition sees it; @p Values and @p advance are the march. */
-template <class Values, class Advance>
-class QueuedFront final : public MarchingFront
-{
-public:
-  /** @param firstDistance the distance of the queue's key 0 */
-  QueuedFront(BucketQueue& queue, const MarchControl& control, double firstDistance, Values& values,
-    Advance advance)
-    : Queue(queue)
-    , Control(control)
-    , FirstDistance(firstDistance)
-    , FrontValues(values)
-    , AdvanceBefore(std::move(advance))
-  {
-  }
-
-  void advance(double limit) override
-  {
-    this->AdvanceBefore(this->Queue.bucketOf(limit - this->FirstDistance));
-  }
-
-  double nextDistance() const override
-  {
-    return this->Queue.isEmpty() ? DistanceField::Unreached
-                                 : this->FirstDistance + this->Queue.nextKey();
-  }
-
-  double meanEdge() const override { return this->Queue.width() / BucketWidthInMeanEdges; }
-  std::size_t numberOfUpdates() const override { return this->Control.count(); }
-  bool isCancelled() const override { return this->Control.isCancelled(); }
-
-  void visitValues(Index vertex, const Visit& visit) const override
-  {
-    this->FrontValues.visit(vertex, visit);
-  }
-
-  void lower(Index vertex, Index label, double value) override
-  {
-    this->FrontValues.setCurrent(label);
-    this->Queue.goBackTo(this->FrontValues.keyOf(value));
-    this->FrontValues.propose(vertex, value);
-  }
-
-private:
-  BucketQueue& Queue;
-  const MarchControl& Control;
-  double FirstDistance;
-  Values& FrontValues;
-  Advance AdvanceBefore;
-};
-
-/** The values of the only label: the field itself, but for the value of the seed. */
-template <class Cost>
-class OneLabelValues
-{
-public:
-  OneLabelValues(
-    const MarchContext<Cost>& context, const Label& label, std::span<std::uint8_t> state)
-    : Context(context)
-    , LeastOf(label, context.cost.smallest())
-    , Offset(label.value)
-    , State(state)
-  {
-  }
-
-  void setCurrent(Index) {}
-  double keyOf(double value) const { return value; }
-
-  void visit(Index vertex, const MarchingFront::Visit& visit) const
-  {
-    if (this->Context.field.isReached(vertex))
-    {
-      visit(0, this->value(vertex));
-    }
-  }
-
-  double value(Index vertex) const { return this->Context.field.distance(vertex) - this->Offset; }
-
-  FrontValue look(Index vertex) const
-  {
-    const double value = this->value(vertex);
-    return { value, value, (this->State[vertex] & Queued) != 0 };
-  }
-
-  double ceiling(Index vertex, double value) const
-  {
-    const double reach = this->Context.cost.reach(vertex);
-    return std::min(
-      value * this->Context.control.keptFraction(), this->Context.limit.with(reach) - this->Offset);
-  }
-
-  FrontValue propose(Index vertex, double value)
-  {
-    const double old = this->value(vertex);
-    value = this->LeastOf.raised(value, this->Context.mesh.position(vertex));
-    if (!(value < this->ceiling(vertex, old)) || (this->State[vertex] & Pinned) ||
-      this->Context.options.isExcluded(vertex))
-    {
-      return this->look(vertex);
-    }
-    this->set(vertex, value);
-    return { value, value, true };
-  }
-
-  void set(Index vertex, double value)
-  {
-    this->Context.field.setDistance(vertex, value + this->Offset);
-    if (!(this->State[vertex] & Queued))
-    {
-      this->State[vertex] |= Queued;
-      this->Context.queue.push(vertex, value);
-    }
-  }
-
-private:
-  const MarchContext<Cost>& Context;
-  StraightLineBound LeastOf;
-  double Offset;
-  std::span<std::uint8_t> State;
-};
-
-/** The values of one of several labels, the current one. */
-template <class Cost>
-class LabelValues
-{
-public:
-  LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels, LabelSets& sets)
-    : Context(context)
-    , Labels(labels)
-    , Sets(sets)
-    , First(smallestValue(labels))
-  {
-    this->LeastOf.reserve(labels.size());
-    for (const Label& label : labels)
-    {
-      this->LeastOf.emplace_back(label, context.cost.smallest());
-    }
-  }
-
-  void setCurrent(Index label)
-  {
-    this->Current = label;
-    this->Offset = this->Labels[label].value;
-  }
-
-  FrontValue look(Index vertex) const
-  {
-    const Index known = this->Sets.find(vertex, this->Current);
-    if (known == NoIndex)
-    {
-      const double kept =
-        this->Sets.isEmpty(vertex) ? DistanceField::Unreached : this->keptUpTo(vertex);
-      return { DistanceField::Unreached, kept, false };
-    }
-    const LabelSets::Entry& entry = this->Sets[known];
-    return { entry.value, entry.value, entry.isQueued != 0 };
-  }
-
-  /** The values that the vertex keeps, by label. */
-  void visit(Index vertex, const MarchingFront::Visit& visit)
-  {
-    this->Sets.visit(vertex,
-      [&](const LabelSets::Entry& entry)
-      {
-        this->setCurrent(entry.label);
-        if (entry.value <= this->keptUpTo(vertex))
-        {
-          visit(entry.label, entry.value);
-        }
-      });
-  }
-
-  double firstDistance() const { return this->First; }
-  /** The place in the queue of a value of the current label. */
-  double keyOf(double value) const { return value + this->Offset - this->First; }
-
-  /** The largest value of the current label that a vertex keeps beside its best one. */
-  double keptUpTo(Index vertex) const
-  {
-    return this->Context.field.distance(vertex) + this->Context.cost.margin(vertex) - this->Offset;
-  }
-
-  double ceiling(Index vertex, double value) const
-  {
-    const double reach = this->Context.cost.reach(vertex);
-    return std::min({ value * this->Context.control.keptFraction(), this->keptUpTo(vertex),
-      this->Context.limit.with(reach) - this->Offset });
-  }
-
-  FrontValue propose(Index vertex, double value)
-  {
-    const Index known = this->Sets.find(vertex, this->Current);
-    const bool isNew = known == NoIndex;
-    const double old = isNew ? DistanceField::Unreached : this->Sets[known].value;
-    value = this->LeastOf[this->Current].raised(value, this->Context.mesh.position(vertex));
-    if (!(value < this->ceiling(vertex, old)) || this->Context.options.isExcluded(vertex) ||
-      (!isNew && this->Sets[known].isPinned))
-    {
-      return { old, std::min(old, this->keptUpTo(vertex)), !isNew && this->Sets[known].isQueued };
-    }
-    this->set(isNew ? this->Sets.add(vertex, this->Current) : known, value);
-    return { value, value, true };
-  }
-
-  void set(Index number, double value)
-  {
-    LabelSets::Entry& entry = this->Sets[number];
-    entry.value = value;
-    const Index vertex = this->Sets.vertexOf(number);
-    const double distance = value + this->Offset;
-    if (distance < this->Context.field.distance(vertex))
-    {
-      this->Context.field.setDistance(vertex, distance);
-    }
-    if (!entry.isQueued)
-    {
-      entry.isQueued = true;
-      this->Context.queue.push(number, this->keyOf(value));
-    }
-  }
-
-private:
-  const MarchContext<Cost>& Context;
-  std::span<const Label> Labels;
-  LabelSets& Sets;
-  std::vector<StraightLineBound> LeastOf;
-  double First;
-  Index Current = 0;
-  double Offset = 0.0;
-};
 
 }
 
@@ -362,7 +78,10 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   for (const StartValue& start : starts)
   {
     values.set(start.vertex, start.value);
-    this->State[start.vertex] |= start.isFinal ? Pinned : 0;
+    if (start.isFinal)
+    {
+      values.pin(start.vertex);
+    }
   }
   // Flat: function calls in the loop, which is there once for each kind of cost, take a tenth more.
   QueuedFront front(
@@ -374,7 +93,7 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
         {
           mesh.prefetch(ahead);
         }
-        this->State[vertex] &= ~Queued;
+        values.unqueue(vertex);
         ringSweep.sweep(vertex, values.value(vertex));
       }
     });
