@@ -23,7 +23,7 @@ std::string nameOf(vtkCompositeDataIterator* block)
   const char* name = block->HasCurrentMetaData()
     ? block->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
     : nullptr;
-  return name ? "\"" + std::string(name) + "\"" : std::to_string(block->GetCurrentFlatIndex());
+  return name ? std::string("\"") + name + "\"" : std::to_string(block->GetCurrentFlatIndex());
 }
 
 /** The number of the block that each data set of a tree belongs to. */

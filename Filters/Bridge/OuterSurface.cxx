@@ -21,10 +21,11 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -62,7 +63,7 @@ DataVersion versionOf(vtkDataSet* data)
 {
   DataVersion version;
   const auto addNumbers = [&](const auto* first, int count)
-  { version.numbers.insert(version.numbers.end(), first, first + count); };
+  { std::copy_n(first, count, std::back_inserter(version.numbers)); };
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     version.parts = { grid->GetPoints(), grid->GetCells(), grid->GetCellTypesArray(),
@@ -106,10 +107,9 @@ constexpr const char* CellIds = "vtkOriginalCellIds";
 
 bool hasCurvedCells(vtkUnstructuredGrid* grid)
 {
-  vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
-  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (!vtkCellTypes::IsLinear(types->GetValue(i)))
+    if (!vtkCellTypes::IsLinear(static_cast<unsigned char>(grid->GetCellType(cell))))
     {
       return true;
     }

@@ -252,8 +252,7 @@ public:
   /** The largest value of the current label that a vertex keeps beside its best one. */
   double keptUpTo(Index vertex) const
   {
-    return this->Context.field.distance(vertex) +
-      LabelSets::MarginInEdges * this->Context.cost.reach(vertex) - this->Offset;
+    return this->Context.field.distance(vertex) + this->Context.cost.margin(vertex) - this->Offset;
   }
 
   double ceiling(Index vertex, double value) const
@@ -404,13 +403,26 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
   RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
 
-  // Many small fronts spread over more memory than the processor has near.
-  const auto prefetchRound = [&](Index vertex)
+  // Many small fronts spread over more memory than the processor has near. What says where to look
+  // is fetched before what is there.
+  const auto prefetchRound = [&]
   {
-    for (const RingEntry& entry : mesh.ring(vertex))
+    if (const Index far = this->Queue.ahead(2 * Lookahead); far != NoIndex)
     {
-      __builtin_prefetch(&sets[entry.neighbour()]);
-      __builtin_prefetch(&mesh.position(entry.neighbour()));
+      __builtin_prefetch(&sets[far]);
+      mesh.rings().prefetchStart(sets.vertexOf(far));
+    }
+    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+    {
+      mesh.prefetch(sets.vertexOf(ahead));
+    }
+    if (const Index next = this->Queue.ahead(1); next != NoIndex)
+    {
+      for (const RingEntry& entry : mesh.ring(sets.vertexOf(next)))
+      {
+        __builtin_prefetch(&sets[entry.neighbour()]);
+        __builtin_prefetch(&mesh.position(entry.neighbour()));
+      }
     }
   };
   for (const StartValue& start : starts)
@@ -426,14 +438,7 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
       while (this->Queue.hasBefore(end) && control.mayGoOn())
       {
         const Index popped = this->Queue.pop();
-        if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
-        {
-          mesh.prefetch(sets.vertexOf(ahead));
-        }
-        if (const Index next = this->Queue.ahead(0); next != NoIndex)
-        {
-          prefetchRound(sets.vertexOf(next));
-        }
+        prefetchRound();
         sets[popped].isQueued = false;
         const LabelSets::Entry entry = sets[popped];
         const Index vertex = sets.vertexOf(popped);

@@ -16,11 +16,7 @@ namespace geodesic
  * wrong on both sides of the border between them, and a switch by the nearest seed would depend on
  * the order.
  *
- * Margin: where a seed wins at a point of an edge, its value at the ends of the edge exceeds the
- * best one there by at most twice the edge's length. More is needed, as a value beside one that was
- * dropped is too high; that fades by about a digit an edge. 4 longest edges left 6e-9 at points of
- * a regular grid, 5 less than 1e-10, so the margin is MarginInEdges times the longest edge round
- * the vertex.
+ * The margin of a vertex is the largest labelMargin() of the triangles round it.
  *
  * Most vertices have one value. Each has its first entry in place, numbered like the vertex, and a
  * chain of further ones behind all vertices' first.
@@ -28,8 +24,6 @@ namespace geodesic
 class LabelSets
 {
 public:
-  static constexpr double MarginInEdges = 5.0;
-
   /** One value of one vertex. */
   struct Entry
   {

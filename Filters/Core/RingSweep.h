@@ -152,11 +152,10 @@ private:
       gainsFirst |= bit(bound + window.values[i + 1] < 2.0 * window.ceilings[i], i);
       gainsSecond |= bit(bound + window.values[i] < 2.0 * window.ceilings[i + 1], i);
     }
-    // The edge to a vertex that waits and comes later is crossed from there; not so in a thin
-    // triangle, where what lies behind the edge may come before it.
-    const Mask isLater = window.isQueued & isHigher;
-    gainsFirst &= isOpen & (isThin | ~(isLater >> 1));
-    gainsSecond &= isOpen & (isThin | ~isLater);
+    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
+    // lies behind the edge may come before it.
+    gainsFirst &= isOpen & (isThin | ~(window.isQueued >> 1));
+    gainsSecond &= isOpen & (isThin | ~window.isQueued);
     for (Mask gains = gainsFirst | gainsSecond << WindowSize; gains != 0; gains &= gains - 1)
     {
       const int number = std::countr_zero(gains);
@@ -188,7 +187,8 @@ private:
     const Vector3 toTarget = this->Mesh.position(window.vertices[target]) - centre;
     const double length = std::sqrt(window.squaredLengths[over]);
     const double area = norm(geodesic::cross(toOver, toTarget));
-    const FlatTriangle flat{ length, dot(toOver, toTarget) / length, area / length };
+    const double perLength = 1.0 / length;
+    const FlatTriangle flat{ length, dot(toOver, toTarget) * perLength, area * perLength };
     this->propose(window, target, crossing<Shape>(flat, value, window.values[over], w));
   }
 

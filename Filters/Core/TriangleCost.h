@@ -19,25 +19,23 @@ public:
   static constexpr bool isUnit = true;
 
   UnitCost(const TriangleMesh& mesh, const Partition& partition)
-    : Mesh(mesh)
-    , LongestEdges(partition.longestEdges())
+    : LongestEdges(partition.isDivided() ? partition.longestEdges() : mesh.rings().longestSides())
+    , Margins(partition.isDivided() ? partition.margins() : mesh.rings().margins())
   {
   }
 
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
   /** The most that two vertices of the triangles round a vertex can differ by. */
-  double reach(Index vertex) const
-  {
-    return this->LongestEdges.empty() ? this->Mesh.longestEdgeAround(vertex)
-                                      : this->LongestEdges[vertex];
-  }
+  double reach(Index vertex) const { return this->LongestEdges[vertex]; }
+  /** See labelMargin(). */
+  double margin(Index vertex) const { return this->Margins[vertex]; }
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
 
 private:
-  const TriangleMesh& Mesh;
   std::span<const float> LongestEdges;
+  std::span<const float> Margins;
 };
 
 /** A cost at each vertex; that of a triangle is the mean of its corners'. Set up in O(n). */
@@ -48,7 +46,8 @@ public:
 
   VertexCost(const TriangleMesh& mesh, std::span<const double> cost, Partition& partition)
     : Cost(cost)
-    , Reaches(cost.size())
+    , Length(mesh, partition)
+    , Dearest(cost.size())
   {
     for (Index v = 0; v < cost.size(); ++v)
     {
@@ -57,24 +56,20 @@ public:
       {
         dearest = std::max(dearest, cost[entry.neighbour()]);
       }
-      this->Reaches[v] = dearest;
+      this->Dearest[v] = dearest;
       this->Sum += cost[v];
       this->Smallest = std::min(this->Smallest, cost[v]);
       this->Largest = std::max(this->Largest, cost[v]);
     }
     this->agree(partition);
-    const UnitCost length(mesh, partition);
-    for (Index v = 0; v < cost.size(); ++v)
-    {
-      this->Reaches[v] *= length.reach(v);
-    }
   }
 
   double ofTriangle(Index a, Index b, Index c) const
   {
     return (this->Cost[a] + this->Cost[b] + this->Cost[c]) / 3.0;
   }
-  double reach(Index vertex) const { return this->Reaches[vertex]; }
+  double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
+  double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }
   double mean() const { return this->Sum / static_cast<double>(this->Cost.size()); }
   /** On all pieces of the surface; the mean and the largest are those of this one. */
   double smallest() const { return this->Smallest; }
@@ -87,11 +82,11 @@ private:
     std::vector<StartValue> own;
     for (Index vertex : partition.sharedVertices())
     {
-      own.push_back({ vertex, 0, this->Reaches[vertex], false });
+      own.push_back({ vertex, 0, this->Dearest[vertex], false });
     }
     for (const StartValue& other : partition.exchange(own))
     {
-      this->Reaches[other.vertex] = std::max(this->Reaches[other.vertex], other.value);
+      this->Dearest[other.vertex] = std::max(this->Dearest[other.vertex], other.value);
     }
     for (double smallest : partition.gather({ &this->Smallest, 1 }))
     {
@@ -100,7 +95,9 @@ private:
   }
 
   std::span<const double> Cost;
-  std::vector<double> Reaches;
+  UnitCost Length;
+  /** The largest cost among a vertex and its neighbours. */
+  std::vector<double> Dearest;
   double Sum = 0.0;
   double Smallest = std::numeric_limits<double>::infinity();
   double Largest = 0.0;

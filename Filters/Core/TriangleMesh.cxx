@@ -1,5 +1,6 @@
 #include "TriangleMesh.h"
 
+#include "LabelMargin.h"
 #include "SpatialOrder.h"
 
 #include <algorithm>
@@ -99,7 +100,8 @@ using Sizes = std::array<double, 4>;
 TriangleMeasure measured(double longestSide, double doubleArea)
 {
   const double leastHeight = longestSide > 0.0 ? doubleArea / longestSide : 0.0;
-  return { roundedDown(2.0 * leastHeight - longestSide), roundedUp(longestSide) };
+  return { roundedDown(2.0 * leastHeight - longestSide), roundedUp(longestSide),
+    roundedUp(labelMargin(longestSide, leastHeight)) };
 }
 
 }

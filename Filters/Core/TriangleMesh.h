@@ -95,7 +95,7 @@ public:
   /** Length of the longest side of any triangle. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
-  double longestEdgeAround(Index vertex) const { return this->Rings.longestSideAround(vertex); }
+  double longestEdgeAround(Index vertex) const { return this->Rings.longestSides()[vertex]; }
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,

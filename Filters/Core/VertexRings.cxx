@@ -295,6 +295,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   std::span<const TriangleMeasure> measures, const ThreadTeam& team)
   : Starts(std::size_t{ numberOfVertices } + 1)
   , LongestSides(numberOfVertices)
+  , Margins(numberOfVertices)
 {
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
@@ -330,14 +331,17 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
         const std::uint32_t end = found.ends[v - first];
         sides.resize(end - begin);
         float longest = 0.0f;
+        float margin = 0.0f;
         for (OppositeSide& side : sides)
         {
           const Corner corner = found.corners[begin++];
           const TriangleMeasure& measure = measures[corner.triangle()];
           side = corner.oppositeSide(triangles[corner.triangle()], measure.slack);
           longest = std::max(longest, measure.longestSide);
+          margin = std::max(margin, measure.margin);
         }
         this->LongestSides[v] = longest;
+        this->Margins[v] = margin;
         this->Starts[v] = static_cast<std::uint32_t>(starts[range] + end - sides.size() + v);
         const std::span<RingEntry> ring{ &this->Entries[this->Starts[v]], sides.size() + 1 };
         if (!closedFan.chain(sides, ring))

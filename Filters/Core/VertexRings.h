@@ -55,6 +55,8 @@ struct TriangleMeasure
   float slack;
   /** Rounded up. */
   float longestSide;
+  /** labelMargin(), rounded up. */
+  float margin;
 };
 
 /**
@@ -92,10 +94,18 @@ public:
     __builtin_prefetch(entries + cacheLine / sizeof(RingEntry));
   }
 
+  /** Has the processor fetch where a vertex's ring is; prefetch() waits for that. */
+  [[gnu::always_inline]] void prefetchStart(Index vertex) const
+  {
+    __builtin_prefetch(&this->Starts[vertex]);
+  }
+
   /** Number of a vertex's first entry, counted over the rings of all vertices. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
   /** The longest side of the triangles round a vertex. */
-  float longestSideAround(Index vertex) const { return this->LongestSides[vertex]; }
+  std::span<const float> longestSides() const { return this->LongestSides; }
+  /** The largest labelMargin() of the triangles round a vertex. */
+  std::span<const float> margins() const { return this->Margins; }
   std::size_t numberOfEntries() const { return this->Entries.size(); }
 
 private:
@@ -110,6 +120,7 @@ private:
   std::vector<std::uint32_t> Starts;
   BulkVector<RingEntry> Entries;
   BulkVector<float> LongestSides;
+  BulkVector<float> Margins;
 };
 
 }

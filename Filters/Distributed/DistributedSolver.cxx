@@ -40,6 +40,11 @@ std::span<const float> DistributedSolver::longestEdges() const
   return this->Mesh.longestEdges();
 }
 
+std::span<const float> DistributedSolver::margins() const
+{
+  return this->Mesh.margins();
+}
+
 std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)
 {
   return this->Mesh.shared().exchange(this->Ranks, own);

@@ -50,6 +50,7 @@ public:
   bool owns(Index vertex) const override;
   std::span<const Index> sharedVertices() const override;
   std::span<const float> longestEdges() const override;
+  std::span<const float> margins() const override;
   void together(const std::function<void()>& step) override { this->Ranks.together(step); }
   std::vector<double> gather(std::span<const double> own) override
   {

@@ -14,19 +14,18 @@ DividedMesh::DividedMesh(
 {
   if (ranks.size() > 1)
   {
-    this->agreeOnLongestEdges(ranks);
+    this->agreeOnSizes(ranks);
   }
   this->chooseStep(ranks);
 }
 
-void DividedMesh::agreeOnLongestEdges(RankGroup& ranks)
+void DividedMesh::agreeOnSizes(RankGroup& ranks)
 {
-  this->LongestEdges.resize(this->mesh().numberOfVertices());
-  for (Index v = 0; v < this->LongestEdges.size(); ++v)
-  {
-    this->LongestEdges[v] = static_cast<float>(this->mesh().longestEdgeAround(v));
-  }
+  const VertexRings& rings = this->mesh().rings();
+  this->LongestEdges.assign(rings.longestSides().begin(), rings.longestSides().end());
+  this->Margins.assign(rings.margins().begin(), rings.margins().end());
   this->Shared.takeLargest<float>(ranks, this->LongestEdges);
+  this->Shared.takeLargest<float>(ranks, this->Margins);
 }
 
 void DividedMesh::chooseStep(RankGroup& ranks)

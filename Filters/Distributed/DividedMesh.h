@@ -31,6 +31,7 @@ public:
 
   /** See Partition::longestEdges. */
   std::span<const float> longestEdges() const { return this->LongestEdges; }
+  std::span<const float> margins() const { return this->Margins; }
   /**
    * By how many mean edges the limit of the march grows from round to round. The more vertices are
    * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
@@ -40,12 +41,13 @@ public:
   double stepInEdges() const { return this->StepInEdges; }
 
 private:
-  void agreeOnLongestEdges(RankGroup& ranks);
+  void agreeOnSizes(RankGroup& ranks);
   void chooseStep(RankGroup& ranks);
 
   std::shared_ptr<const TriangleMesh> Mesh;
   SharedPoints Shared;
   std::vector<float> LongestEdges;
+  std::vector<float> Margins;
   double StepInEdges = 0.0;
 };
 

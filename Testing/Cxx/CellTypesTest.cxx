@@ -5,8 +5,11 @@
 #include "Inputs.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkNew.h"
+#include "vtkSurfaceGeodesicDistance.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -109,5 +112,41 @@ TEST(CellTypes, VerticesAndLinesAreNoSurface)
   filter->SetFieldDataName("d");
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("d")->GetComponent(far, 0), -1.0);
+  EXPECT_EQ(filter->GetNumberOfVisitedPoints(), 16);
+}
+
+TEST(CellTypes, ArraysOfCellsFollowTheirTrianglesPastCellsWithoutAny)
+{
+  // Two triangles a quadrilateral, none for the walls before them: the last cell has the number
+  // that it would have if each triangle were a cell.
+  const auto surface = square(3, Cells::Quadrilaterals);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> wall;
+  wall->SetName("wall");
+  for (vtkIdType cell = 0; cell < 9; ++cell)
+  {
+    if (cell > 0)
+    {
+      cells->InsertNextCell({ 0, 0, 1, 1 });
+      wall->InsertNextValue(1);
+    }
+    if (cell == 8)
+    {
+      cells->InsertNextCell({ 0, 0, 1, 1 });
+      wall->InsertNextValue(1);
+    }
+    vtkNew<vtkIdList> corners;
+    surface->GetPolys()->GetCellAtId(cell, corners);
+    cells->InsertNextCell(corners);
+    wall->InsertNextValue(0);
+  }
+  surface->SetPolys(cells);
+  surface->GetCellData()->AddArray(wall);
+  vtkNew<vtkSurfaceGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSeedPosition(0.0, 0.0, 0.0);
+  filter->SetInputArrayToProcess(vtkSurfaceGeodesicDistance::BARRIER_ARRAY, 0, 0,
+    vtkDataObject::FIELD_ASSOCIATION_CELLS, "wall");
+  ASSERT_EQ(errorsOf(filter.Get()), "");
   EXPECT_EQ(filter->GetNumberOfVisitedPoints(), 16);
 }
