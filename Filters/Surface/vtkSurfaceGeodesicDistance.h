@@ -249,14 +249,7 @@ private:
     vtkInformationVector** inputVector;
   };
   void Solve(const Run& run);
-  using GlobalLines = std::vector<std::vector<geodesic::distributed::GlobalPoint>>;
-  /**
-   * The lines of seeds and barriers joined over the surface. On several ranks what is round them
-   * moves to the first rank, and barriers and cost with it.
-   */
-  void JoinLines(const Run& run, const GlobalLines& seedLines, geodesic::bridge::Barriers& barriers,
-    std::vector<double>& cost);
-  std::vector<geodesic::Seed> GatherSeeds(const Run& run, const GlobalLines& seedLines);
+  std::vector<geodesic::Seed> GatherSeeds(const Run& run, std::size_t numberOfLines);
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
