@@ -136,6 +136,7 @@ for name, (surface, options) in PATHS.items():
         check(name, "ids only", harness.surface(surface, "random", True), dict(options, MergeCoincidentPoints=0))
         check(name, "all on the last", harness.surface(surface, "last"), options)
         check(name, "blocks", harness.in_blocks(surface), options)
+        check(name, "multiblock", harness.in_multiblock(surface), options)
 
 if harness.RANKS > 1:
     # The first rank holds its piece and what lies round the path, not the surface.
