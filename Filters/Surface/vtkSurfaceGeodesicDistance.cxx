@@ -4,18 +4,15 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
-#include "Abort.h"
+#include "BlockOutput.h"
 #include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"
@@ -43,17 +40,6 @@
 
 namespace
 {
-
-void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
-{
-  output->ShallowCopy(block.surface);
-  // An outer surface may have been extracted in an earlier run, for another time.
-  output->GetInformation()->CopyEntry(
-    block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
-  vtkNew<vtkFieldData> fields;
-  fields->ShallowCopy(block.data->GetFieldData());
-  output->SetFieldData(fields);
-}
 
 /** Whether a vertex stands for points of the input, and was not made where it was split. */
 bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
@@ -226,7 +212,8 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
   this->Solve({ ranks, blocks, inputVector });
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
-    this->WriteOutput(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output);
+    geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
+      [&](std::size_t block, vtkPolyData* surface) { this->AttachArrays(block, surface); });
   }
 }
 
@@ -432,33 +419,6 @@ std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::Gath
     points.push_back(std::move(point));
   }
   return this->Internal->Lined.relocated(std::move(points));
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::WriteOutput(
-  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const
-{
-  auto* tree = vtkDataObjectTree::SafeDownCast(output);
-  if (!tree)
-  {
-    copyBlock(blocks[0], output);
-    this->AttachArrays(0, vtkPolyData::SafeDownCast(output));
-    return;
-  }
-  tree->ShallowCopy(input);
-  std::size_t block = 0;
-  const auto place = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
-  {
-    if (vtkDataSet::SafeDownCast(place->GetCurrentDataObject()))
-    {
-      vtkNew<vtkPolyData> surface;
-      copyBlock(blocks[block], surface);
-      this->AttachArrays(block, surface);
-      tree->SetDataSet(place, surface);
-      ++block;
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -254,8 +254,6 @@ private:
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition);
-  void WriteOutput(
-    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const;
   void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;

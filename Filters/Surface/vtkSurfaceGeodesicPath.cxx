@@ -27,7 +27,6 @@
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SolveSurface.h"
-#include "SplitMesh.h"
 
 #include <algorithm>
 #include <limits>
