@@ -40,8 +40,6 @@ struct Barriers
   std::vector<std::uint8_t> excluded;
   /** One flag a triangle, or empty. */
   std::vector<std::uint8_t> closed;
-  /** The points of each line. */
-  std::vector<std::vector<SurfacePoint>> lines;
 };
 
 /** Excludes points; those that no cell uses need no excluding. Throws for an id that does not

@@ -73,44 +73,6 @@ std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std:
   return positions;
 }
 
-std::vector<SurfacePoint> surfacePointsAt(
-  const InputSurface& surface, std::span<const double> coordinates, const std::string& property)
-{
-  std::vector<SurfacePoint> points;
-  for (const Vector3& position : positionsAt(coordinates, property))
-  {
-    points.push_back(surface.closestPoints().closestPoint(position).point);
-  }
-  return points;
-}
-
-std::vector<SurfacePoint> surfacePointsOf(
-  const InputSurface& surface, const PointSource& source, const std::string& property)
-{
-  std::vector<SurfacePoint> points = surfacePointsAt(surface, source.coordinates, property);
-  for (SurfacePoint& point : points)
-  {
-    point = snappedAsSingle(*surface.mesh(), point);
-  }
-  return points;
-}
-
-std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
-  const InputSurface& surface, const PointSource& source, const std::string& property)
-{
-  const std::vector<SurfacePoint> points = surfacePointsOf(surface, source, property);
-  std::vector<std::vector<SurfacePoint>> lines;
-  for (const std::vector<std::size_t>& numbers : source.lines)
-  {
-    std::vector<SurfacePoint>& line = lines.emplace_back();
-    for (std::size_t number : numbers)
-    {
-      line.push_back(points[number]);
-    }
-  }
-  return lines;
-}
-
 Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& role)
 {
   const auto count = static_cast<vtkIdType>(mesh.numberOfPoints());

@@ -33,27 +33,6 @@ std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std:
 SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point);
 
 /**
- * Positions projected to the nearest points of the surface.
- * @param coordinates x y z of one after the other
- * @param property    what gave them, for the message
- * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
- */
-std::vector<SurfacePoint> surfacePointsAt(
-  const InputSurface& surface, std::span<const double> coordinates, const std::string& property);
-
-/**
- * All points of a source, projected, and put on the edge or vertex that they can't be told from in
- * single precision.
- * @param property what gave the source, for the message
- */
-std::vector<SurfacePoint> surfacePointsOf(
-  const InputSurface& surface, const PointSource& source, const std::string& property);
-
-/** The points of each line of a source on the surface, as by surfacePointsOf. */
-std::vector<std::vector<SurfacePoint>> surfaceLinesOf(
-  const InputSurface& surface, const PointSource& source, const std::string& property);
-
-/**
  * The vertex that stands for a point of the input.
  * @param role  what the point is, for the message
  * @throws std::invalid_argument for an id that does not exist, or whose point no cell uses

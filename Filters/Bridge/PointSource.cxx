@@ -30,6 +30,10 @@ void append(vtkDataSet* data, PointSource& source)
     if (type == VTK_LINE || type == VTK_POLY_LINE)
     {
       data->GetCellPoints(cell, points);
+      if (points->GetNumberOfIds() == 0)
+      {
+        continue;
+      }
       std::vector<std::size_t>& line = source.lines.emplace_back();
       for (const vtkIdType id : *points)
       {

@@ -18,7 +18,7 @@ struct PointSource
 
   /** x y z of one point after the other. */
   std::vector<double> coordinates;
-  /** The numbers of the points of each line and polyline. */
+  /** The numbers of the points of each line and polyline, without those that have none. */
   std::vector<std::vector<std::size_t>> lines;
 };
 

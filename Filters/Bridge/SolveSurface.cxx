@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolveSurface.h"
 
+#include "BasePath.h"
 #include "SplitMesh.h"
 
 #include <algorithm>
@@ -9,20 +10,6 @@
 
 namespace geodesic::bridge
 {
-namespace
-{
-
-/** Sine of the angle below which a path runs straight through a point. */
-constexpr double StraightSine = 1e-9;
-
-bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& after)
-{
-  const Vector3 in = here - before;
-  const Vector3 out = after - here;
-  return norm(cross(in, out)) <= StraightSine * norm(in) * norm(out) && dot(in, out) >= 0.0;
-}
-
-}
 
 SolveSurface::SolveSurface(std::shared_ptr<const InputSurface> base,
   const std::shared_ptr<const TriangleMesh>& mesh, const SurfaceLines& lines,
@@ -146,24 +133,9 @@ std::vector<Seed> SolveSurface::seedsOf(const std::vector<Seed>& baseSeeds) cons
 
 SurfacePath SolveSurface::basePathOf(const SurfacePath& path) const
 {
-  if (!this->Split)
-  {
-    return path;
-  }
-  SurfacePath basePath;
-  for (std::size_t i = 0; i < path.size(); ++i)
-  {
-    const PathPoint point = this->Split->basePointOf(path[i]);
-    const bool isEnd = i == 0 || i + 1 == path.size();
-    const bool isStraight = !isEnd && point.carriers().size() == 3 &&
-      isStraightAt(path[i - 1].position(*this->Mesh), path[i].position(*this->Mesh),
-        path[i + 1].position(*this->Mesh));
-    if (!isStraight)
-    {
-      basePath.push_back(point);
-    }
-  }
-  return basePath;
+  return this->Split
+    ? basePath(*this->Mesh, path, [this](Index vertex) { return this->Split->origin(vertex); })
+    : path;
 }
 
 bool SolveSurface::isLike(const SolveSurface& other) const

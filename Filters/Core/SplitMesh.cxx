@@ -124,32 +124,6 @@ SurfacePoint SplitMesh::pointOf(const SurfacePoint& basePoint) const
   return snapped(best);
 }
 
-PathPoint SplitMesh::basePointOf(const PathPoint& point) const
-{
-  Carriers corners;
-  for (Index vertex : point.carriers())
-  {
-    for (Index baseVertex : this->origin(vertex).carriers())
-    {
-      corners.add(baseVertex);
-    }
-  }
-  PathPoint basePoint;
-  for (int i = 0; i < 3; ++i)
-  {
-    basePoint.corners[i] = corners[std::min(i, corners.size() - 1)];
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int c = 0; point.weights[i] > 0.0 && c < corners.size(); ++c)
-    {
-      basePoint.weights[c] +=
-        point.weights[i] * weightOf(this->origin(point.corners[i]), corners[c]);
-    }
-  }
-  return basePoint;
-}
-
 std::vector<SurfacePoint> SplitMesh::curve(std::size_t number) const
 {
   std::vector<SurfacePoint> points;

@@ -54,8 +54,6 @@ public:
   }
   /** A point of the base mesh. */
   SurfacePoint pointOf(const SurfacePoint& basePoint) const;
-  /** A point of this mesh, on the base mesh. */
-  PathPoint basePointOf(const PathPoint& point) const;
   /** The points of curve @p number, at vertices. */
   std::vector<SurfacePoint> curve(std::size_t number) const;
 

@@ -76,7 +76,7 @@ std::vector<SurfacePoint> CorridorGround::pointsOf(std::span<const GlobalPoint> 
     PathPoint path{ {}, point.weights };
     for (int c = 0; c < 3; ++c)
     {
-      path.corners[c] = this->VertexOf.at(point.corners[c]);
+      path.corners[c] = this->find(point.corners[c]);
     }
     here.push_back(surfacePointOf(this->Mesh, path));
   }

@@ -37,6 +37,8 @@ public:
   {
     return this->Vertices[this->Mesh.pointOfVertex(vertex)];
   }
+  /** @pre the corridor has the vertex */
+  Index find(const GlobalVertex& vertex) const { return this->VertexOf.at(vertex); }
   /** Points whose triangles the corridor has. */
   std::vector<SurfacePoint> pointsOf(std::span<const GlobalPoint> points) const;
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedPathFinder.h"
 
+#include "BasePath.h"
 #include "DistributedSurface.h"
 #include "ErrorMessage.h"
+#include "GatheredSurface.h"
 #include "GlobalSeeds.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -62,22 +65,6 @@ Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const S
   return static_cast<Index>(std::find_if(ends.begin(), ends.end(), isThere) - ends.begin());
 }
 
-/** A path needs the normals at the vertices that carry it. @throws IncompleteRing */
-void checkNormals(const CorridorGround& ground, const SurfacePath& path)
-{
-  const SolveOptions options = ground.options();
-  for (const PathPoint& point : path)
-  {
-    for (const Index vertex : point.carriers())
-    {
-      if (options.isIncomplete(vertex))
-      {
-        throw IncompleteRing(vertex);
-      }
-    }
-  }
-}
-
 }
 
 /** Gives the field that all ranks make, on the corridor. */
@@ -119,7 +106,7 @@ DistributedPathFinder::DistributedPathFinder(
   const PathRequest& request, std::vector<GlobalPoint> ends)
   : Request(request)
   , Ends(std::move(ends))
-  , Partition(request.ranks, request.surface.divided())
+  , Partition(request.ranks, request.mesh)
 {
   if (request.ranks.size() == 1)
   {
@@ -127,7 +114,9 @@ DistributedPathFinder::DistributedPathFinder(
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
-  this->Cutter.emplace(request.surface, this->Request.options, request.input);
+  this->Cutter.emplace(request.mesh, request.options,
+    request.gathered ? request.gathered->movedTriangles() : std::vector<bool>());
+  this->InputCutter.emplace(request.surface.divided(), SolveOptions());
 }
 
 bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
@@ -164,17 +153,15 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
       {
         return NoIndex;
       }
-      checkNormals(*ground, *path);
-      traced.path = std::move(*path);
-      traced.corridor = ground;
-      return endOf(traced.path, ground->mesh(), ground->pointsOf(this->Ends));
+      this->takeToInput(*path, *ground, traced);
+      return endOf(*path, ground->mesh(), ground->pointsOf(this->Ends));
     });
   return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
 }
 
 vtkIdType DistributedPathFinder::mostPointsOnARank()
 {
-  double most = -static_cast<double>(this->Request.surface.mesh().numberOfPoints()) -
+  double most = -static_cast<double>(this->Request.mesh.mesh().numberOfPoints()) -
     static_cast<double>(this->LargestCorridor);
   this->Request.ranks.takeLeast({ &most, 1 });
   return static_cast<vtkIdType>(-most);
@@ -243,22 +230,32 @@ Index DistributedPathFinder::serve()
         throw std::runtime_error(std::string(content.begin(), content.end()));
       case Order::Solve:
       case Order::Cut:
+      case Order::CutInput:
         try
         {
-          if (static_cast<Order>(order.front()) == Order::Solve)
-          {
-            this->solve(valuesIn<GlobalVertex>(content));
-          }
-          else
-          {
-            this->cutOnAll(valuesIn<Ball>(content));
-          }
+          this->follow(static_cast<Order>(order.front()), content);
         }
         catch (const std::exception&)
         {
           // It failed on all ranks, and the first one orders what now.
         }
     }
+  }
+}
+
+void DistributedPathFinder::follow(Order order, const RankGroup::Message& content)
+{
+  if (order == Order::Solve)
+  {
+    this->solve(valuesIn<GlobalVertex>(content));
+  }
+  else if (order == Order::Cut)
+  {
+    this->cutOnAll(valuesIn<Ball>(content));
+  }
+  else
+  {
+    this->cutInputOnAll(valuesIn<GlobalVertex>(content));
   }
 }
 
@@ -278,14 +275,76 @@ void DistributedPathFinder::extend(Corridor& corridor, std::span<const Ball> bal
 
 std::vector<SurfacePatch> DistributedPathFinder::cutOnAll(std::span<const Ball> balls)
 {
-  RankGroup::Message own;
-  this->Request.ranks.together([&] { own = messageOf(this->Cutter->cut(balls, this->Field)); });
-  std::vector<SurfacePatch> patches;
-  for (const RankGroup::Message& message : this->Request.ranks.toFirst(own))
+  return patchesOfAll(this->Request.ranks, [&] { return this->Cutter->cut(balls, this->Field); });
+}
+
+void DistributedPathFinder::takeToInput(
+  const SurfacePath& path, const CorridorGround& corridor, TracedPath& traced)
+{
+  std::vector<GlobalVertex> carriers;
+  std::map<GlobalVertex, Index> numbers;
+  const auto numberOf = [&](const GlobalVertex& vertex)
   {
-    patches.push_back(patchIn(message));
+    const auto [known, isNew] = numbers.emplace(vertex, static_cast<Index>(carriers.size()));
+    if (isNew)
+    {
+      carriers.push_back(vertex);
+    }
+    return known->second;
+  };
+  const auto originOf = [&](Index vertex)
+  {
+    const GlobalVertex global = corridor.vertex(vertex).vertex;
+    if (!this->Request.gathered)
+    {
+      return PathPoint::atVertex(numberOf(global));
+    }
+    const GlobalPathPoint origin = this->Request.gathered->originOf(global, this->Request.split);
+    PathPoint point{ {}, origin.weights };
+    std::transform(origin.corners.begin(), origin.corners.end(), point.corners.begin(), numberOf);
+    return point;
+  };
+  traced.path = basePath(corridor.mesh(), path, originOf);
+  this->give(Order::CutInput, bytesOf<GlobalVertex>(carriers));
+  Corridor round;
+  round.add(this->cutInputOnAll(carriers), {});
+  traced.ground = std::make_shared<const CorridorGround>(round, false);
+  for (PathPoint& point : traced.path)
+  {
+    for (Index& corner : point.corners)
+    {
+      corner = traced.ground->find(carriers[corner]);
+    }
   }
-  return patches;
+}
+
+std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
+  std::span<const GlobalVertex> vertices)
+{
+  const DistributedSurface& surface = this->Request.surface;
+  std::vector<Index> here;
+  for (const GlobalVertex& vertex : vertices)
+  {
+    if (const Index known = surface.shared().find(vertex); known != NoIndex)
+    {
+      here.push_back(known);
+    }
+  }
+  return patchesOfAll(this->Request.ranks,
+    [&]
+    {
+      SurfacePatch patch = this->InputCutter->cutRound(here, nullptr);
+      for (PatchVertex& vertex : patch.vertices)
+      {
+        const Index number = surface.shared().find(vertex.vertex);
+        const std::optional<Vector3> normal = this->Request.input.normalOf(number);
+        vertex.hasNormal = normal ? 1 : 0;
+        vertex.normal = normal.value_or(Vector3{});
+        vertex.id =
+          surface.piece().numbering().hasUniqueIds() ? this->Request.input.idOf(number) : -1;
+      }
+      return patch;
+    });
 }
 
 bool DistributedPathFinder::reach(const std::vector<GlobalVertex>& targets)
@@ -316,7 +375,7 @@ void DistributedPathFinder::solve(std::span<const GlobalVertex> targets)
   std::vector<Triangle> here;
   for (const GlobalVertex& target : targets)
   {
-    const Index vertex = this->Request.surface.shared().find(target);
+    const Index vertex = this->Request.mesh.shared().find(target);
     here.push_back({ vertex, vertex, vertex });
   }
   SolveOptions options = this->Request.options;

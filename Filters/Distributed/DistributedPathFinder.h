@@ -18,15 +18,27 @@
 #include <span>
 #include <vector>
 
+namespace geodesic
+{
+class SplitMesh;
+}
+
 namespace geodesic::distributed
 {
+
+class GatheredSurface;
 
 /** What paths are sought on, by each rank for its piece. */
 struct PathRequest
 {
   RankGroup& ranks;
   const DistributedSurface& surface;
-  /** On one rank of any mesh, on several of the surface's piece. */
+  /** What took the surface's place on several ranks, and how the first one split it; else null. */
+  const GatheredSurface* gathered;
+  const SplitMesh* split;
+  /** What is solved on, on several ranks. */
+  const DividedMesh& mesh;
+  /** On one rank of any mesh, on several of this one. */
   DistanceSolver& solver;
   /** Cost, barriers, progress. */
   SolveOptions options;
@@ -38,10 +50,10 @@ struct PathRequest
 /** A path to one of the ends. */
 struct TracedPath
 {
-  /** On the solver's mesh, or on the corridor; empty on all ranks but the first. */
+  /** On the solver's mesh, or on the ground; empty on all ranks but the first. */
   SurfacePath path;
-  /** Of several ranks, on the first; else null. */
-  std::shared_ptr<const CorridorGround> corridor;
+  /** Of several ranks, on the first: the surface round the path; else null. */
+  std::shared_ptr<const CorridorGround> ground;
   /** The number of the end. */
   Index end = NoIndex;
 };
@@ -59,7 +71,10 @@ struct TracedPath
 class DistributedPathFinder
 {
 public:
-  /** @param ends where paths end, at least one; here on the solver's mesh */
+  /**
+   * @param ends where paths end, at least one, as restated on the solver's mesh; so are all points
+   *             given later
+   */
   DistributedPathFinder(const PathRequest& request, std::vector<GlobalPoint> ends);
 
   /** See PathFinder::march. */
@@ -81,6 +96,8 @@ private:
     Solve,
     /** To send what is in balls. */
     Cut,
+    /** To send what is round points of the input, GlobalVertex one after the other. */
+    CutInput,
     /** No more; and the answer. */
     Done,
     /** To throw this message. */
@@ -91,11 +108,16 @@ private:
   Index onCorridor(std::span<const GlobalPoint> points, const Action& action);
   Index lead(std::span<const GlobalPoint> points, const Action& action);
   Index serve();
+  /** @pre it is one to solve or to cut */
+  void follow(Order order, const RankGroup::Message& content);
   void give(Order order, const RankGroup::Message& content);
 
   /** Adds all triangles in some balls to a corridor of the first rank. */
   void extend(Corridor& corridor, std::span<const Ball> balls);
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
+  /** A path of a corridor on the input's surface. */
+  void takeToInput(const SurfacePath& path, const CorridorGround& corridor, TracedPath& traced);
+  std::vector<SurfacePatch> cutInputOnAll(std::span<const GlobalVertex> vertices);
   /** Lets the field reach vertices, unless it does; none: all. */
   bool reach(const std::vector<GlobalVertex>& targets);
   void solve(std::span<const GlobalVertex> targets);
@@ -106,6 +128,7 @@ private:
   std::optional<PathFinder> Whole;
   DistributedSolver Partition;
   std::optional<PatchCutter> Cutter;
+  std::optional<PatchCutter> InputCutter;
   bool HasCost = false;
   /** What the field is known to reach, or to have no way to. */
   std::set<GlobalVertex> Reached;

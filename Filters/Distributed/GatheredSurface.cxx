@@ -42,18 +42,18 @@ std::vector<GlobalVertex> carriersOf(RankGroup& ranks, std::span<const GlobalPat
 }
 
 GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& surface,
-  const bridge::PathGround& input, std::span<const GlobalPath> lines,
-  const bridge::Barriers& barriers, const std::vector<double>& cost)
+  std::span<const GlobalPath> lines, const bridge::Barriers& barriers,
+  const std::vector<double>& cost)
   : Surface(surface)
   , Mesh(surface.sharedPiece()->mesh())
-  , Barriers{ barriers.excluded, barriers.closed, {} }
+  , Barriers(barriers)
   , Cost(cost)
 {
   SolveOptions options;
   options.cost = cost;
   options.excluded = barriers.excluded;
   options.closedTriangles = barriers.closed;
-  const PatchCutter cutter(surface, options, input);
+  const PatchCutter cutter(surface.divided(), options);
   std::vector<Index> here;
   for (const GlobalVertex& carrier : carriersOf(ranks, lines))
   {
@@ -62,14 +62,8 @@ GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& sur
       here.push_back(vertex);
     }
   }
-  RankGroup::Message own;
-  ranks.together([&] { own = messageOf(cutter.cutRound(here, nullptr)); });
   const bool hasCost = ranks.isAny(!cost.empty());
-  std::vector<SurfacePatch> patches;
-  for (const RankGroup::Message& message : ranks.toFirst(own))
-  {
-    patches.push_back(patchIn(message));
-  }
+  const auto patches = patchesOfAll(ranks, [&] { return cutter.cutRound(here, nullptr); });
   ranks.together(
     [&]
     {
@@ -269,6 +263,19 @@ void GatheredSurface::relocateRegions(
         split ? split->origin(other.vertex).carriers()[0] : other.vertex);
     }
   }
+}
+
+GlobalPathPoint GatheredSurface::originOf(const GlobalVertex& vertex, const SplitMesh* split) const
+{
+  if (vertex.rank > 0)
+  {
+    // It is on no triangle here, and on the other ranks nothing has another number.
+    return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };
+  }
+  const PathPoint at = split ? split->origin(vertex.vertex) : PathPoint::atVertex(vertex.vertex);
+  return { { this->globalOf(at.corners[0]), this->globalOf(at.corners[1]),
+             this->globalOf(at.corners[2]) },
+    at.weights };
 }
 
 std::vector<Key> GatheredSurface::keysOf(const TriangleMesh& mesh, const SplitMesh* split) const

@@ -9,7 +9,6 @@
 #include "GlobalPoints.h"
 #include "GuideResolver.h"
 #include "KeyMatches.h"
-#include "PathGround.h"
 #include "PathPoint.h"
 #include "RankGroup.h"
 #include "Seed.h"
@@ -43,12 +42,11 @@ public:
    * @param barriers, cost by the piece's vertices and triangles
    */
   GatheredSurface(RankGroup& ranks, const DistributedSurface& surface,
-    const bridge::PathGround& input, std::span<const GlobalPath> lines,
-    const bridge::Barriers& barriers, const std::vector<double>& cost);
+    std::span<const GlobalPath> lines, const bridge::Barriers& barriers,
+    const std::vector<double>& cost);
 
   /** The piece's mesh, on the first rank with what moved there, its points after the input's. */
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
-  /** Without lines. */
   const bridge::Barriers& barriers() const { return this->Barriers; }
   const std::vector<double>& cost() const { return this->Cost; }
 
@@ -62,6 +60,14 @@ public:
    */
   void relocateRegions(RankGroup& ranks, const DividedMesh& mesh, const SplitMesh* split,
     std::vector<Seed>& seeds) const;
+
+  /** One flag a triangle that moved to the first rank; empty there. */
+  const std::vector<bool>& movedTriangles() const { return this->HasMoved; }
+  /**
+   * Where a vertex is on the pieces. On the first rank.
+   * @param vertex as DividedMesh names it that was made by keysOf
+   */
+  GlobalPathPoint originOf(const GlobalVertex& vertex, const SplitMesh* split) const;
 
   /** What the vertices of the mesh, or of the first rank's split one, are shared by. */
   std::vector<Key> keysOf(const TriangleMesh& mesh, const SplitMesh* split) const;
@@ -80,7 +86,6 @@ private:
   /** On the first rank, by their points' numbers after the input's. */
   std::vector<GlobalVertex> Added;
   std::map<GlobalVertex, Index> PointOfAdded;
-  /** One flag a triangle, on the other ranks. */
   std::vector<bool> HasMoved;
 };
 

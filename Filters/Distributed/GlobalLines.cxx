@@ -97,7 +97,7 @@ GlobalPath globalPathOf(const TracedPath& traced)
     GlobalPathPoint& global = path.emplace_back(GlobalPathPoint{ {}, point.weights });
     for (int c = 0; c < 3; ++c)
     {
-      global.corners[c] = traced.corridor->vertex(point.corners[c]).vertex;
+      global.corners[c] = traced.ground->vertex(point.corners[c]).vertex;
     }
   }
   return path;
@@ -105,12 +105,12 @@ GlobalPath globalPathOf(const TracedPath& traced)
 
 }
 
-std::vector<std::vector<GlobalPoint>> globalLinesOf(RankGroup& ranks,
-  const DistributedSurface& surface, vtkDataObject* source, const std::string& property)
+GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property)
 {
   std::vector<std::vector<double>> own;
   ranks.together([&] { own = linesHere(source); });
-  std::vector<std::vector<GlobalPoint>> lines;
+  GlobalLines lines;
   for (const std::vector<double>& line : linesOfAll(ranks, own))
   {
     lines.push_back(globalPointsAt(ranks, surface, line, property, Precision::Single));
@@ -119,11 +119,11 @@ std::vector<std::vector<GlobalPoint>> globalLinesOf(RankGroup& ranks,
 }
 
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
-  const bridge::PathGround& input, const std::vector<std::vector<GlobalPoint>>& lines,
-  const std::string& property)
+  const bridge::PathGround& input, const GlobalLines& lines, const std::string& property)
 {
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
-  const PathRequest request{ ranks, surface, solver, {}, {}, input };
+  const PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {},
+    input };
   std::vector<GlobalPath> paths;
   for (const std::vector<GlobalPoint>& line : lines)
   {

@@ -17,13 +17,16 @@ class vtkDataObject;
 namespace geodesic::distributed
 {
 
+/** The points of each line. */
+using GlobalLines = std::vector<std::vector<GlobalPoint>>;
+
 /**
  * The points of each line of a source, projected to the surface in single precision: the lines of
  * all ranks, one that a lower rank has as well counted once. Collective.
  * @param source null where this rank has none of it
  */
-std::vector<std::vector<GlobalPoint>> globalLinesOf(RankGroup& ranks,
-  const DistributedSurface& surface, vtkDataObject* source, const std::string& property);
+GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property);
 
 /** A point of a path over the pieces of several ranks. */
 struct GlobalPathPoint
@@ -41,8 +44,7 @@ using GlobalPath = std::vector<GlobalPathPoint>;
  * @throws std::exception on all ranks where no way joins two points
  */
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
-  const bridge::PathGround& input, const std::vector<std::vector<GlobalPoint>>& lines,
-  const std::string& property);
+  const bridge::PathGround& input, const GlobalLines& lines, const std::string& property);
 
 }
 

@@ -115,14 +115,21 @@ public:
   GlobalPoint point(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
     GlobalPoint point{ { this->Values[1], this->Values[2], this->Values[3] },
-      this->here(mesh, shared), {}, {}, this->Values[Size - 1] };
+      this->here(mesh, shared), {}, {}, 0.0 };
+    this->carry(point);
+    return point;
+  }
+
+  /** Gives a point the carriers. */
+  void carry(GlobalPoint& point) const
+  {
     for (int c = 0; c < 3; ++c)
     {
       const double* entry = this->Values + 4 + 3 * c;
       point.corners[c] = { static_cast<int>(entry[0]), static_cast<Index>(entry[1]) };
       point.weights[c] = entry[2];
     }
-    return point;
+    point.longestEdge = this->Values[Size - 1];
   }
 
 private:
@@ -232,6 +239,25 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
   }
   std::vector<bool> isKnown;
   return shareRows(ranks, surface, rows, own.size(), isKnown);
+}
+
+void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>& points)
+{
+  std::vector<double> own;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (const SurfacePoint& here : points[i].here)
+    {
+      append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), here));
+    }
+  }
+  // By increasing rank; so the lowest one that has a point has the last word.
+  const std::vector<double> rows = ranks.gather(own);
+  for (std::size_t i = rows.size(); i > 0; i -= CarriedPoint::Size)
+  {
+    const CarriedPoint carried(rows.data() + i - CarriedPoint::Size);
+    carried.carry(points[carried.number()]);
+  }
 }
 
 std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)

@@ -65,6 +65,13 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
 std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
   vtkDataObject* source, const std::string& property);
 
+/**
+ * Gives points the corners and weights that they have on another mesh of the same surface.
+ * Collective.
+ * @param points here on that mesh
+ */
+void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>& points);
+
 /** x y z of the points of all ranks, without those that a lower rank has as well. Collective. */
 std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 namespace geodesic::distributed
@@ -56,13 +57,26 @@ SurfacePatch patchIn(const RankGroup::Message& message)
     valuesIn<PatchTriangle>({ middle, message.end() }) };
 }
 
-PatchCutter::PatchCutter(
-  const DistributedSurface& surface, const SolveOptions& options, const bridge::PathGround& input)
-  : Surface(surface)
-  , Options(options)
-  , Input(input)
+std::vector<SurfacePatch> patchesOfAll(
+  RankGroup& ranks, const std::function<SurfacePatch()>& cutHere)
 {
-  const std::span<const Vector3> positions = surface.mesh().positions();
+  RankGroup::Message own;
+  ranks.together([&] { own = messageOf(cutHere()); });
+  std::vector<SurfacePatch> patches;
+  for (const RankGroup::Message& message : ranks.toFirst(own))
+  {
+    patches.push_back(patchIn(message));
+  }
+  return patches;
+}
+
+PatchCutter::PatchCutter(
+  const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut)
+  : Mesh(mesh)
+  , Options(options)
+  , LeftOut(std::move(leftOut))
+{
+  const std::span<const Vector3> positions = mesh.mesh().positions();
   for (std::size_t first = 0; first < positions.size(); first += BlockSize)
   {
     Block block{ positions[first], positions[first] };
@@ -93,7 +107,7 @@ SurfacePatch PatchCutter::cut(std::span<const Ball> balls, const DistanceField* 
 SurfacePatch PatchCutter::cutRound(
   std::span<const Index> vertices, const DistanceField* field) const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
+  const TriangleMesh& mesh = this->Mesh.mesh();
   SurfacePatch patch;
   std::unordered_map<Index, std::uint32_t> places;
   for (const Index t : this->trianglesRound(vertices))
@@ -117,7 +131,7 @@ SurfacePatch PatchCutter::cutRound(
 
 std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
+  const TriangleMesh& mesh = this->Mesh.mesh();
   std::vector<Index> vertices;
   for (const Ball& exact : balls)
   {
@@ -144,7 +158,7 @@ std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
 
 std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
+  const TriangleMesh& mesh = this->Mesh.mesh();
   std::vector<Index> triangles;
   for (const Index vertex : vertices)
   {
@@ -155,7 +169,8 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
       {
         const std::array corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
         const std::vector<Index> same = mesh.trianglesWith(corners);
-        triangles.insert(triangles.end(), same.begin(), same.end());
+        std::copy_if(same.begin(), same.end(), std::back_inserter(triangles),
+          [&](Index triangle) { return this->LeftOut.empty() || !this->LeftOut[triangle]; });
       }
     }
   }
@@ -165,15 +180,11 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
 
 PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
-  const std::optional<Vector3> normal = this->Input.normalOf(vertex);
-  const bool hasId = this->Surface.piece().numbering().hasUniqueIds();
-  return { this->Surface.shared().globalOf(vertex), mesh.position(vertex),
-    this->Surface.divided().longestEdges()[vertex],
+  return { this->Mesh.shared().globalOf(vertex), this->Mesh.mesh().position(vertex),
+    this->Mesh.longestEdges()[vertex],
     this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
     field ? field->distance(vertex) : DistanceField::Unreached,
-    field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u,
-    hasId ? this->Input.idOf(vertex) : -1, normal ? 1u : 0u, normal.value_or(Vector3{}) };
+    field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u };
 }
 
 }

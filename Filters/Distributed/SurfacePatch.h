@@ -4,8 +4,8 @@
 #define geodesic_distributed_SurfacePatch_h
 
 #include "DistanceField.h"
-#include "DistributedSurface.h"
-#include "PathGround.h"
+#include "DividedMesh.h"
+#include "RankGroup.h"
 #include "SharedPoints.h"
 #include "SolveOptions.h"
 
@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,11 +43,11 @@ struct PatchVertex
   double distance;
   Index nearestSeed;
   std::uint32_t isExcluded;
-  /** Its global id; -1 where there are none. */
-  vtkIdType id;
-  std::uint32_t hasNormal;
+  /** Its global id; -1 where there are none, or nobody asked. */
+  vtkIdType id = -1;
+  std::uint32_t hasNormal = 0;
   /** The input's, of any length. */
-  Vector3 normal;
+  Vector3 normal = {};
 };
 
 struct PatchTriangle
@@ -65,18 +66,20 @@ struct SurfacePatch
 /** A patch as it is sent, and back. */
 RankGroup::Message messageOf(const SurfacePatch& patch);
 SurfacePatch patchIn(const RankGroup::Message& message);
+/** What each rank cuts, on the first rank; nothing on the others. Collective. */
+std::vector<SurfacePatch> patchesOfAll(
+  RankGroup& ranks, const std::function<SurfacePatch()>& cutHere);
 
-/** Cuts patches out of this rank's piece of a surface. */
+/** Cuts patches out of this rank's mesh. */
 class PatchCutter
 {
 public:
   /**
-   * All must live as long as this. Time O(n).
-   * @param input   the same piece of the surface
+   * The mesh and the arrays of the options must live as long as this. Time O(n).
    * @param options costs and barriers
+   * @param leftOut one flag a triangle that another rank has in place of this one, or empty
    */
-  PatchCutter(const DistributedSurface& surface, const SolveOptions& options,
-    const bridge::PathGround& input);
+  PatchCutter(const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut = {});
 
   /** @param field null: no vertex has a distance yet */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
@@ -97,9 +100,9 @@ private:
   std::vector<Index> verticesIn(std::span<const Ball> balls) const;
   PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
 
-  const DistributedSurface& Surface;
-  const SolveOptions& Options;
-  const bridge::PathGround& Input;
+  const DividedMesh& Mesh;
+  SolveOptions Options;
+  std::vector<bool> LeftOut;
   std::vector<Block> Blocks;
 };
 

@@ -4,33 +4,30 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
-#include "Abort.h"
+#include "BlockOutput.h"
 #include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"
 #include "FieldArray.h"
-#include "GatheredSurface.h"
 #include "GlobalLines.h"
 #include "GlobalPoints.h"
 #include "GlobalSeeds.h"
 #include "GuideResolver.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
+#include "LinedSurface.h"
+#include "PathGround.h"
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SeedResolver.h"
-#include "SharedGuides.h"
 #include "SolveSurface.h"
 #include "SplitMesh.h"
 
@@ -44,33 +41,6 @@
 namespace
 {
 
-void copyBlock(const geodesic::bridge::InputBlock& block, vtkDataObject* output)
-{
-  output->ShallowCopy(block.surface);
-  // An outer surface may have been extracted in an earlier run, for another time.
-  output->GetInformation()->CopyEntry(
-    block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
-  vtkNew<vtkFieldData> fields;
-  fields->ShallowCopy(block.data->GetFieldData());
-  output->SetFieldData(fields);
-}
-
-/** The points of lines, on one rank. */
-std::vector<geodesic::bridge::LinePoints> linesHere(
-  const std::vector<std::vector<geodesic::distributed::GlobalPoint>>& lines)
-{
-  std::vector<geodesic::bridge::LinePoints> here;
-  for (const auto& line : lines)
-  {
-    geodesic::bridge::LinePoints& points = here.emplace_back();
-    for (const geodesic::distributed::GlobalPoint& point : line)
-    {
-      points.push_back(point.here.front());
-    }
-  }
-  return here;
-}
-
 /** Whether a vertex stands for points of the input, and was not made where it was split. */
 bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
 {
@@ -83,36 +53,10 @@ bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
 struct vtkSurfaceGeodesicDistance::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
-  geodesic::bridge::SurfaceLines Lines;
-  /** On several ranks, where there are lines. */
-  std::unique_ptr<const geodesic::distributed::GatheredSurface> Gathered;
-  std::unique_ptr<const geodesic::distributed::DividedMesh> Divided;
+  geodesic::distributed::LinedSurface Lined;
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   const geodesic::DistanceField* Field = nullptr;
-
-  /** The input's own mesh, or what took its place. */
-  const std::shared_ptr<const geodesic::TriangleMesh>& mesh() const
-  {
-    return this->Gathered ? this->Gathered->mesh() : this->Surface->piece().mesh();
-  }
-  /** What is solved on. */
-  const geodesic::distributed::DividedMesh& divided() const
-  {
-    return this->Divided ? *this->Divided : this->Surface->divided();
-  }
-  std::vector<geodesic::distributed::GlobalPoint> relocated(
-    std::vector<geodesic::distributed::GlobalPoint> points) const
-  {
-    for (geodesic::distributed::GlobalPoint& point : points)
-    {
-      if (this->Gathered)
-      {
-        this->Gathered->relocate(point);
-      }
-    }
-    return points;
-  }
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -268,7 +212,8 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
   this->Solve({ ranks, blocks, inputVector });
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
-    this->WriteOutput(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output);
+    geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
+      [&](std::size_t block, vtkPolyData* surface) { this->AttachArrays(block, surface); });
   }
 }
 
@@ -303,22 +248,17 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   Internals& internal = *this->Internal;
   geodesic::distributed::RankGroup& ranks = run.ranks;
   internal.Surface = this->FindSurface(ranks, run.blocks);
-  const GlobalLines seedLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
+  const auto seedLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
     vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT]), "SeedSource");
+  const auto barrierLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
+    vtkDataObject::GetData(run.inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
-  this->GatherGuides(ranks, run.blocks, run.inputVector, *internal.Surface, barriers, cost);
-  this->JoinLines(run, seedLines, barriers, cost);
-  geodesic::bridge::SolveSurface surface(internal.Surface->sharedPiece(), internal.mesh(),
-    internal.Lines, barriers, cost, this->Method == DIJKSTRA);
-  internal.Divided.reset();
-  if (internal.Gathered)
-  {
-    internal.Divided = std::make_unique<const geodesic::distributed::DividedMesh>(ranks,
-      surface.mesh(), internal.Gathered->keysOf(*surface.mesh(), internal.Lines.split().get()));
-    geodesic::distributed::shareExcluded(ranks, *internal.Divided, surface.excluded());
-  }
-  std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines);
+  this->GatherGuides(ranks, run.blocks, *internal.Surface, barriers, cost);
+  const geodesic::bridge::InputGround input(internal.Surface->piece(), run.blocks);
+  const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
+    { internal.Surface, input, seedLines, barrierLines, barriers, cost, this->Method == DIJKSTRA });
+  std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
 
   std::vector<geodesic::Triangle> targets;
   for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
@@ -329,7 +269,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
     }
     targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.here));
   }
-  geodesic::distributed::DistributedSolver partition(ranks, internal.divided());
+  geodesic::distributed::DistributedSolver partition(ranks, internal.Lined.divided());
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.targets = targets;
@@ -355,48 +295,6 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::JoinLines(const Run& run, const GlobalLines& seedLines,
-  geodesic::bridge::Barriers& barriers, std::vector<double>& cost)
-{
-  Internals& internal = *this->Internal;
-  geodesic::distributed::RankGroup& ranks = run.ranks;
-  const geodesic::distributed::DistributedSurface& surface = *internal.Surface;
-  internal.Gathered.reset();
-  if (ranks.size() == 1)
-  {
-    internal.Lines.update(surface.piece().mesh(), linesHere(seedLines), std::move(barriers.lines));
-    return;
-  }
-  internal.Lines = {};
-  const GlobalLines barrierLines = geodesic::distributed::globalLinesOf(
-    ranks, surface, vtkDataObject::GetData(run.inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
-  if (seedLines.empty() && barrierLines.empty())
-  {
-    return;
-  }
-  const geodesic::bridge::InputGround input(surface.piece(), run.blocks);
-  const auto seedPaths =
-    geodesic::distributed::joinedLines(ranks, surface, input, seedLines, "SeedSource");
-  const auto barrierPaths =
-    geodesic::distributed::joinedLines(ranks, surface, input, barrierLines, "BarrierSource");
-  std::vector<geodesic::distributed::GlobalPath> paths = seedPaths;
-  paths.insert(paths.end(), barrierPaths.begin(), barrierPaths.end());
-  internal.Gathered = std::make_unique<const geodesic::distributed::GatheredSurface>(
-    ranks, surface, input, paths, barriers, cost);
-  barriers = internal.Gathered->barriers();
-  cost = internal.Gathered->cost();
-  ranks.together(
-    [&]
-    {
-      if (ranks.rank() == 0)
-      {
-        internal.Lines.take(internal.mesh(), internal.Gathered->pathsOf(seedPaths),
-          internal.Gathered->pathsOf(barrierPaths));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::ReportWork(
   const Run& run, geodesic::distributed::DistributedSolver& partition)
 {
@@ -408,23 +306,23 @@ void vtkSurfaceGeodesicDistance::ReportWork(
   const std::span<const geodesic::Index> reached = internal.Field->reached();
   const auto visited = ranks.size() == 1
     ? geodesic::bridge::numberOfReachedPoints(
-        { internal.Surface->mesh(), *internal.Field, internal.Lines.split().get() })
+        { internal.Surface->mesh(), *internal.Field, internal.Lined.split() })
     : std::count_if(reached.begin(), reached.end(),
         [&](geodesic::Index vertex)
-        { return partition.owns(vertex) && isOfInput(internal.Lines.split().get(), vertex); });
+        { return partition.owns(vertex) && isOfInput(internal.Lined.split(), vertex); });
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
   this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
   this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
-  double mostPoints = -static_cast<double>(internal.mesh()->numberOfPoints());
+  double mostPoints = -static_cast<double>(internal.Lined.mesh()->numberOfPoints());
   ranks.takeLeast({ &mostPoints, 1 });
   this->MostPointsOnARank = static_cast<vtkIdType>(-mostPoints);
 }
 
 //------------------------------------------------------------------------------
 std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
-  const Run& run, const GlobalLines& seedLines)
+  const Run& run, std::size_t numberOfLines)
 {
   const Internals& internal = *this->Internal;
   const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
@@ -435,7 +333,7 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
       seeds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   const auto addPoints = [&](std::vector<geodesic::distributed::GlobalPoint> points)
-  { add(geodesic::distributed::seedsAt(internal.relocated(std::move(points)))); };
+  { add(geodesic::distributed::seedsAt(internal.Lined.relocated(std::move(points)))); };
   addPoints(geodesic::distributed::globalPointsAt(
     run.ranks, surface, this->SeedCoordinates, "SeedPositions"));
   addPoints(geodesic::distributed::globalPointsWith(
@@ -443,13 +341,12 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
   addPoints(geodesic::distributed::loosePointsOf(
     run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
   // Where their points are is up to the lines that are joined.
-  seeds.insert(seeds.end(), seedLines.size(), geodesic::Seed::alongCurve({}));
+  seeds.insert(seeds.end(), numberOfLines, geodesic::Seed::alongCurve({}));
   add(this->GatherArraySeeds(run));
   add(this->GatherSelectedSeeds(run));
-  if (internal.Gathered)
+  if (const auto* gathered = internal.Lined.gathered())
   {
-    internal.Gathered->relocateRegions(
-      run.ranks, *internal.Divided, internal.Lines.split().get(), seeds);
+    gathered->relocateRegions(run.ranks, internal.Lined.divided(), internal.Lined.split(), seeds);
   }
   if (seeds.empty())
   {
@@ -521,42 +418,15 @@ std::vector<geodesic::distributed::GlobalPoint> vtkSurfaceGeodesicDistance::Gath
   {
     points.push_back(std::move(point));
   }
-  return this->Internal->relocated(std::move(points));
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::WriteOutput(
-  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const
-{
-  auto* tree = vtkDataObjectTree::SafeDownCast(output);
-  if (!tree)
-  {
-    copyBlock(blocks[0], output);
-    this->AttachArrays(0, vtkPolyData::SafeDownCast(output));
-    return;
-  }
-  tree->ShallowCopy(input);
-  std::size_t block = 0;
-  const auto place = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
-  {
-    if (vtkDataSet::SafeDownCast(place->GetCurrentDataObject()))
-    {
-      vtkNew<vtkPolyData> surface;
-      copyBlock(blocks[block], surface);
-      this->AttachArrays(block, surface);
-      tree->SetDataSet(place, surface);
-      ++block;
-    }
-  }
+  return this->Internal->Lined.relocated(std::move(points));
 }
 
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* output) const
 {
   const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
-  const geodesic::bridge::FieldOnInput field{ *this->Internal->mesh(), *this->Internal->Field,
-    this->Internal->Lines.split().get(), surface.numbering().firstPointOf(block),
+  const geodesic::bridge::FieldOnInput field{ *this->Internal->Lined.mesh(), *this->Internal->Field,
+    this->Internal->Lined.split(), surface.numbering().firstPointOf(block),
     static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)

@@ -249,20 +249,11 @@ private:
     vtkInformationVector** inputVector;
   };
   void Solve(const Run& run);
-  using GlobalLines = std::vector<std::vector<geodesic::distributed::GlobalPoint>>;
-  /**
-   * The lines of seeds and barriers joined over the surface. On several ranks what is round them
-   * moves to the first rank, and barriers and cost with it.
-   */
-  void JoinLines(const Run& run, const GlobalLines& seedLines, geodesic::bridge::Barriers& barriers,
-    std::vector<double>& cost);
-  std::vector<geodesic::Seed> GatherSeeds(const Run& run, const GlobalLines& seedLines);
+  std::vector<geodesic::Seed> GatherSeeds(const Run& run, std::size_t numberOfLines);
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition);
-  void WriteOutput(
-    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output) const;
   void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;

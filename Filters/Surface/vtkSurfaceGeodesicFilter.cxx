@@ -144,7 +144,7 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
 
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ranks,
-  const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  const geodesic::bridge::InputBlocks& blocks,
   const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
   std::vector<double>& cost)
 {
@@ -152,12 +152,6 @@ void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ra
     [&]
     {
       this->GatherBarriers(blocks, surface.piece(), barriers);
-      vtkDataObject* source = vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]);
-      if (source && ranks.size() == 1)
-      {
-        barriers.lines = geodesic::bridge::surfaceLinesOf(
-          surface.piece(), geodesic::bridge::PointSource(source), "BarrierSource");
-      }
       cost = this->GatherCost(blocks, surface.piece());
     });
   geodesic::distributed::shareExcluded(ranks, surface.divided(), barriers.excluded);

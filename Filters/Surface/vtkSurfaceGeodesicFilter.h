@@ -153,11 +153,11 @@ protected:
   geodesic::bridge::ChosenArray GetChosenArray(
     int number, const geodesic::bridge::InputBlocks& blocks);
   /**
-   * BARRIER_ARRAY, on one rank the lines of BarrierSource, and the cost of each vertex (empty: 1),
-   * the same on all ranks where they share vertices. Collective.
+   * BARRIER_ARRAY and the cost of each vertex (empty: 1), the same on all ranks where they share
+   * vertices. Collective.
    */
   void GatherGuides(geodesic::distributed::RankGroup& ranks,
-    const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+    const geodesic::bridge::InputBlocks& blocks,
     const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
     std::vector<double>& cost);
   /** The surface of which the input is this rank's piece. */

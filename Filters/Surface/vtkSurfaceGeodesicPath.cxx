@@ -19,6 +19,7 @@
 #include "GuideResolver.h"
 #include "InputBlocks.h"
 #include "InputSurface.h"
+#include "LinedSurface.h"
 #include "NumberText.h"
 #include "PathFinder.h"
 #include "PathGround.h"
@@ -26,7 +27,6 @@
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SolveSurface.h"
-#include "SplitMesh.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,7 +41,7 @@ struct vtkSurfaceGeodesicPath::Run
   geodesic::bridge::InputGround input;
 };
 
-/** A path on the input's own mesh, or on a corridor, from one point to another. */
+/** A path on the input's own mesh, or on a part of it, from one point to another. */
 struct vtkSurfaceGeodesicPath::Segment
 {
   geodesic::distributed::GlobalPoint From;
@@ -56,7 +56,7 @@ struct vtkSurfaceGeodesicPath::Segment
 struct vtkSurfaceGeodesicPath::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
-  geodesic::bridge::SurfaceLines Lines;
+  geodesic::distributed::LinedSurface Lined;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   // Segments are the same as long as all this is.
   std::optional<geodesic::bridge::SolveSurface> Ground;
@@ -79,11 +79,11 @@ struct vtkSurfaceGeodesicPath::Internals
     this->Style = style;
   }
 
-  /** A path on the input's own mesh, unless it is on a corridor. */
+  /** A path on the input's own mesh, unless it is on a part of it. */
   std::optional<geodesic::distributed::TracedPath> onInput(
     std::optional<geodesic::distributed::TracedPath> path) const
   {
-    if (path && !path->corridor)
+    if (path && !path->ground)
     {
       path->path = this->Ground->basePathOf(path->path);
     }
@@ -205,22 +205,15 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   std::vector<double> cost;
   const auto barrierLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
     vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
-  if (ranks.size() > 1 && !barrierLines.empty())
-  {
-    throw std::invalid_argument("BarrierSource has lines, which are no barriers of paths yet where "
-                                "the surface is spread over several ranks. Use BarrierArray, or "
-                                "run on one rank.");
-  }
-  this->GatherGuides(ranks, blocks, inputVector, *internal.Surface, barriers, cost);
-  internal.Lines.update(internal.Surface->piece().mesh(), {}, std::move(barriers.lines));
+  this->GatherGuides(ranks, blocks, *internal.Surface, barriers, cost);
   const bool hasCost = ranks.isAny(!cost.empty());
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const bool hadMethod = internal.Method == this->Method;
   internal.setGround(
-    geodesic::bridge::SolveSurface(internal.Surface->sharedPiece(),
-      internal.Surface->piece().mesh(), internal.Lines, barriers, cost, this->Method == DIJKSTRA),
+    internal.Lined.update(ranks,
+      { internal.Surface, run.input, {}, barrierLines, barriers, cost, this->Method == DIJKSTRA }),
     this->Method, style);
   const auto& mesh = internal.Ground->mesh();
   if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)
@@ -229,7 +222,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   }
   if (ranks.size() > 1)
   {
-    // On corridors they hold what an earlier input said of their points.
+    // They hold what an earlier input said of their points.
     internal.Segments.clear();
   }
 
@@ -265,7 +258,7 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::GatherPoints(const Run& r
 vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
   const Run& run, const Points& points, const std::string& role) const
 {
-  Points openPoints = points;
+  Points openPoints = this->Internal->Lined.relocated(points);
   run.ranks.together(
     [&]
     {
@@ -277,6 +270,10 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
         }
       }
     });
+  if (this->Internal->Lined.gathered())
+  {
+    geodesic::distributed::restate(run.ranks, this->Internal->Lined.divided(), openPoints);
+  }
   return openPoints;
 }
 
@@ -284,8 +281,9 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
 geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run) const
 {
   const Internals& internal = *this->Internal;
-  return { run.ranks, *internal.Surface, *internal.Solver, internal.Ground->options(),
-    internal.Style, run.input };
+  return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
+    internal.Lined.divided(), *internal.Solver, internal.Ground->options(), internal.Style,
+    run.input };
 }
 
 //------------------------------------------------------------------------------
@@ -427,9 +425,8 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     if (segment.Path && run.ranks.rank() == 0)
     {
       const geodesic::distributed::TracedPath& path = *segment.Path;
-      const geodesic::bridge::PathGround& ground = path.corridor
-        ? static_cast<const geodesic::bridge::PathGround&>(*path.corridor)
-        : run.input;
+      const geodesic::bridge::PathGround& ground =
+        path.ground ? static_cast<const geodesic::bridge::PathGround&>(*path.ground) : run.input;
       const double length = paths.add(ground,
         geodesic::beginningOf(ground.mesh(), path.path, maximumLength,
           std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),

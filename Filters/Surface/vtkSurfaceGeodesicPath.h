@@ -14,8 +14,7 @@
  * twice its id; in a face the two nearest corners), Normals (of length 1: the input's, or made from
  * its faces). On several blocks ids are global ids; where there are none, OriginalBlocks and
  * EdgeBlocks have the blocks' numbers in the composite input. On several ranks all paths are on the
- * first one, ids are global ids, or -1 where there are none, and lines of BarrierSource are an
- * error. Cell arrays: Segment (its number,
+ * first one, and ids are global ids, or -1 where there are none. Cell arrays: Segment (its number,
  * or the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the waypoint's number).
  * Field array: TotalLength. Lengths are those on the surface, in the mesh's unit of length, without
  * cost and height offset.

@@ -1,6 +1,7 @@
 // Triangles split along curves, and cut open along them.
 
 #include "SplitMesh.h"
+#include "BasePath.h"
 #include "FastMarchingSolver.h"
 #include "Solving.h"
 #include "SurfaceCurve.h"
@@ -138,7 +139,9 @@ TEST(SplitMesh, FindsPointsAgain)
       { point.weights[0] / 3.0, point.weights[1] / 3.0,
         1.0 - (point.weights[0] + point.weights[1]) / 3.0 } });
     const SurfacePoint there = split.pointOf(point);
-    const Vector3 back = split.basePointOf(PathPoint::at(*split.mesh(), there)).position(*base);
+    const PathPoint onBase = basePoint(
+      PathPoint::at(*split.mesh(), there), [&](Index vertex) { return split.origin(vertex); });
+    const Vector3 back = onBase.position(*base);
     EXPECT_LT(norm(split.mesh()->positionOf(there) - base->positionOf(point)), 1e-9);
     EXPECT_LT(norm(back - base->positionOf(point)), 1e-9);
   }

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceGeodesicDistance.h"
+#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
@@ -208,6 +209,35 @@ TEST_F(SurfaceFilter, MovedAndRemovedSeedsStartANewField)
       }
     }
   }
+}
+
+// Readers and programs make polylines without points where a line has nothing to show.
+TEST_F(SurfaceFilter, LinesWithoutPointsAreNone)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 5.0, 0.0);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(0);
+  cells->InsertNextCell({ 0, 1 });
+  cells->InsertNextCell(0);
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(lines);
+  const auto surface = square(5);
+
+  this->Filter->SetSeedSourceConnection(producer->GetOutputPort());
+  this->run(surface);
+  EXPECT_NEAR(this->Filter->GetMaximumDistanceReached(), 5.0, 1e-9);
+
+  // As a barrier the line takes the six points on it.
+  this->Filter->SetSeedSourceConnection(nullptr);
+  this->Filter->SetBarrierSourceConnection(producer->GetOutputPort());
+  this->Filter->AddSeedPosition(5.0, 0.0, 0.0);
+  this->run(surface);
+  EXPECT_EQ(this->Filter->GetNumberOfVisitedPoints(), 30);
 }
 
 TEST_F(SurfaceFilter, DijkstraFollowsEdges)

@@ -82,7 +82,10 @@ expect_no_path("no point array", harness.surface("torus", "slabs", False, harnes
                CostArray=["POINTS", "Cost"])
 expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPositions=ENDS,
                BarrierArray=["POINTS", "PointNumber"])
-expect_no_path("lines", torus, WaypointPositions=ENDS, BarrierSource=simple.PolyLineSource(Points=[1, 0, 0, 0, 1, 0]))
+expect_no_path("Waypoint 1 lies on a line of BarrierSource", torus, WaypointPositions=ENDS,
+               BarrierSource=simple.PolyLineSource(Points=ENDS[3:] + [-0.3, 1, 0.3]))
+expect_no_path("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs"), WaypointPositions=ENDS,
+               BarrierSource=LINE)
 expect_no_path("Generate Global Ids", torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
 expect_no_path("no surface", simple.PointSource(), WaypointPositions=ENDS)
 expect_no_path("same on all ranks", torus, WaypointPositions=ENDS[:3] + [-1.3, harness.IS_FIRST, 0])

@@ -26,6 +26,8 @@ def between(surface, count, **options):
 
 
 ON_TORUS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
+# Across the way from one to the other.
+LINE = dict(BarrierSource=simple.PolyLineSource(Points=[0.03, 0.75, -0.3, 0.02, 0.61, 0, 0.03, 1, 0.4]))
 # What is sought, by the name of the case: surface and properties.
 PATHS = {
     "bunny": between("bunny", 2),
@@ -43,6 +45,14 @@ PATHS = {
     "triangle": ("triangle", dict(WaypointPositions=[0.1, 0.1, 0, 0.5, 0.3, 0])),
     "wall": ("torus", dict(WaypointPositions=ON_TORUS, BarrierArray=["POINTS", "Wall"])),
     "closed": ("torus", dict(WaypointPositions=ON_TORUS, BarrierArray=["CELLS", "CellWall"])),
+    "line": ("torus", dict(WaypointPositions=ON_TORUS, **LINE)),
+    "line traced": ("torus", dict(WaypointPositions=ON_TORUS, Straighten="Off", **LINE)),
+    "line cost": ("torus", dict(WaypointPositions=ON_TORUS, CostArray=["POINTS", "Cost"], **LINE)),
+    "line edges": ("torus", dict(WaypointPositions=ON_TORUS, Method="Dijkstra", InterpolationOrder=0, **LINE)),
+    "line on edges": ("edge", dict(WaypointPositions=[2.3, 1.2, 0, 3.2, 5.4, 0],
+                                   BarrierSource=simple.PolyLineSource(Points=[1, 3, 0, 5, 3, 0]))),
+    "line nearest": ("torus", dict(PathMode="ToNearestSeed", WaypointPositions=ON_TORUS[3:] + [-0.3, 1.1, 0.3],
+                                   StartPositions=ON_TORUS[:3] + [0.3, 1.1, 0.35, 0.2, -1.3, 0.1], **LINE)),
     "start is end": ("torus", dict(WaypointPositions=ON_TORUS[:3] * 2)),
     "one vertex": ("torus", dict(WaypointPositions=[1.4, 0, 0] * 2)),
     "raised": ("torus", dict(WaypointPositions=ON_TORUS, HeightOffset=0.1)),
@@ -82,6 +92,8 @@ def check(name, cut, source, options):
         name == "no route"), (name, cut, result["messages"])
     if harness.RANKS == 1:
         np.savez(file, **result)
+        if name == "line":
+            assert result["total"] > 1.01 * float(np.load(os.path.join(FOLDER, "torus.path.npz"))["total"])
         return
     with np.load(file) as stored:
         reference = dict(stored)
@@ -121,13 +133,14 @@ for name, (surface, options) in PATHS.items():
     check(name, "slabs", harness.surface(surface, "slabs"), options)
     if surface != "bunny" or name in ("bunny", "nearest"):
         check(name, "random", harness.surface(surface, "random"), options)
-    if name in ("bunny", "cost", "closed"):
+    if name in ("bunny", "cost", "closed", "line"):
         check(name, "redistributed", harness.redistributed(surface), options)
         check(name, "ghosts and ids", harness.ghosted(harness.surface(surface, "slabs", True)), options)
         check(name, "random, ghosts, ids", harness.ghosted(harness.surface(surface, "random", True)), options)
         check(name, "ids only", harness.surface(surface, "random", True), dict(options, MergeCoincidentPoints=0))
         check(name, "all on the last", harness.surface(surface, "last"), options)
         check(name, "blocks", harness.in_blocks(surface), options)
+        check(name, "multiblock", harness.in_multiblock(surface), options)
 
 if harness.RANKS > 1:
     # The first rank holds its piece and what lies round the path, not the surface.

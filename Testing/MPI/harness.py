@@ -43,6 +43,12 @@ def in_blocks(name):
         OutputDataSetType="vtkPartitionedDataSet", Script=HERE + f"pieces.make_blocks(self.GetOutput(), {name!r})")
 
 
+def in_multiblock(name):
+    """Blocks that several ranks have parts of, and blocks of one rank each."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkMultiblockDataSet", Script=HERE + f"pieces.make_multiblock(self.GetOutput(), {name!r})")
+
+
 def redistributed(name):
     """The same cut by ParaView; before that it is whole on the first rank."""
     parts = simple.RedistributeDataSet(Input=surface(name, "first"))

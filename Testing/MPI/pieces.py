@@ -250,6 +250,14 @@ def make_blocks(output, surface):
         output.SetPartition(i, part(surface, "slabs", 2 * rank + i, 2 * ranks))
 
 
+def make_multiblock(output, surface):
+    """Fills blocks: of the first one each rank has a part, and each has one that is empty on the others."""
+    rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    output.SetNumberOfBlocks(1 + ranks)
+    for block, slab in ((0, 2 * rank), (1 + rank, 2 * rank + 1)):
+        output.SetBlock(block, part(surface, "slabs", slab, 2 * ranks))
+
+
 def part_path(path, rank):
     return f"{path}.{rank}.npz"
 
