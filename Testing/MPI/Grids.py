@@ -25,15 +25,21 @@ def whole():
 
 
 def in_pieces():
-    cut = simple.RedistributeDataSet(Input=harness.brick("first"))
     made_ids = simple.GenerateGlobalIds(Input=harness.brick("random"))
-    return [("brick/redistributed", cut, BRICK), ("brick/with ghosts", harness.ghosted(cut), BRICK),
-            ("brick/random", harness.brick("random"), BRICK),
+    return [("brick/random", harness.brick("random"), BRICK),
             ("brick/random with ghosts", harness.ghosted(harness.brick("random")), BRICK),
             ("brick/made ids", made_ids, dict(BRICK, MergeCoincidentPoints=0)),
             ("brick/all on the first", harness.brick("first"), BRICK),
             ("image/parts", harness.image(), IMAGE), ("image/with ghosts", harness.ghosted(harness.image()), IMAGE)]
 
 
-for case, source, options in whole() if harness.RANKS == 1 else in_pieces():
+def redistributed():
+    cut = simple.RedistributeDataSet(Input=harness.brick("first"))
+    return [("brick/redistributed", cut, BRICK), ("brick/with ghosts", harness.ghosted(cut), BRICK)]
+
+
+found = whole() if harness.RANKS == 1 else in_pieces()
+if harness.RANKS > 1 and harness.can_redistribute():
+    found += redistributed()
+for case, source, options in found:
     cases.check(FOLDER, case, source, options)
