@@ -4,6 +4,7 @@
 #define geodesic_distributed_RankGroup_h
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <string>
@@ -89,8 +90,9 @@ private:
 template <class T>
 void append(RankGroup::Message& message, const T& value)
 {
-  const auto* bytes = reinterpret_cast<const char*>(&value);
-  message.insert(message.end(), bytes, bytes + sizeof(T));
+  const std::size_t end = message.size();
+  message.resize(end + sizeof(T));
+  std::memcpy(message.data() + end, &value, sizeof(T));
 }
 
 template <class T>
