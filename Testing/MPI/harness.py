@@ -64,6 +64,7 @@ def can_redistribute():
         writer.SetFileName(os.path.join(folder, "sphere.vtp"))
         writer.SetInputData(sphere.GetOutput())
         writer.EncodeAppendedDataOff()
+        writer.SetCompressorTypeToNone()
         writer.Write()
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(writer.GetFileName())
