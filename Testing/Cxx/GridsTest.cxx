@@ -102,6 +102,17 @@ protected:
   }
 
   using Field = std::map<std::array<double, 3>, double>;
+  /** The same points, and the same distances but for rounding: VTK begins faces at any corner. */
+  static void expectSame(const Field& field, const Field& truth)
+  {
+    ASSERT_EQ(field.size(), truth.size());
+    for (const auto& [point, distance] : truth)
+    {
+      ASSERT_TRUE(field.contains(point));
+      EXPECT_NEAR(field.at(point), distance, 1e-12);
+    }
+  }
+
   static Field fieldOf(vtkPolyData* output)
   {
     Field field;
@@ -167,7 +178,7 @@ TEST_F(Grids, AreOfEveryKind)
   vtkNew<vtkImageDataToPointSet> toCurved;
   toCurved->SetInputDataObject(image);
   toCurved->Update();
-  EXPECT_EQ(fieldOf(this->run(toCurved->GetOutput())), truth);
+  expectSame(fieldOf(this->run(toCurved->GetOutput())), truth);
   vtkNew<vtkRectilinearGrid> straight;
   straight->SetExtent(image->GetExtent());
   const auto coordinates = [](int count)
@@ -182,7 +193,7 @@ TEST_F(Grids, AreOfEveryKind)
   straight->SetXCoordinates(coordinates(7));
   straight->SetYCoordinates(coordinates(6));
   straight->SetZCoordinates(coordinates(5));
-  EXPECT_EQ(fieldOf(this->run(straight)), truth);
+  expectSame(fieldOf(this->run(straight)), truth);
 }
 
 // VTK's own ids are wrong for these cells.
