@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurface.h"
 
+#include "KeptByVersion.h"
 #include "ObjectVersion.h"
 #include "PolyDataTriangles.h"
 
@@ -93,37 +94,22 @@ void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
   }
 }
 
-struct Known
-{
-  InputVersion version;
-  std::weak_ptr<const InputSurface> surface;
-};
-
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
   const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
 {
-  static std::mutex mutex;
-  static std::vector<Known> known;
-  const InputVersion version = versionOf(blocks, points);
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
-  for (const Known& k : known)
-  {
-    const auto surface = k.surface.lock();
-    if (k.version == version && surface)
+  static KeptByVersion<InputVersion, const InputSurface> known;
+  return known.get(versionOf(blocks, points),
+    [&]
     {
+      auto surface = std::make_shared<const InputSurface>(blocks, points, team);
+      if (!points.rank)
+      {
+        checkNotEmpty(*surface->mesh(), blocks);
+      }
       return surface;
-    }
-  }
-  auto surface = std::make_shared<const InputSurface>(blocks, points, team);
-  if (!points.rank)
-  {
-    checkNotEmpty(*surface->mesh(), blocks);
-  }
-  known.push_back({ version, surface });
-  return surface;
+    });
 }
 
 InputSurface::InputSurface(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OuterSurface.h"
 
+#include "KeptByVersion.h"
 #include "ObjectVersion.h"
 
 #include "vtkAppendFilter.h"
@@ -26,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <mutex>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -95,12 +95,6 @@ DataVersion versionOf(vtkDataSet* data)
   addArrays(data->GetCellData(), version);
   return version;
 }
-
-struct Known
-{
-  DataVersion version;
-  std::weak_ptr<vtkPolyData> surface;
-};
 
 constexpr const char* PointIds = "vtkOriginalPointIds";
 constexpr const char* CellIds = "vtkOriginalCellIds";
@@ -204,22 +198,8 @@ std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
 
 std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
 {
-  static std::mutex mutex;
-  static std::vector<Known> known;
-  DataVersion version = versionOf(data);
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
-  for (const Known& k : known)
-  {
-    const auto surface = k.surface.lock();
-    if (k.version == version && surface)
-    {
-      return surface;
-    }
-  }
-  auto surface = extracted(data);
-  known.push_back({ std::move(version), surface });
-  return surface;
+  static KeptByVersion<DataVersion, vtkPolyData> known;
+  return known.get(versionOf(data), [&] { return extracted(data); });
 }
 
 }

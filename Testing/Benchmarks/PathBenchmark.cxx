@@ -7,6 +7,7 @@
 #include "ExactPath.h"
 #include "Measuring.h"
 #include "PathFinder.h"
+#include "PathStyles.h"
 #include "PathSurfaces.h"
 
 #include <benchmark/benchmark.h>
@@ -22,10 +23,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-constexpr PathStyle Straight{ PathOrder::Edges, true };
-constexpr PathStyle Traced{ PathOrder::Edges, false };
-constexpr PathStyle AlongEdges{ PathOrder::Vertices, false };
 
 constexpr int SourcesASurface = 10;
 constexpr std::size_t TargetsASource = 20;

@@ -2,6 +2,7 @@
 
 #include "FastMarchingSolver.h"
 #include "PathFinder.h"
+#include "PathStyles.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -14,10 +15,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-constexpr PathStyle Straight{ PathOrder::Edges, true };
-constexpr PathStyle Traced{ PathOrder::Edges, false };
-constexpr PathStyle AlongEdges{ PathOrder::Vertices, false };
 
 class PathOnPart : public ::testing::TestWithParam<PathStyle>
 {

@@ -4,6 +4,7 @@
 #include "ExactDistances.h"
 #include "FastMarchingSolver.h"
 #include "PathFinder.h"
+#include "PathStyles.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -20,10 +21,6 @@ namespace
 {
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
-
-constexpr PathStyle Straight{ PathOrder::Edges, true };
-constexpr PathStyle Traced{ PathOrder::Edges, false };
-constexpr PathStyle AlongEdges{ PathOrder::Vertices, false };
 
 SurfacePoint nearest(const MeshPointer& mesh, const Vector3& position)
 {

@@ -102,6 +102,19 @@ protected:
   }
 
   using Field = std::map<std::array<double, 3>, double>;
+  /** The ids lead to the same points of @p data. */
+  static void expectPointsOf(vtkDataSet* data, vtkPolyData* output, vtkDataArray* ids)
+  {
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      std::array<double, 3> q;
+      output->GetPoint(i, p.data());
+      data->GetPoint(static_cast<vtkIdType>(ids->GetComponent(i, 0)), q.data());
+      EXPECT_EQ(p, q);
+    }
+  }
+
   /** The same points, and the same distances but for rounding: VTK begins faces at any corner. */
   static void expectSame(const Field& field, const Field& truth)
   {
@@ -143,24 +156,12 @@ TEST_F(Grids, AreTheirOuterSurface)
     extract->Update();
     const Field truth = fieldOf(this->run(extract->GetOutput()));
     vtkPolyData* output = this->run(data);
-    const Field found = fieldOf(output);
-    ASSERT_EQ(found.size(), truth.size());
-    for (const auto& [point, distance] : truth)
-    {
-      EXPECT_NEAR(found.at(point), distance, 1e-12);
-    }
+    expectSame(fieldOf(output), truth);
     // The ids lead back to the data set.
     vtkDataArray* points = output->GetPointData()->GetArray("vtkOriginalPointIds");
     vtkDataArray* cells = output->GetCellData()->GetArray("vtkOriginalCellIds");
     ASSERT_TRUE(points && cells);
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      std::array<double, 3> p;
-      std::array<double, 3> q;
-      output->GetPoint(i, p.data());
-      data->GetPoint(static_cast<vtkIdType>(points->GetComponent(i, 0)), q.data());
-      EXPECT_EQ(p, q);
-    }
+    expectPointsOf(data, output, points);
     for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
     {
       const auto id = static_cast<vtkIdType>(cells->GetComponent(i, 0));
@@ -398,15 +399,7 @@ TEST_F(Grids, PathsNameTheirPoints)
   ASSERT_EQ(errorsOf(filter.Get()), "");
   auto* path = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   EXPECT_NEAR(filter->GetTotalLength(), 6.0, 1e-9);
-  vtkDataArray* ids = path->GetPointData()->GetArray("OriginalPointIds");
-  for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 3> p;
-    std::array<double, 3> q;
-    path->GetPoint(i, p.data());
-    image->GetPoint(static_cast<vtkIdType>(ids->GetComponent(i, 0)), q.data());
-    EXPECT_EQ(p, q);
-  }
+  expectPointsOf(image, path, path->GetPointData()->GetArray("OriginalPointIds"));
 }
 
 // What later runs do not do again: the objects are the same.

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_bridge_KeptByVersion_h
+#define geodesic_bridge_KeptByVersion_h
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace geodesic::bridge
+{
+
+/** What was made of inputs, found again by their versions for as long as somebody uses it. Safe to
+ * use from several threads; one makes at a time. */
+template <class Version, class Made>
+class KeptByVersion
+{
+public:
+  /** What is known of a version, or else what @p make returns. */
+  template <class Make>
+  std::shared_ptr<Made> get(Version version, const Make& make)
+  {
+    const std::lock_guard lock(this->Mutex);
+    std::erase_if(this->Known, [](const auto& known) { return known.second.expired(); });
+    for (const auto& [knownVersion, kept] : this->Known)
+    {
+      const auto made = kept.lock();
+      if (made && knownVersion == version)
+      {
+        return made;
+      }
+    }
+    std::shared_ptr<Made> made = make();
+    this->Known.emplace_back(std::move(version), made);
+    return made;
+  }
+
+private:
+  std::mutex Mutex;
+  std::vector<std::pair<Version, std::weak_ptr<Made>>> Known;
+};
+
+}
+
+#endif

@@ -1,0 +1,15 @@
+#ifndef geodesic_testing_PathStyles_h
+#define geodesic_testing_PathStyles_h
+
+#include "PathFinder.h"
+
+namespace geodesic::testing
+{
+
+inline constexpr PathStyle Straight{ PathOrder::Edges, true };
+inline constexpr PathStyle Traced{ PathOrder::Edges, false };
+inline constexpr PathStyle AlongEdges{ PathOrder::Vertices, false };
+
+}
+
+#endif
