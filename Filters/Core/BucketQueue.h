@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace geodesic
@@ -35,6 +36,7 @@ public:
     {
       this->Buckets.resize(buckets);
     }
+    this->LastIndex = this->Buckets.size() - 1;
     this->PerWidth = 1.0 / width;
     this->Current = 0;
     this->Next = 0;
@@ -48,7 +50,7 @@ public:
   void push(Index item, double key)
   {
     const double number = key * this->PerWidth;
-    const std::uint64_t last = this->Current + this->Buckets.size() - 1;
+    const std::uint64_t last = this->Current + this->LastIndex;
     const std::uint64_t bucket = number < static_cast<double>(last)
       ? std::max(static_cast<std::uint64_t>(number), this->Current)
       : last;
@@ -115,6 +117,7 @@ public:
         buckets[number & (buckets.size() - 1)] = std::move(this->bucket(number));
       }
       this->Buckets = std::move(buckets);
+      this->LastIndex = this->Buckets.size() - 1;
     }
     this->Current = target;
   }
@@ -132,27 +135,34 @@ public:
     return static_cast<double>(number) / this->PerWidth;
   }
 
-  /** @pre hasBefore */
-  Index pop()
+  /** Takes items of one bucket, at least one and at most as many as @p room holds, which they are
+   * put into. @pre hasBefore */
+  std::span<const Index> take(std::span<Index> room)
   {
-    --this->Count;
-    return this->bucket(this->Current)[this->Next++];
+    const std::span<const Index> taken = this->next(room.size());
+    std::copy(taken.begin(), taken.end(), room.begin());
+    this->Next += taken.size();
+    this->Count -= taken.size();
+    return room.first(taken.size());
   }
 
-  /** The item @p places behind the next one, NoIndex where the order is not known that far. */
-  Index ahead(std::size_t places) const
+  /** The next items of the bucket, @p most of them if there are so many; valid until the next push.
+   */
+  std::span<const Index> next(std::size_t most) const
   {
-    const std::vector<Index>& items = this->Buckets[this->indexOf(this->Current)];
-    return this->Next + places < items.size() ? items[this->Next + places] : NoIndex;
+    const std::span<const Index> items = this->Buckets[this->indexOf(this->Current)];
+    return items.subspan(this->Next, std::min(most, items.size() - this->Next));
   }
 
 private:
   static constexpr std::uint64_t MostBuckets = 1 << 16;
 
-  std::size_t indexOf(std::uint64_t number) const { return number & (this->Buckets.size() - 1); }
+  std::size_t indexOf(std::uint64_t number) const { return number & this->LastIndex; }
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 
   std::vector<std::vector<Index>> Buckets;
+  /** The number of buckets, a power of two, less 1. */
+  std::uint64_t LastIndex = 0;
   double PerWidth = 1.0;
   std::uint64_t Current = 0;
   std::size_t Next = 0;

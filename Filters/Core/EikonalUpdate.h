@@ -1,9 +1,11 @@
 #ifndef geodesic_EikonalUpdate_h
 #define geodesic_EikonalUpdate_h
 
+#include "Pair.h"
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace geodesic
 {
@@ -11,56 +13,61 @@ namespace geodesic
 /**
  * One triangle laid flat: the edge from corner a to corner b of length c along the x axis, the
  * third corner v, to be updated, at (x, h).
+ * @tparam Real  double, or Pair for two triangles at once
  */
-struct FlatTriangle
+template <class Real>
+struct FlatTriangleOf
 {
   /** Length of the edge. */
-  double c;
+  Real c;
   /** Foot of v on the edge's line, from a. */
-  double x;
+  Real x;
   /** Height of v over the edge, at least 0. */
-  double h;
+  Real h;
 
-  double lengthFromA() const { return std::sqrt(this->x * this->x + this->h * this->h); }
-  double lengthFromB() const
+  Real lengthFromA() const { return root(this->x * this->x + this->h * this->h); }
+  Real lengthFromB() const
   {
-    return std::sqrt((this->c - this->x) * (this->c - this->x) + this->h * this->h);
+    return root((this->c - this->x) * (this->c - this->x) + this->h * this->h);
   }
 };
+using FlatTriangle = FlatTriangleOf<double>;
 
 /**
  * The least distance at v over the inside of the edge, where the distances @p a and @p b at its
  * ends define a flat point source whose straight line to v crosses the edge, or that lies on the
  * edge; +infinity where they don't. A part of pointSourceUpdate, which see.
  */
-inline double pointSourceCrossing(const FlatTriangle& t, double a, double b)
+template <class Real>
+inline Real pointSourceCrossing(
+  const FlatTriangleOf<Real>& t, std::type_identity_t<Real> a, std::type_identity_t<Real> b)
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const bool isTurned = b < a;
-  const double x = isTurned ? t.c - t.x : t.x;
-  const double u = isTurned ? a - b : b - a;
-  if (!(u < t.c))
-  {
-    return none;
-  }
-  const double perEdge = 1.0 / t.c;
-  const double sum = a + b;
+  const Real none = Real() + std::numeric_limits<double>::infinity();
+  const auto isTurned = b < a;
+  const Real x = select(isTurned, t.c - t.x, t.x);
+  const Real u = select(isTurned, a - b, b - a);
+  const Real perEdge = 1.0 / t.c;
+  const Real sum = a + b;
   // The source is at (sourceX, -sourceY), seen from the lower end.
-  const double sourceX = 0.5 * (t.c - u * sum * perEdge);
-  const double s = sum - t.c;
-  const double square = (sum + t.c) * s * (t.c + u) * (t.c - u);
-  if (s <= 0.0)
+  const Real sourceX = 0.5 * (t.c - u * sum * perEdge);
+  const Real s = sum - t.c;
+  const Real square = (sum + t.c) * s * (t.c + u) * (t.c - u);
+  const Real sourceY = 0.5 * root(largest(square, Real())) * perEdge;
+  const Real rise = sourceY + t.h;
+  const Real run = x - sourceX;
+  const Real crossing = sourceX * rise + run * sourceY;
+  const auto isSource = u < t.c;
+  const auto crosses = isSource & (crossing > 0.0) & (crossing < t.c * rise);
+  Real found = select(crosses, root(run * run + rise * rise), none);
+  if (const auto overlap = isSource & (s <= 0.0); any(overlap))
   {
     // The two discs overlap: the source lies on the edge, somewhere within them.
-    const double halfWidth = 0.5 * std::sqrt(std::max(0.0, -square)) * perEdge;
-    const double p = std::clamp(std::clamp(x, sourceX - halfWidth, sourceX + halfWidth), 0.0, t.c);
-    return std::sqrt((x - p) * (x - p) + t.h * t.h);
+    const Real halfWidth = 0.5 * root(largest(-square, Real())) * perEdge;
+    const Real within = largest(sourceX - halfWidth, least(sourceX + halfWidth, x));
+    const Real p = largest(Real(), least(t.c, within));
+    found = select(overlap, root((x - p) * (x - p) + t.h * t.h), found);
   }
-  const double sourceY = 0.5 * std::sqrt(square) * perEdge;
-  const double rise = sourceY + t.h;
-  const double run = x - sourceX;
-  const double crossing = sourceX * rise + run * sourceY;
-  return crossing > 0.0 && crossing < t.c * rise ? std::sqrt(run * run + rise * rise) : none;
+  return found;
 }
 
 /**
@@ -83,20 +90,19 @@ inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
  * Like pointSourceCrossing for a straight front: over the inside of the edge, +infinity where none
  * of the front's straight ways to v crosses it.
  */
-inline double straightFrontCrossing(const FlatTriangle& t, double a, double b, double w = 1.0)
+template <class Real>
+inline Real straightFrontCrossing(const FlatTriangleOf<Real>& t, std::type_identity_t<Real> a,
+  std::type_identity_t<Real> b, std::type_identity_t<Real> w)
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const bool isTurned = b < a;
-  const double low = isTurned ? b : a;
-  const double x = isTurned ? t.c - t.x : t.x;
-  const double sine = (isTurned ? a - b : b - a) / (w * t.c);
-  if (!(sine < 1.0))
-  {
-    return none;
-  }
-  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  const double crossing = x * cosine - sine * t.h;
-  return crossing > 0.0 && crossing < t.c * cosine ? low + w * (sine * x + cosine * t.h) : none;
+  const Real none = Real() + std::numeric_limits<double>::infinity();
+  const auto isTurned = b < a;
+  const Real low = select(isTurned, b, a);
+  const Real x = select(isTurned, t.c - t.x, t.x);
+  const Real sine = select(isTurned, a - b, b - a) / (w * t.c);
+  const Real cosine = root(largest((1.0 - sine) * (1.0 + sine), Real()));
+  const Real crossing = x * cosine - sine * t.h;
+  const auto crosses = (sine < 1.0) & (crossing > 0.0) & (crossing < t.c * cosine);
+  return select(crosses, low + w * (sine * x + cosine * t.h), none);
 }
 
 /**

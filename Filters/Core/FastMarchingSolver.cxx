@@ -10,6 +10,7 @@
 #include "TriangleCost.h"
 #include "TriangleMesh.h"
 
+#include <array>
 #include <utility>
 
 namespace geodesic
@@ -17,15 +18,16 @@ namespace geodesic
 namespace
 {
 
-/** How far ahead in the queue the mesh is fetched: the time that memory takes to answer. */
-constexpr std::size_t Lookahead = 3;
+/** So many vertices are swept before what their crossings gave is proposed. They are of one bucket,
+ * so hardly any of them gains by another. Meanwhile the mesh round the next ones is fetched. */
+constexpr std::size_t Handful = 8;
 
 }
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
   : DistanceSolver(std::move(mesh))
 {
-  this->State.resize(this->mesh().numberOfVertices(), 0);
+  this->State.resize(this->mesh().numberOfVertices());
 }
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
@@ -86,21 +88,30 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
   // Flat: function calls in the loop, which is there once for each kind of cost, take a tenth more.
   QueuedFront front(
     this->Queue, control, label.value, values, [&](std::uint64_t end) __attribute__((flatten)) {
-      while (this->Queue.hasBefore(end) && control.mayGoOn())
+      std::array<Index, Handful> room;
+      while (this->Queue.hasBefore(end))
       {
-        const Index vertex = this->Queue.pop();
-        if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
+        const std::span<const Index> handful = this->Queue.take(room);
+        if (!control.mayGoOn(handful.size()))
         {
-          mesh.prefetch(ahead);
+          break;
         }
-        values.unqueue(vertex);
-        ringSweep.sweep(vertex, values.value(vertex));
+        for (Index next : this->Queue.next(Handful))
+        {
+          mesh.prefetch(next);
+        }
+        for (Index vertex : handful)
+        {
+          values.unqueue(vertex);
+          ringSweep.sweep(vertex, values.value(vertex));
+        }
+        ringSweep.settle();
       }
     });
   const bool finished = request.partition.march(front, limit);
   for (Index vertex : field.reached())
   {
-    this->State[vertex] = 0;
+    this->State[vertex] = {};
     field.setNearestSeed(vertex, label.seed);
   }
   return finished;
@@ -124,25 +135,34 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
 
   // Many small fronts spread over more memory than the processor has near. What says where to look
   // is fetched before what is there.
-  const auto prefetchRound = [&]
+  const auto prefetchNext = [&]
   {
-    if (const Index far = this->Queue.ahead(2 * Lookahead); far != NoIndex)
+    const std::span<const Index> next = this->Queue.next(2 * Handful);
+    for (std::size_t i = 0; i < next.size(); ++i)
     {
-      __builtin_prefetch(&sets[far]);
-      mesh.rings().prefetchStart(sets.vertexOf(far));
-    }
-    if (const Index ahead = this->Queue.ahead(Lookahead); ahead != NoIndex)
-    {
-      mesh.prefetch(sets.vertexOf(ahead));
-    }
-    if (const Index next = this->Queue.ahead(1); next != NoIndex)
-    {
-      for (const RingEntry& entry : mesh.ring(sets.vertexOf(next)))
+      if (i < Handful)
       {
-        __builtin_prefetch(&sets[entry.neighbour()]);
-        __builtin_prefetch(&mesh.position(entry.neighbour()));
+        mesh.prefetch(sets.vertexOf(next[i]));
+      }
+      else
+      {
+        __builtin_prefetch(&sets[next[i]]);
+        mesh.rings().prefetchStart(sets.vertexOf(next[i]));
       }
     }
+  };
+  const auto prefetchNeighbours = [&](Index vertex)
+  {
+    for (const RingEntry& entry : mesh.ring(vertex))
+    {
+      __builtin_prefetch(&sets[entry.neighbour()]);
+      __builtin_prefetch(&mesh.position(entry.neighbour()));
+    }
+  };
+  const auto settle = [&]
+  {
+    round.settle();
+    straight.settle();
   };
   for (const StartValue& start : starts)
   {
@@ -154,26 +174,44 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
   QueuedFront front(
     this->Queue, control, values.firstDistance(),
     values, [&](std::uint64_t end) __attribute__((flatten)) {
-      while (this->Queue.hasBefore(end) && control.mayGoOn())
+      std::array<Index, Handful> room;
+      while (this->Queue.hasBefore(end))
       {
-        const Index popped = this->Queue.pop();
-        prefetchRound();
-        sets[popped].isQueued = false;
-        const LabelSets::Entry entry = sets[popped];
-        const Index vertex = sets.vertexOf(popped);
-        values.setCurrent(entry.label);
-        if (entry.value > values.keptUpTo(vertex))
+        const std::span<const Index> handful = this->Queue.take(room);
+        if (!control.mayGoOn(handful.size()))
         {
-          continue;
+          break;
         }
-        if (labels[entry.label].shape == FrontShape::Round)
+        prefetchNext();
+        for (std::size_t i = 0; i < handful.size(); ++i)
         {
-          round.sweep(vertex, entry.value);
+          if (i + 1 < handful.size())
+          {
+            prefetchNeighbours(sets.vertexOf(handful[i + 1]));
+          }
+          LabelSets::Entry& taken = sets[handful[i]];
+          taken.isQueued = false;
+          if (taken.label != values.current())
+          {
+            settle();
+            values.setCurrent(taken.label);
+          }
+          const double value = sets[handful[i]].value;
+          const Index vertex = sets.vertexOf(handful[i]);
+          if (value > values.keptUpTo(vertex))
+          {
+            continue;
+          }
+          if (labels[values.current()].shape == FrontShape::Round)
+          {
+            round.sweep(vertex, value);
+          }
+          else
+          {
+            straight.sweep(vertex, value);
+          }
         }
-        else
-        {
-          straight.sweep(vertex, entry.value);
-        }
+        settle();
       }
     });
   const bool finished = request.partition.march(front, limit);

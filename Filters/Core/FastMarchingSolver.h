@@ -5,6 +5,7 @@
 #include "CostedStart.h"
 #include "DistanceSolver.h"
 #include "LabelSets.h"
+#include "VertexState.h"
 
 #include <cstdint>
 #include <memory>
@@ -49,7 +50,7 @@ private:
     StopLimit& limit, DistanceField& field);
 
   BucketQueue Queue;
-  std::vector<std::uint8_t> State;
+  std::vector<VertexState> State;
   LabelSets Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */
   std::unique_ptr<FastMarchingSolver> UnitSolver;

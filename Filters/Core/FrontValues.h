@@ -11,10 +11,10 @@
 #include "SolveOptions.h"
 #include "StopLimit.h"
 #include "TriangleMesh.h"
+#include "VertexState.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -67,11 +67,13 @@ class OneLabelValues
 {
 public:
   OneLabelValues(
-    const MarchContext<Cost>& context, const Label& label, std::span<std::uint8_t> state)
+    const MarchContext<Cost>& context, const Label& label, std::span<VertexState> state)
     : Context(context)
     , LeastOf(label, context.cost.smallest())
     , Offset(label.value)
     , State(state)
+    , Distances(context.field.distances())
+    , Positions(context.mesh.positions())
   {
   }
 
@@ -86,12 +88,12 @@ public:
     }
   }
 
-  double value(Index vertex) const { return this->Context.field.distance(vertex) - this->Offset; }
+  double value(Index vertex) const { return this->Distances[vertex] - this->Offset; }
 
   FrontValue look(Index vertex) const
   {
     const double value = this->value(vertex);
-    return { value, value, (this->State[vertex] & Queued) != 0 };
+    return { value, value, this->State[vertex].isQueued };
   }
 
   double ceiling(Index vertex, double value) const
@@ -104,8 +106,8 @@ public:
   FrontValue propose(Index vertex, double value)
   {
     const double old = this->value(vertex);
-    value = this->LeastOf.raised(value, this->Context.mesh.position(vertex));
-    if (!(value < this->ceiling(vertex, old)) || (this->State[vertex] & Pinned) ||
+    value = this->LeastOf.raised(value, this->Positions[vertex]);
+    if (!(value < this->ceiling(vertex, old)) || this->State[vertex].isPinned ||
       this->Context.options.isExcluded(vertex))
     {
       return this->look(vertex);
@@ -117,27 +119,25 @@ public:
   void set(Index vertex, double value)
   {
     this->Context.field.setDistance(vertex, value + this->Offset);
-    if (!(this->State[vertex] & Queued))
+    if (!this->State[vertex].isQueued)
     {
-      this->State[vertex] |= Queued;
+      this->State[vertex].isQueued = true;
       this->Context.queue.push(vertex, value);
     }
   }
 
   /** Keeps the value, whatever is proposed. */
-  void pin(Index vertex) { this->State[vertex] |= Pinned; }
+  void pin(Index vertex) { this->State[vertex].isPinned = true; }
   /** To be called as the vertex is taken from the queue. */
-  void unqueue(Index vertex) { this->State[vertex] &= ~Queued; }
+  void unqueue(Index vertex) { this->State[vertex].isQueued = false; }
 
 private:
-  /** Bits of a vertex's state. */
-  static constexpr std::uint8_t Queued = 1;
-  static constexpr std::uint8_t Pinned = 2;
-
   const MarchContext<Cost>& Context;
   StraightLineBound LeastOf;
   double Offset;
-  std::span<std::uint8_t> State;
+  std::span<VertexState> State;
+  std::span<const double> Distances;
+  std::span<const Vector3> Positions;
 };
 
 /** The values of one of several labels, the current one. */
@@ -163,6 +163,8 @@ public:
     this->Current = label;
     this->Offset = this->Labels[label].value;
   }
+
+  Index current() const { return this->Current; }
 
   FrontValue look(Index vertex) const
   {

@@ -4,6 +4,7 @@
 #include "SolveOptions.h"
 #include "StopLimit.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -36,22 +37,23 @@ public:
   double keptFraction() const { return this->KeptFraction; }
 
   /**
-   * To be asked before each step; false once the run is cancelled.
+   * To be asked before each step, or before several; false once the run is cancelled.
    * @throws std::runtime_error where the march does not end
    */
-  bool mayGoOn()
+  bool mayGoOn(std::size_t steps = 1)
   {
     constexpr std::size_t limitInterval = 32;
-    ++this->Count;
-    if (this->Count % limitInterval == 0)
+    const std::size_t before = this->Count;
+    this->Count += steps;
+    if (this->Count / limitInterval != before / limitInterval)
     {
       this->Limit.update();
     }
-    if (this->Count == this->NextRelaxation)
+    if (this->Count >= this->NextRelaxation)
     {
       this->relax();
     }
-    if (this->Count == this->NextReport)
+    if (this->Count >= this->NextReport)
     {
       this->report();
     }
@@ -68,7 +70,8 @@ private:
 
   void report()
   {
-    this->NextReport += this->Options.progressInterval;
+    const std::size_t interval = std::max<std::size_t>(this->Options.progressInterval, 1);
+    this->NextReport = this->Count + interval - this->Count % interval;
     this->Cancelled = !this->Options.onProgress(this->Count);
   }
 

@@ -3,6 +3,7 @@
 
 #include "ClosedFans.h"
 #include "EikonalUpdate.h"
+#include "Pair.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
 
@@ -11,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace geodesic
@@ -27,9 +29,9 @@ struct FrontValue
   bool isQueued;
 };
 
-/** The way of a front of a shape over the inside of an edge, at cost @p w. */
+/** The ways of a front of a shape over the inside of two edges, at costs @p w. */
 template <FrontShape Shape>
-inline double crossing(const FlatTriangle& t, double a, double b, double w)
+inline Pair crossings(const FlatTriangleOf<Pair>& t, Pair a, Pair b, Pair w)
 {
   return Shape == FrontShape::Round ? w * pointSourceCrossing(t, a / w, b / w)
                                     : straightFrontCrossing(t, a, b, w);
@@ -44,8 +46,9 @@ inline double crossing(const FlatTriangle& t, double a, double b, double w)
  * gain nothing by RingEntry::slack.
  *
  * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
- * waits. So the ring is looked at without branches first, in windows, and what is found noted in
- * the bits of a mask.
+ * waits. So the ring is looked at without branches first, in windows and two neighbours at a time,
+ * and what is found noted in the bits of a mask. Crossings are computed two at a time as well, and
+ * their values only proposed by settle(): so the roots of some sweeps are taken while others go on.
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the neighbours, for the front that is swept:
@@ -65,7 +68,8 @@ public:
   {
   }
 
-  /** Sweeps over the triangles round @p vertex, whose value is now @p value. */
+  /** Sweeps over the triangles round @p vertex, whose value is now @p value. To be followed by
+   * settle(), after a few sweeps of the same front. */
   void sweep(Index vertex, double value)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
@@ -76,137 +80,271 @@ public:
     }
   }
 
+  void settle()
+  {
+    for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
+    {
+      this->FrontValues.propose(this->Proposals[i].vertex, this->Proposals[i].value);
+    }
+    this->NumberOfProposals = 0;
+  }
+
 private:
   static constexpr std::size_t WindowSize = 16;
   /** One bit a neighbour, or the triangle that it opens; or one for each of two ways. */
   using Mask = std::uint32_t;
   static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
 
-  /** Whether the height over an edge, 2 h - c of which is given, is less than a quarter of it. */
-  static bool isThinAt(double slack, double squaredLength)
+  /** A mask in the making, two bits after two. */
+  class GrowingMask
   {
-    return slack * std::abs(slack) < -0.25 * squaredLength;
-  }
+  public:
+    void add(Mask bits) { this->Bits = this->Bits >> 2 | bits << (Digits - 2); }
+    /** The bits that were added, @p size of them. */
+    Mask of(std::size_t size) const { return this->Bits >> (Digits - size); }
 
-  /** The neighbours in a window of a ring. */
+  private:
+    static constexpr std::size_t Digits = std::numeric_limits<Mask>::digits;
+    Mask Bits = 0;
+  };
+
+  /** A vertex and its neighbours in a window of its ring. */
   struct Window
   {
-    std::array<Index, WindowSize> vertices;
-    std::array<double, WindowSize> values;
-    std::array<double, WindowSize> ceilings;
-    std::array<double, WindowSize> squaredLengths;
+    Index vertex;
+    double value;
+    Vector3 centre;
+    std::span<const RingEntry> ring;
+    alignas(Pair) std::array<double, WindowSize> values;
+    alignas(Pair) std::array<double, WindowSize> ceilings;
+    alignas(Pair) std::array<double, WindowSize> squaredLengths;
     /** Waits to be swept with its value. */
-    Mask isQueued = 0;
+    Mask isQueued;
+  };
+
+  /** Who may gain. */
+  struct Gains
+  {
+    /** A neighbour, along the edge to it. */
+    Mask along;
+    /** The neighbour that opens a triangle, or the one after it, over the edge to the other. */
+    Mask first;
+    Mask second;
+    /** The triangles that are thin. */
+    Mask isThin;
   };
 
   void sweepWindow(Index vertex, double value, std::span<const RingEntry> ring, std::size_t first)
   {
-    const Vector3 centre = this->Mesh.position(vertex);
     Window window;
-    Mask isOpen = 0;
-    Mask isHigher = 0;
+    window.vertex = vertex;
+    window.value = value;
+    window.centre = this->Mesh.position(vertex);
+    window.ring = ring;
+    Gains gains = this->look(window);
+
+    const Mask isOpen = this->openTriangles(vertex, ring, first);
+    for (Mask along = gains.along & (isOpen | isOpen << 1); along != 0; along &= along - 1)
+    {
+      this->goAlong(window, std::countr_zero(along), isOpen);
+    }
+
+    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
+    // lies behind the edge may come before it.
+    gains.first |= gains.isThin & gains.along >> 1;
+    gains.second |= gains.isThin & gains.along;
+    gains.first &= isOpen & (gains.isThin | ~(window.isQueued >> 1));
+    gains.second &= isOpen & (gains.isThin | ~window.isQueued);
+    for (Mask ways = gains.first | gains.second << WindowSize; ways != 0;)
+    {
+      const Way a(ways);
+      ways &= ways - 1;
+      const Way b = ways != 0 ? Way(ways) : a;
+      ways &= ways - 1;
+      this->crossBoth(window, a, b);
+    }
+  }
+
+  Gains look(Window& window) const
+  {
+    GrowingMask isQueued;
+    GrowingMask along;
+    GrowingMask first;
+    GrowingMask second;
+    bool hasThin = false;
+    // Of the neighbour before the two that are looked at.
+    Index lastNeighbour = window.vertex;
+    double lastValue = 0.0;
+    double lastCeiling = 0.0;
+    float lastSlack = std::numeric_limits<float>::infinity();
+    const Vector3Of<Pair> centre = pairOf(window.centre, window.centre);
+    const double value = window.value;
+    const std::span<const RingEntry> ring = window.ring;
+    const std::size_t size = ring.size();
+    for (std::size_t i = 0; i < size; i += 2)
+    {
+      const RingEntry a = ring[i];
+      const RingEntry b = ring[std::min(i + 1, size - 1)];
+      const FrontValue knownA = this->FrontValues.look(a.neighbour());
+      const FrontValue knownB = this->FrontValues.look(b.neighbour());
+      const Vector3Of<Pair> offset =
+        pairOf(this->Mesh.position(a.neighbour()), this->Mesh.position(b.neighbour())) - centre;
+      const Pair squares = dot(offset, offset);
+      const Pair values{ knownA.value, knownB.value };
+      const Pair ceilings{ knownA.ceiling, knownB.ceiling };
+      store(values, window.values, i);
+      store(ceilings, window.ceilings, i);
+      store(squares, window.squaredLengths, i);
+      isQueued.add(bit(knownA.isQueued, 0) | bit(knownB.isQueued, 1));
+      hasThin |= a.isThin() | b.isThin();
+
+      const Pair rises = largest(ceilings - value, Pair());
+      along.add(bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0));
+
+      // The triangles that end here: opened by the neighbour before, and by a.
+      const Pair costs{ this->TriangleCost.ofTriangle(window.vertex, lastNeighbour, a.neighbour()),
+        this->TriangleCost.ofTriangle(window.vertex, a.neighbour(), b.neighbour()) };
+      const Pair bounds = value + costs * Pair{ lastSlack, a.slack() };
+      first.add(bitsOf(bounds + values < 2.0 * Pair{ lastCeiling, ceilings[0] }));
+      second.add(bitsOf(bounds + Pair{ lastValue, values[0] } < 2.0 * ceilings));
+      lastNeighbour = b.neighbour();
+      lastValue = values[1];
+      lastCeiling = ceilings[1];
+      lastSlack = b.slack();
+    }
+    const std::size_t bits = size + size % 2;
+    window.isQueued = isQueued.of(bits);
+    return { along.of(bits) & (bit(true, size) - 1), first.of(bits) >> 1, second.of(bits) >> 1,
+      hasThin ? thinTriangles(ring) : 0 };
+  }
+
+  static Mask thinTriangles(std::span<const RingEntry> ring)
+  {
     Mask isThin = 0;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Index neighbour = ring[i].neighbour();
-      const FrontValue known = this->FrontValues.look(neighbour);
-      const Vector3 offset = this->Mesh.position(neighbour) - centre;
-      window.vertices[i] = neighbour;
-      window.values[i] = known.value;
-      window.ceilings[i] = known.ceiling;
-      window.squaredLengths[i] = dot(offset, offset);
-      window.isQueued |= bit(known.isQueued, i);
-      isHigher |= bit(known.ceiling > value, i);
-      isOpen |= bit(ring[i].opensTriangle(), i);
-      isThin |= bit(isThinAt(ring[i].slack(), window.squaredLengths[i]), i);
+      isThin |= bit(ring[i].isThin(), i);
     }
-    isOpen &= bit(true, ring.size() - 1) - 1;
-    for (std::size_t i = 0; !this->Closed.isEmpty() && i < ring.size(); ++i)
-    {
-      isOpen &= ~bit(!this->Closed.isOpen(vertex, first + i), i);
-    }
+    return isThin;
+  }
 
-    Mask gainsAlong = isHigher & (isOpen | isOpen << 1);
-    if constexpr (Cost::isUnit)
+  /** Those that may be crossed, of those that are whole in the window; or just all, where nothing
+   * is closed. */
+  Mask openTriangles(Index vertex, std::span<const RingEntry> ring, std::size_t first) const
+  {
+    if (Cost::isUnit && this->Closed.isEmpty())
     {
-      Mask isShort = 0;
-      for (std::size_t i = 0; i < ring.size(); ++i)
-      {
-        const double rise = window.ceilings[i] - value;
-        isShort |= bit(window.squaredLengths[i] < rise * rise, i);
-      }
-      gainsAlong &= isShort;
+      return ~Mask(0);
     }
-    for (; gainsAlong != 0; gainsAlong &= gainsAlong - 1)
-    {
-      const int i = std::countr_zero(gainsAlong);
-      const double w = this->edgeCost(vertex, window, isOpen, i);
-      this->propose(window, i, value + w * std::sqrt(window.squaredLengths[i]));
-    }
-
-    Mask gainsFirst = 0;
-    Mask gainsSecond = 0;
+    Mask isOpen = 0;
     for (std::size_t i = 0; i + 1 < ring.size(); ++i)
     {
-      const double bound = value + this->triangleCost(vertex, window, i) * ring[i].slack();
-      gainsFirst |= bit(bound + window.values[i + 1] < 2.0 * window.ceilings[i], i);
-      gainsSecond |= bit(bound + window.values[i] < 2.0 * window.ceilings[i + 1], i);
+      isOpen |= bit(this->Closed.isOpen(vertex, first + i), i);
     }
-    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
-    // lies behind the edge may come before it.
-    gainsFirst &= isOpen & (isThin | ~(window.isQueued >> 1));
-    gainsSecond &= isOpen & (isThin | ~window.isQueued);
-    for (Mask gains = gainsFirst | gainsSecond << WindowSize; gains != 0; gains &= gains - 1)
-    {
-      const int number = std::countr_zero(gains);
-      const int i = number % WindowSize;
-      const int isSecond = number / WindowSize;
-      const double w = this->triangleCost(vertex, window, i);
-      this->cross(window, centre, value, i + 1 - isSecond, i + isSecond, w);
-    }
+    return isOpen;
   }
 
-  double triangleCost(Index vertex, const Window& window, std::size_t i) const
+  void goAlong(Window& window, int target, Mask isOpen)
   {
-    return this->TriangleCost.ofTriangle(vertex, window.vertices[i], window.vertices[i + 1]);
-  }
-
-  /** That of the cheaper open triangle beside the edge to neighbour @p i. */
-  double edgeCost(Index vertex, const Window& window, Mask isOpen, int i) const
-  {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    const double after = isOpen >> i & 1 ? this->triangleCost(vertex, window, i) : none;
-    const double before = isOpen << 1 >> i & 1 ? this->triangleCost(vertex, window, i - 1) : none;
-    return Cost::isUnit ? 1.0 : std::min(before, after);
-  }
-
-  /** From the vertex at @p centre and neighbour @p over, over the edge between, to @p target. */
-  void cross(Window& window, const Vector3& centre, double value, int over, int target, double w)
-  {
-    const Vector3 toOver = this->Mesh.position(window.vertices[over]) - centre;
-    const Vector3 toTarget = this->Mesh.position(window.vertices[target]) - centre;
-    const double length = std::sqrt(window.squaredLengths[over]);
-    const double area = norm(geodesic::cross(toOver, toTarget));
-    const double perLength = 1.0 / length;
-    const FlatTriangle flat{ length, dot(toOver, toTarget) * perLength, area * perLength };
-    this->propose(window, target, crossing<Shape>(flat, value, window.values[over], w));
-  }
-
-  void propose(Window& window, int target, double value)
-  {
+    const double length = std::sqrt(window.squaredLengths[target]);
+    const double value = window.value + this->edgeCost(window, isOpen, target) * length;
     if (value < window.ceilings[target])
     {
-      const FrontValue held = this->FrontValues.propose(window.vertices[target], value);
+      const FrontValue held = this->FrontValues.propose(window.ring[target].neighbour(), value);
       window.values[target] = held.value;
       window.ceilings[target] = held.ceiling;
       window.isQueued |= bit(held.isQueued, target);
     }
   }
 
+  static void store(Pair two, std::array<double, WindowSize>& numbers, std::size_t i)
+  {
+    std::memcpy(&numbers[i], &two, sizeof two);
+  }
+
+  double triangleCost(const Window& window, std::size_t i) const
+  {
+    return this->TriangleCost.ofTriangle(
+      window.vertex, window.ring[i].neighbour(), window.ring[i + 1].neighbour());
+  }
+
+  /** That of the cheaper open triangle beside the edge to neighbour @p i. */
+  double edgeCost(const Window& window, Mask isOpen, int i) const
+  {
+    if constexpr (Cost::isUnit)
+    {
+      return 1.0;
+    }
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double after = isOpen >> i & 1 ? this->triangleCost(window, i) : none;
+    const double before = isOpen << 1 >> i & 1 ? this->triangleCost(window, i - 1) : none;
+    return std::min(before, after);
+  }
+
+  /** From the vertex and a neighbour over the edge between to the triangle's third corner. */
+  struct Way
+  {
+    /** The one of the lowest bit in Gains::first and, WindowSize higher, Gains::second. */
+    explicit Way(Mask ways)
+    {
+      const int number = std::countr_zero(ways);
+      const int isSecond = number / static_cast<int>(WindowSize);
+      this->triangle = number % static_cast<int>(WindowSize);
+      this->over = this->triangle + 1 - isSecond;
+      this->target = this->triangle + isSecond;
+    }
+    int triangle;
+    int over;
+    int target;
+  };
+
+  void crossBoth(Window& window, Way a, Way b)
+  {
+    const Vector3Of<Pair> toOver =
+      this->offsets(window, window.ring[a.over].neighbour(), window.ring[b.over].neighbour());
+    const Vector3Of<Pair> toTarget =
+      this->offsets(window, window.ring[a.target].neighbour(), window.ring[b.target].neighbour());
+    const Pair length = root(Pair{ window.squaredLengths[a.over], window.squaredLengths[b.over] });
+    const Pair perLength = 1.0 / length;
+    const FlatTriangleOf<Pair> flat{ length, dot(toOver, toTarget) * perLength,
+      norm(cross(toOver, toTarget)) * perLength };
+    const Pair values = crossings<Shape>(flat, Pair{ window.value, window.value },
+      Pair{ window.values[a.over], window.values[b.over] },
+      Pair{ this->triangleCost(window, a.triangle), this->triangleCost(window, b.triangle) });
+    if (this->NumberOfProposals + 2 > this->Proposals.size())
+    {
+      this->settle();
+    }
+    this->noteProposal(window, a.target, values[0]);
+    this->noteProposal(window, b.target, values[1]);
+  }
+
+  void noteProposal(const Window& window, int target, double value)
+  {
+    this->Proposals[this->NumberOfProposals] = { window.ring[target].neighbour(), value };
+    this->NumberOfProposals += value < window.ceilings[target] ? 1 : 0;
+  }
+
+  /** From the vertex of a window to two others. */
+  Vector3Of<Pair> offsets(const Window& window, Index a, Index b) const
+  {
+    return pairOf(this->Mesh.position(a), this->Mesh.position(b)) -
+      pairOf(window.centre, window.centre);
+  }
+
+  struct Proposal
+  {
+    Index vertex;
+    double value;
+  };
+
   const TriangleMesh& Mesh;
   const ClosedFans& Closed;
   const Cost& TriangleCost;
   Values& FrontValues;
+  /** What settle() proposes. */
+  std::array<Proposal, 64> Proposals;
+  std::size_t NumberOfProposals = 0;
 };
 
 }

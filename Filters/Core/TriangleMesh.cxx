@@ -100,8 +100,8 @@ using Sizes = std::array<double, 4>;
 TriangleMeasure measured(double longestSide, double doubleArea)
 {
   const double leastHeight = longestSide > 0.0 ? doubleArea / longestSide : 0.0;
-  return { roundedDown(2.0 * leastHeight - longestSide), roundedUp(longestSide),
-    roundedUp(labelMargin(longestSide, leastHeight)) };
+  return { roundedDown(2.0 * leastHeight - longestSide), leastHeight < 0.25 * longestSide,
+    roundedUp(longestSide), roundedUp(labelMargin(longestSide, leastHeight)) };
 }
 
 }

@@ -21,6 +21,10 @@ struct OppositeSide
   Index first;
   Index second;
   float slack;
+  bool isThin;
+
+  /** The entry of an end, where the fan goes on over the triangle. */
+  RingEntry opening(Index end) const { return { end, this->slack, this->isThin }; }
 };
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
@@ -43,8 +47,8 @@ public:
       std::size_t front = sides.size();
       std::size_t back = front + 1;
       const OppositeSide side = this->takeAny();
-      this->Fan[front] = RingEntry(side.first, true, side.slack);
-      this->Fan[back] = RingEntry(side.second, false);
+      this->Fan[front] = side.opening(side.first);
+      this->Fan[back] = RingEntry(side.second);
       bool isClosed = false;
       while (!isClosed)
       {
@@ -56,8 +60,8 @@ public:
         }
         const OppositeSide next = this->take(place);
         const Index other = otherEnd(next, end);
-        this->Fan[back] = RingEntry(end, true, next.slack);
-        this->Fan[++back] = RingEntry(other, false);
+        this->Fan[back] = next.opening(end);
+        this->Fan[++back] = RingEntry(other);
         isClosed = other == this->Fan[front].neighbour();
       }
       while (!isClosed)
@@ -69,7 +73,7 @@ public:
           break;
         }
         const OppositeSide next = this->take(place);
-        this->Fan[--front] = RingEntry(otherEnd(next, end), true, next.slack);
+        this->Fan[--front] = next.opening(otherEnd(next, end));
         isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
       }
       entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
@@ -207,7 +211,7 @@ public:
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
       const OppositeSide& side = sides[place];
-      fan[i] = RingEntry(side.first, true, side.slack);
+      fan[i] = side.opening(side.first);
       // The place of a vertex where no side begins is one from another ring.
       place = this->PlaceOf[side.second];
       if (place >= sides.size() || sides[place].first != side.second)
@@ -216,7 +220,7 @@ public:
       }
       if (place == 0)
       {
-        fan[i + 1] = RingEntry(side.second, false);
+        fan[i + 1] = RingEntry(side.second);
         return i + 1 == sides.size();
       }
     }
@@ -255,12 +259,12 @@ public:
   {
   }
   std::uint32_t triangle() const { return this->Bits >> 2; }
-  OppositeSide oppositeSide(const Triangle& t, float slack) const
+  OppositeSide oppositeSide(const Triangle& t, const TriangleMeasure& measure) const
   {
     constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
     constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
     const std::uint32_t number = this->Bits & 3;
-    return { t[next[number]], t[afterNext[number]], slack };
+    return { t[next[number]], t[afterNext[number]], measure.slack, measure.isThin };
   }
 
 private:
@@ -336,7 +340,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
         {
           const Corner corner = found.corners[begin++];
           const TriangleMeasure& measure = measures[corner.triangle()];
-          side = corner.oppositeSide(triangles[corner.triangle()], measure.slack);
+          side = corner.oppositeSide(triangles[corner.triangle()], measure);
           longest = std::max(longest, measure.longestSide);
           margin = std::max(margin, measure.margin);
         }

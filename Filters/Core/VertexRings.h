@@ -6,6 +6,7 @@
 #include "ThreadTeam.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,30 +21,40 @@ class RingEntry
 {
 public:
   constexpr RingEntry() = default;
-  /** @param slack of the triangle that the entry opens */
-  constexpr RingEntry(Index neighbour, bool opensTriangle, float slack = 0.0f)
-    : Bits(neighbour | (opensTriangle ? TriangleBit : 0u))
+  /** Opens no triangle. */
+  constexpr explicit RingEntry(Index neighbour)
+    : Bits(neighbour)
+    , Slack(std::numeric_limits<float>::infinity())
+  {
+  }
+  /** Opens a triangle, of which the rest tells. */
+  constexpr RingEntry(Index neighbour, float slack, bool isThin)
+    : Bits(neighbour | TriangleBit | (isThin ? ThinBit : 0u))
     , Slack(slack)
   {
   }
-  constexpr Index neighbour() const { return this->Bits & ~TriangleBit; }
+  constexpr Index neighbour() const { return this->Bits & MaximumVertices; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
+  /** Whether the triangle's height over its longest side is less than a quarter of that. */
+  constexpr bool isThin() const { return (this->Bits & ThinBit) != 0; }
 
   /**
    * Tells from three values that no update of the triangle can gain anything: the least of 2 h - c
    * over its sides, with c the length of the side and h the height over it, rounded down. A
    * distance is 1-Lipschitz, so nowhere on a side less than (a + b - c) / 2 with a and b at its
-   * ends; over it the third corner gets no less than (a + b + slack) / 2.
+   * ends; over it the third corner gets no less than (a + b + slack) / 2. +infinity without a
+   * triangle.
    */
   constexpr float slack() const { return this->Slack; }
 
   friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
 
   /** Largest number of vertices that the entry can tell apart. */
-  static constexpr Index MaximumVertices = 0x7fffffffu;
+  static constexpr Index MaximumVertices = 0x3fffffffu;
 
 private:
   static constexpr Index TriangleBit = 0x80000000u;
+  static constexpr Index ThinBit = 0x40000000u;
   Index Bits = 0;
   float Slack = 0.0f;
 };
@@ -51,8 +62,9 @@ private:
 /** What rings tell of the size of a triangle. */
 struct TriangleMeasure
 {
-  /** RingEntry::slack */
+  /** RingEntry::slack and isThin */
   float slack;
+  bool isThin;
   /** Rounded up. */
   float longestSide;
   /** labelMargin(), rounded up. */

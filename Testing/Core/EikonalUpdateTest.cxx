@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -86,6 +87,29 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
     const double straight = straightFrontUpdate(t, a, b, w);
     EXPECT_LE(straight, straightFrontUpdate(t, a + step, b, w) + 1e-12);
     EXPECT_LE(straight, straightFrontUpdate(t, a, b + step, w) + 1e-12);
+  }
+}
+
+TEST(EikonalUpdate, TwoAtOnceAreTheSame)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0.0, 3.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 20000; ++i)
+  {
+    const std::array<FlatTriangle, 2> t{ randomTriangle(random), randomTriangle(random) };
+    const FlatTriangleOf<Pair> both{ Pair{ t[0].c, t[1].c }, Pair{ t[0].x, t[1].x },
+      Pair{ t[0].h, t[1].h } };
+    const Pair a{ uniform(random), uniform(random) };
+    const Pair b{ uniform(random), i % 10 == 0 ? infinity : uniform(random) };
+    const Pair w{ 1.0, 2.0 };
+    const Pair round = pointSourceCrossing(both, a, b);
+    const Pair straight = straightFrontCrossing(both, a, b, w);
+    for (int k = 0; k < 2; ++k)
+    {
+      EXPECT_EQ(round[k], pointSourceCrossing(t[k], a[k], b[k]));
+      EXPECT_EQ(straight[k], straightFrontCrossing(t[k], a[k], b[k], w[k]));
+    }
   }
 }
 

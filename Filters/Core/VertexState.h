@@ -1,0 +1,18 @@
+#ifndef geodesic_VertexState_h
+#define geodesic_VertexState_h
+
+namespace geodesic
+{
+
+/** What a march of one label notes of a vertex beside its value. */
+struct VertexState
+{
+  /** It waits to be swept with its value. */
+  bool isQueued : 1 = false;
+  /** It keeps its value, whatever is proposed. */
+  bool isPinned : 1 = false;
+};
+
+}
+
+#endif
