@@ -1,6 +1,7 @@
 #ifndef geodesic_BulkVector_h
 #define geodesic_BulkVector_h
 
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -8,6 +9,13 @@
 
 namespace geodesic
 {
+
+/**
+ * Has the system hand out memory that is soon to be written as a whole. It comes in pages as they
+ * are first touched; to ask for many at once costs half as much. Memory that is there already stays
+ * as it is, and where the system cannot be asked nothing happens.
+ */
+void askForPages(void* memory, std::size_t bytes) noexcept;
 
 /** Leaves elements that are made without a value as they are found in memory. */
 template <class T>
@@ -25,6 +33,13 @@ public:
   template <class Other>
   UninitializedAllocator(const UninitializedAllocator<Other>&) noexcept
   {
+  }
+
+  T* allocate(std::size_t count)
+  {
+    T* const elements = std::allocator<T>::allocate(count);
+    askForPages(elements, count * sizeof(T));
+    return elements;
   }
 
   template <class Element>

@@ -1,185 +1,132 @@
 #include "ClosestPointTree.h"
 
+#include "RunCuts.h"
+#include "SearchedTriangle.h"
 #include "ShearedRay.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace geodesic
 {
-namespace
-{
 
-constexpr Index TrianglesPerLeaf = 4;
-constexpr Index ChildrenPerNode = 4;
-
-struct OnTriangle
-{
-  std::array<double, 3> weights;
-  double squaredDistance;
-};
-
-/** Nearest point of the side from corner @p i to corner @p j. */
-OnTriangle onSide(const std::array<Vector3, 3>& corners, int i, int j, const Vector3& query)
-{
-  const Vector3 side = corners[j] - corners[i];
-  const double length2 = dot(side, side);
-  const double t =
-    length2 > 0.0 ? std::clamp(dot(query - corners[i], side) / length2, 0.0, 1.0) : 0.0;
-  const Vector3 away = query - (corners[i] + t * side);
-  OnTriangle result{ { 0.0, 0.0, 0.0 }, dot(away, away) };
-  result.weights[i] = 1.0 - t;
-  result.weights[j] = t;
-  return result;
-}
-
-/** A triangle in space, to be searched for its point nearest to a query. */
-class SearchedTriangle
+/** Cuts runs into runs, from the whole surface down. */
+class ClosestPointTree::Builder
 {
 public:
-  SearchedTriangle(const std::array<Vector3, 3>& corners, const Vector3& query)
-    : Corners(corners)
-    , Query(query)
-    , Side1(corners[1] - corners[0])
-    , Side2(corners[2] - corners[0])
-    , Normal(cross(this->Side1, this->Side2))
-    , SquaredNormal(dot(this->Normal, this->Normal))
-    , Height(dot(query - corners[0], this->Normal))
+  explicit Builder(ClosestPointTree& tree)
+    : Tree(tree)
+    , Cuts(*tree.Mesh)
   {
   }
 
-  /** Tells by the distance to its plane that the triangle is farther away than a known distance. */
-  bool isBeyond(double squaredDistance) const
+  /** Adds a node, and all below it, for the triangles from @p first to before @p last. */
+  RunBounds addNode(Index first, Index last)
   {
-    // The normal of a needle is too uncertain.
-    constexpr double leastSquaredSine = 1e-8;
-    return this->Height * this->Height > squaredDistance * this->SquaredNormal &&
-      this->SquaredNormal >
-      leastSquaredSine * dot(this->Side1, this->Side1) * dot(this->Side2, this->Side2);
-  }
-
-  OnTriangle nearest() const
-  {
-    if (!(this->SquaredNormal > 0.0))
+    const std::size_t number = this->Tree.Nodes.size();
+    this->Tree.Nodes.emplace_back();
+    const Parts parts = this->partsOf(first, last);
+    std::array<RunBounds, FourRunBounds::Runs> bounds;
+    for (std::size_t i = 0; i < parts.count; ++i)
     {
-      return this->nearestOnSides({ true, true, true });
+      const Index begin = parts.begins[i];
+      const Index end = parts.begins[i + 1];
+      Run run{ begin, end - begin };
+      if (run.triangles > TrianglesPerLeaf)
+      {
+        run = { static_cast<Index>(this->Tree.Nodes.size()), 0 };
+        bounds[i] = this->addNode(begin, end);
+      }
+      else
+      {
+        bounds[i] = this->boundsOf(begin, end);
+      }
+      Node& node = this->Tree.Nodes[number];
+      node.runs[i] = run;
+      node.bounds.set(i, bounds[i]);
     }
-    const Vector3 toQuery = this->Query - this->Corners[0];
-    const double w1 = dot(cross(toQuery, this->Side2), this->Normal) / this->SquaredNormal;
-    const double w2 = dot(cross(this->Side1, toQuery), this->Normal) / this->SquaredNormal;
-    const double w0 = 1.0 - w1 - w2;
-    if (w0 >= 0.0 && w1 >= 0.0 && w2 >= 0.0)
-    {
-      return { { w0, w1, w2 }, this->Height * this->Height / this->SquaredNormal };
-    }
-    return this->nearestOnSides({ !(w0 >= 0.0), !(w1 >= 0.0), !(w2 >= 0.0) });
+    return RunBounds::ofRuns({ bounds.data(), parts.count });
   }
 
 private:
-  /** On the sides opposite to some corners. */
-  OnTriangle nearestOnSides(const std::array<bool, 3>& isSearched) const
+  static constexpr Index TrianglesPerLeaf = 8;
+
+  struct Parts
   {
-    OnTriangle best{ {}, std::numeric_limits<double>::infinity() };
-    for (int corner = 0; corner < 3; ++corner)
+    std::size_t count;
+    /** Of each part, and the end of the last one. */
+    std::array<Index, FourRunBounds::Runs + 1> begins;
+  };
+
+  /** Cuts the largest part again and again. */
+  Parts partsOf(Index first, Index last) const
+  {
+    Parts parts{ 1, { first, last } };
+    auto& [count, begins] = parts;
+    while (count < FourRunBounds::Runs)
     {
-      if (isSearched[corner])
+      std::size_t largest = 0;
+      for (std::size_t i = 1; i < count; ++i)
       {
-        const OnTriangle found =
-          onSide(this->Corners, (corner + 1) % 3, (corner + 2) % 3, this->Query);
-        best = found.squaredDistance < best.squaredDistance ? found : best;
+        largest = begins[i + 1] - begins[i] > begins[largest + 1] - begins[largest] ? i : largest;
       }
+      if (begins[largest + 1] - begins[largest] <= TrianglesPerLeaf)
+      {
+        break;
+      }
+      const Index cut = this->Cuts.cut(begins[largest], begins[largest + 1]);
+      std::copy_backward(&begins[largest + 1], &begins[count + 1], &begins[count + 1] + 1);
+      begins[largest + 1] = cut;
+      ++count;
     }
-    return best;
+    return parts;
   }
 
-  const std::array<Vector3, 3>& Corners;
-  const Vector3& Query;
-  Vector3 Side1;
-  Vector3 Side2;
-  Vector3 Normal;
-  double SquaredNormal;
-  double Height;
+  RunBounds boundsOf(Index first, Index last) const
+  {
+    std::array<Vector3, std::size_t{ 3 } * TrianglesPerLeaf> corners;
+    std::size_t count = 0;
+    for (Index t = first; t < last; ++t)
+    {
+      for (const Vector3& corner : this->Tree.cornersOf(t))
+      {
+        corners[count++] = corner - this->Tree.Origin;
+      }
+    }
+    return RunBounds::ofTriangles({ corners.data(), count });
+  }
+
+  ClosestPointTree& Tree;
+  RunCuts Cuts;
 };
-
-/** How far a number is outside an interval. */
-double outside(double x, double low, double high)
-{
-  return std::max(std::max(low - x, x - high), 0.0);
-}
-
-float roundedDown(double x)
-{
-  const float rounded = static_cast<float>(x);
-  return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
-
-}
 
 ClosestPointTree::ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh)
   : Mesh(std::move(mesh))
 {
-  const Index triangles = this->Mesh->numberOfTriangles();
-  if (triangles == 0)
+  if (this->Mesh->numberOfTriangles() > 0)
   {
-    return;
-  }
-  this->Origin = this->Mesh->position(0);
-  auto& leaves = this->Levels.emplace_back();
-  leaves.reserve(triangles / TrianglesPerLeaf + 1);
-  for (Index first = 0; first < triangles; first += TrianglesPerLeaf)
-  {
-    const Index last = std::min(first + TrianglesPerLeaf, triangles);
-    leaves.push_back({ this->boxOfTriangles(first, last),
-      this->slabOfTriangles(this->normalOfTriangles(first, last), first, last) });
-  }
-  std::size_t trianglesPerNode = TrianglesPerLeaf;
-  while (this->Levels.back().size() > 1)
-  {
-    const std::vector<Bounds>& below = this->Levels.back();
-    trianglesPerNode *= ChildrenPerNode;
-    std::vector<Bounds> level;
-    for (std::size_t child = 0; child < below.size(); child += ChildrenPerNode)
-    {
-      Box box = below[child].box;
-      Vector3 across;
-      for (std::size_t i = child; i < std::min(child + ChildrenPerNode, below.size()); ++i)
-      {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          box.low[axis] = std::min(box.low[axis], below[i].box.low[axis]);
-          box.high[axis] = std::max(box.high[axis], below[i].box.high[axis]);
-        }
-        across = across + below[i].slab.direction();
-      }
-      const std::size_t first = level.size() * trianglesPerNode;
-      const std::size_t last = std::min<std::size_t>(first + trianglesPerNode, triangles);
-      level.push_back({ box,
-        this->slabOfTriangles(across, static_cast<Index>(first), static_cast<Index>(last)) });
-    }
-    this->Levels.push_back(std::move(level));
+    this->Origin = this->Mesh->position(0);
+    Builder(*this).addNode(0, this->Mesh->numberOfTriangles());
+    this->Nodes.shrink_to_fit();
   }
 }
 
-ClosestPointTree::Box ClosestPointTree::boxOfTriangles(Index first, Index last) const
+/** Has the processor fetch what a run is, which is soon to be read. */
+[[gnu::always_inline]] inline void ClosestPointTree::prefetch(const Run& run) const
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector3 low{ infinity, infinity, infinity };
-  Vector3 high{ -infinity, -infinity, -infinity };
-  for (Index t = first; t < last; ++t)
+  if (run.triangles > 0)
   {
-    for (Index v : this->Mesh->triangle(t))
-    {
-      const Vector3 p = this->Mesh->position(v) - this->Origin;
-      low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-      high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-    }
+    __builtin_prefetch(&this->Mesh->triangle(run.first));
+    return;
   }
-  return { { roundedDown(low.x), roundedDown(low.y), roundedDown(low.z) },
-    { -roundedDown(-high.x), -roundedDown(-high.y), -roundedDown(-high.z) } };
+  constexpr std::size_t cacheLine = 64;
+  const auto* const node = reinterpret_cast<const char*>(&this->Nodes[run.first]);
+  for (std::size_t offset = 0; offset < sizeof(Node); offset += cacheLine)
+  {
+    __builtin_prefetch(node + offset);
+  }
 }
 
 std::array<Vector3, 3> ClosestPointTree::cornersOf(Index triangle) const
@@ -189,92 +136,36 @@ std::array<Vector3, 3> ClosestPointTree::cornersOf(Index triangle) const
     this->Mesh->position(corners[2]) };
 }
 
-Vector3 ClosestPointTree::normalOfTriangles(Index first, Index last) const
-{
-  Vector3 sum;
-  for (Index t = first; t < last; ++t)
-  {
-    const auto& [a, b, c] = this->Mesh->triangle(t);
-    const Vector3& start = this->Mesh->position(a);
-    sum = sum + cross(this->Mesh->position(b) - start, this->Mesh->position(c) - start);
-  }
-  return sum;
-}
-
-ClosestPointTree::Slab ClosestPointTree::slabOfTriangles(
-  const Vector3& across, Index first, Index last) const
-{
-  // Not beyond 1 when rounded. Without a direction the slab is all of space.
-  constexpr double wantedLength = 1.0 - 1e-6;
-  const double length = norm(across);
-  const double scale = length > 0.0 && std::isfinite(length) ? wantedLength / length : 0.0;
-  if (scale == 0.0)
-  {
-    return Slab();
-  }
-  Slab slab{ static_cast<float>(scale * across.x), static_cast<float>(scale * across.y),
-    static_cast<float>(scale * across.z) };
-  const Vector3 direction = slab.direction();
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (Index t = first; t < last; ++t)
-  {
-    for (Index v : this->Mesh->triangle(t))
-    {
-      const double along = dot(direction, this->Mesh->position(v) - this->Origin);
-      low = std::min(low, along);
-      high = std::max(high, along);
-    }
-  }
-  slab.low = roundedDown(low);
-  slab.high = -roundedDown(-high);
-  return slab;
-}
-
 ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) const
 {
-  if (this->Levels.empty())
+  if (this->Nodes.empty())
   {
     throw std::invalid_argument("The surface has no triangle that a point could lie on.");
   }
-  // No point of the run is nearer.
-  const auto squaredDistance = [](const Bounds& bounds, const Vector3& p)
-  {
-    const auto& [low, high] = bounds.box;
-    const Vector3 gap{ outside(p.x, low[0], high[0]), outside(p.y, low[1], high[1]),
-      outside(p.z, low[2], high[2]) };
-    const Slab& slab = bounds.slab;
-    const double along = dot(slab.direction(), p);
-    const double gapAlong = outside(along, slab.low, slab.high);
-    return std::max(dot(gap, gap), gapAlong * gapAlong);
-  };
   struct Pending
   {
     double squaredDistance;
-    std::size_t level;
-    Index box;
+    double toCentre;
+    Run run;
   };
-  const auto farther = [](const Pending& a, const Pending& b)
-  { return a.squaredDistance > b.squaredDistance; };
+  const auto farther = [](const Pending& a, const Pending& b) { return a.toCentre > b.toCentre; };
 
   const Vector3 fromOrigin = query - this->Origin;
   Index nearest = NoIndex;
   OnTriangle best{ {}, std::numeric_limits<double>::infinity() };
-  std::vector<Pending> pending{ { 0.0, this->Levels.size() - 1, 0 } };
+  std::vector<Pending> pending{ { 0.0, 0.0, { 0, 0 } } };
   while (!pending.empty())
   {
-    std::pop_heap(pending.begin(), pending.end(), farther);
     const Pending next = pending.back();
     pending.pop_back();
     if (next.squaredDistance >= best.squaredDistance)
     {
-      break;
+      continue;
     }
-    if (next.level == 0)
+    const auto [first, triangles] = next.run;
+    if (triangles > 0)
     {
-      const Index first = next.box * TrianglesPerLeaf;
-      const Index last = std::min(first + TrianglesPerLeaf, this->Mesh->numberOfTriangles());
-      for (Index t = first; t < last; ++t)
+      for (Index t = first; t < first + triangles; ++t)
       {
         const std::array<Vector3, 3> corners = this->cornersOf(t);
         const SearchedTriangle triangle(corners, query);
@@ -291,18 +182,20 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       }
       continue;
     }
-    const std::vector<Bounds>& children = this->Levels[next.level - 1];
-    const Index first = next.box * ChildrenPerNode;
-    const Index last = std::min<Index>(first + ChildrenPerNode, children.size());
-    for (Index child = first; child < last; ++child)
+    // The least distance of a large run tells nothing of where in it the nearest point may be. Its
+    // centre is a better guess, and a good first guess keeps the search short.
+    const Node& node = this->Nodes[first];
+    const auto [least, toCentre] = node.bounds.squaredDistances(fromOrigin);
+    const std::size_t start = pending.size();
+    for (std::size_t i = 0; i < FourRunBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
-      const double distance = squaredDistance(children[child], fromOrigin);
-      if (distance < best.squaredDistance)
+      if (least[i] < best.squaredDistance)
       {
-        pending.push_back({ distance, next.level - 1, child });
-        std::push_heap(pending.begin(), pending.end(), farther);
+        this->prefetch(node.runs[i]);
+        pending.push_back({ least[i], toCentre[i], node.runs[i] });
       }
     }
+    std::sort(pending.begin() + start, pending.end(), farther);
   }
 
   if (nearest == NoIndex)
@@ -319,7 +212,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
 std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
   const Vector3& origin, const Vector3& direction) const
 {
-  if (this->Levels.empty())
+  if (this->Nodes.empty())
   {
     return {};
   }
@@ -329,14 +222,13 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
   struct Pending
   {
     double entry;
-    std::size_t level;
-    Index box;
+    Run run;
   };
   const auto farther = [](const Pending& a, const Pending& b) { return a.entry > b.entry; };
 
   Index nearest = NoIndex;
   ShearedRay::Crossing best{ {}, std::numeric_limits<double>::infinity() };
-  std::vector<Pending> pending{ { 0.0, this->Levels.size() - 1, 0 } };
+  std::vector<Pending> pending{ { 0.0, { 0, 0 } } };
   while (!pending.empty())
   {
     const Pending next = pending.back();
@@ -345,11 +237,10 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
     {
       continue;
     }
-    if (next.level == 0)
+    const auto [first, triangles] = next.run;
+    if (triangles > 0)
     {
-      const Index first = next.box * TrianglesPerLeaf;
-      const Index last = std::min(first + TrianglesPerLeaf, this->Mesh->numberOfTriangles());
-      for (Index t = first; t < last; ++t)
+      for (Index t = first; t < first + triangles; ++t)
       {
         const auto crossing = toTriangles.crossing(this->cornersOf(t));
         if (crossing && crossing->along >= 0.0 && crossing->along < best.along)
@@ -361,18 +252,14 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
       continue;
     }
     // Nearest child last, so that it is looked at first.
-    const std::vector<Bounds>& children = this->Levels[next.level - 1];
-    const Index first = next.box * ChildrenPerNode;
-    const Index last = std::min<Index>(first + ChildrenPerNode, children.size());
+    const Node& node = this->Nodes[first];
     const std::size_t start = pending.size();
-    for (Index child = first; child < last; ++child)
+    for (std::size_t i = 0; i < FourRunBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
-      const Box& box = children[child].box;
-      const double entry = toBoxes.entry(
-        { box.low[0], box.low[1], box.low[2] }, { box.high[0], box.high[1], box.high[2] });
+      const double entry = toBoxes.entry(node.bounds.low(i), node.bounds.high(i));
       if (entry <= best.along && entry < std::numeric_limits<double>::infinity())
       {
-        pending.push_back({ entry, next.level - 1, child });
+        pending.push_back({ entry, node.runs[i] });
       }
     }
     std::sort(pending.begin() + start, pending.end(), farther);

@@ -1,6 +1,7 @@
 #ifndef geodesic_ClosestPointTree_h
 #define geodesic_ClosestPointTree_h
 
+#include "RunBounds.h"
 #include "SurfacePoint.h"
 #include "Vector3.h"
 
@@ -19,10 +20,10 @@ class TriangleMesh;
  * only at vertices.
  *
  * The triangles of a TriangleMesh already follow a space filling curve, so consecutive ones lie
- * together: a hierarchy of bounds over runs of them needs no sorting, no child pointers and about
- * 15 bytes a triangle. A run is bounded by a box and by a slab across the mean of its normals. Seen
- * from far inside a smooth surface, where nearly all of it is nearly as near as its nearest point,
- * boxes alone would tell little.
+ * together: a hierarchy of bounds over runs of them needs no sorting. A run is cut where the curve
+ * jumps farthest (see RunCuts), so that its parts lie in one place each, and is bounded by a box
+ * and by a flat cylinder (see RunBounds): boxes alone would tell little wherever the surface is
+ * smooth and much of it is nearly as near as its nearest point. Holds about 20 bytes a triangle.
  */
 class ClosestPointTree
 {
@@ -57,39 +58,28 @@ public:
   std::optional<Result> firstOnRay(const Vector3& origin, const Vector3& direction) const;
 
 private:
-  struct Box
+  class Builder;
+  /** Some triangles from a first one on; where there are none, the node of that number. */
+  struct Run
   {
-    float low[3];
-    float high[3];
+    Index first = NoIndex;
+    Index triangles = 0;
   };
-  /** The points p with low <= direction p <= high. */
-  struct Slab
+  /** The parts that a run is cut into; missing ones come last and have no first. */
+  struct Node
   {
-    /** At most of length 1. */
-    Vector3 direction() const { return { this->x, this->y, this->z }; }
-
-    float x = 0.0f;
-    float y = 0.0f;
-    float z = 0.0f;
-    float low = 0.0f;
-    float high = 0.0f;
-  };
-  struct Bounds
-  {
-    Box box;
-    Slab slab;
+    FourRunBounds bounds;
+    std::array<Run, FourRunBounds::Runs> runs;
   };
 
-  Box boxOfTriangles(Index first, Index last) const;
   std::array<Vector3, 3> cornersOf(Index triangle) const;
-  Vector3 normalOfTriangles(Index first, Index last) const;
-  Slab slabOfTriangles(const Vector3& across, Index first, Index last) const;
+  void prefetch(const Run& run) const;
 
   std::shared_ptr<const TriangleMesh> Mesh;
   /** Bounds are stored relative to this point, so that floats resolve a surface far from 0. */
   Vector3 Origin;
-  /** Levels[0] bounds runs of triangles; each further level bounds runs of the one below. */
-  std::vector<std::vector<Bounds>> Levels;
+  /** The first one holds all triangles. */
+  std::vector<Node> Nodes;
 };
 
 }

@@ -1,8 +1,9 @@
 #include "SpatialOrder.h"
 
+#include "MortonCurve.h"
+
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -12,8 +13,6 @@ namespace geodesic
 namespace
 {
 
-constexpr int BitsPerAxis = 21;
-constexpr int CodeBits = 3 * BitsPerAxis;
 constexpr int RadixBits = 11;
 constexpr int RadixPasses = 3;
 
@@ -25,77 +24,30 @@ struct Keyed
 };
 constexpr int KeyBits = 32;
 
-/** Moves the low 21 bits of @p value to every third bit. */
-std::uint64_t spread(std::uint64_t value)
+BoundingBox boxOf(
+  std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
-  value = (value | value << 32) & 0x1f00000000ffffull;
-  value = (value | value << 16) & 0x1f0000ff0000ffull;
-  value = (value | value << 8) & 0x100f00f00f00f00full;
-  value = (value | value << 4) & 0x10c30c30c30c30c3ull;
-  value = (value | value << 2) & 0x1249249249249249ull;
-  return value;
-}
-
-struct Bounds
-{
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector3 low{ infinity, infinity, infinity };
-  Vector3 high{ -infinity, -infinity, -infinity };
-
-  void add(const Vector3& lowest, const Vector3& highest)
-  {
-    const auto [lx, ly, lz] = lowest;
-    const auto [hx, hy, hz] = highest;
-    this->low = { std::min(this->low.x, lx), std::min(this->low.y, ly), std::min(this->low.z, lz) };
-    this->high = { std::max(this->high.x, hx), std::max(this->high.y, hy),
-      std::max(this->high.z, hz) };
-  }
-};
-
-/** A Morton curve through the bounding cube of the points that are used. */
-class MortonCurve
-{
-public:
-  MortonCurve(
-    std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
-  {
-    std::vector<Bounds> boundsOfRange(team.numberOfRanges(points.size()));
-    team.run(points.size(),
-      [&](std::size_t range, std::size_t first, std::size_t last)
-      {
-        Bounds bounds;
-        for (std::size_t i = first; i < last; ++i)
-        {
-          if (used[i])
-          {
-            bounds.add(points[i], points[i]);
-          }
-        }
-        boundsOfRange[range] = bounds;
-      });
-    Bounds bounds;
-    for (const Bounds& other : boundsOfRange)
+  std::vector<BoundingBox> boxOfRange(team.numberOfRanges(points.size()));
+  team.run(points.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      bounds.add(other.low, other.high);
-    }
-    const Vector3 size = bounds.high - bounds.low;
-    const double extent = std::max({ size.x, size.y, size.z });
-    this->Low = bounds.low;
-    this->CellsPerUnit = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
-  }
-
-  std::uint64_t codeOf(const Vector3& point) const
+      BoundingBox box;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (used[i])
+        {
+          box.add(points[i]);
+        }
+      }
+      boxOfRange[range] = box;
+    });
+  BoundingBox box;
+  for (const BoundingBox& other : boxOfRange)
   {
-    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
-    return spread(static_cast<std::int64_t>(cell.x)) |
-      spread(static_cast<std::int64_t>(cell.y)) << 1 |
-      spread(static_cast<std::int64_t>(cell.z)) << 2;
+    box.add(other.low, other.high);
   }
-
-private:
-  Vector3 Low;
-  double CellsPerUnit;
-};
+  return box;
+}
 
 BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::uint8_t> used,
   const MortonCurve& curve, const ThreadTeam& team)
@@ -115,7 +67,7 @@ BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::u
         if (used[i])
         {
           const std::uint64_t code = curve.codeOf(points[i]);
-          keyed[next++] = { static_cast<std::uint32_t>(code >> (CodeBits - KeyBits)),
+          keyed[next++] = { static_cast<std::uint32_t>(code >> (MortonCurve::CodeBits - KeyBits)),
             static_cast<Index>(i) };
         }
       }
@@ -244,7 +196,7 @@ void sortRuns(BulkVector<Keyed>& keyed, std::span<const Vector3> points, const M
 BulkVector<Index> spatialOrder(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
-  const MortonCurve curve(points, used, team);
+  const MortonCurve curve(boxOf(points, used, team));
   BulkVector<Keyed> keyed = keysOf(points, used, curve, team);
   radixSort(keyed, team);
   sortRuns(keyed, points, curve, team);

@@ -1,11 +1,10 @@
 #include "TriangleMesh.h"
 
-#include "LabelMargin.h"
 #include "SpatialOrder.h"
+#include "TriangleBlock.h"
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -74,34 +73,6 @@ Index lowestCorner(const Triangle& t)
 bool repeatsCorner(const Triangle& t)
 {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-/** More than what rounding to a float can change. */
-double roundingOf(double x)
-{
-  return std::abs(x) * std::numeric_limits<float>::epsilon() +
-    std::numeric_limits<float>::denorm_min();
-}
-
-float roundedUp(double x)
-{
-  return static_cast<float>(x + roundingOf(x));
-}
-
-float roundedDown(double x)
-{
-  constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::min(x - roundingOf(x), largest));
-}
-
-/** Of a triangle: the lengths of its sides, and twice its area. */
-using Sizes = std::array<double, 4>;
-
-TriangleMeasure measured(double longestSide, double doubleArea)
-{
-  const double leastHeight = longestSide > 0.0 ? doubleArea / longestSide : 0.0;
-  return { roundedDown(2.0 * leastHeight - longestSide), leastHeight < 0.25 * longestSide,
-    roundedUp(longestSide), roundedUp(labelMargin(longestSide, leastHeight)) };
 }
 
 }
@@ -256,49 +227,24 @@ void TriangleMesh::forgetBareVertices()
 BulkVector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
 {
   // Sums over blocks of one size, so that their sum does not depend on the threads.
-  constexpr std::size_t blockSize = 64;
+  constexpr std::size_t blockSize = TriangleBlock::Size;
   struct Block
   {
-    double sum = 0.0;
-    double longest = 0.0;
+    double sum;
+    double longest;
   };
-  std::vector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
+  BulkVector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
   BulkVector<TriangleMeasure> measures(this->Triangles.size());
   team.run(blocks.size(),
     [&](std::size_t, std::size_t firstBlock, std::size_t lastBlock)
     {
       for (std::size_t number = firstBlock; number < lastBlock; ++number)
       {
-        Block block;
         const std::size_t first = number * blockSize;
-        const std::size_t end = std::min(first + blockSize, this->Triangles.size());
-        std::array<Sizes, blockSize> squares{};
-        for (std::size_t t = first; t < end; ++t)
-        {
-          const Vector3& a = this->Positions[this->Triangles[t][0]];
-          const Vector3& b = this->Positions[this->Triangles[t][1]];
-          const Vector3& c = this->Positions[this->Triangles[t][2]];
-          const Vector3 normal = cross(b - a, c - a);
-          squares[t - first] = { dot(c - b, c - b), dot(a - c, a - c), dot(b - a, b - a),
-            dot(normal, normal) };
-        }
-        // By itself the compiler takes the roots of several at a time.
-        for (Sizes& square : squares)
-        {
-          for (double& x : square)
-          {
-            x = std::sqrt(x);
-          }
-        }
-        for (std::size_t t = first; t < end; ++t)
-        {
-          const auto& [a, b, c, doubleArea] = squares[t - first];
-          const double longest = std::max(a, std::max(b, c));
-          measures[t] = measured(longest, doubleArea);
-          block.sum += a + b + c;
-          block.longest = std::max(block.longest, longest);
-        }
-        blocks[number] = block;
+        const std::size_t count = std::min(blockSize, this->Triangles.size() - first);
+        const TriangleBlock block({ &this->Triangles[first], count }, this->Positions);
+        block.measure({ &measures[first], count });
+        blocks[number] = { block.sumOfLengths(), block.longestSide() };
       }
     });
   double sum = 0.0;

@@ -27,6 +27,13 @@ struct OppositeSide
   RingEntry opening(Index end) const { return { end, this->slack, this->isThin }; }
 };
 
+OppositeSide oppositeSide(const Triangle& t, std::uint32_t corner, const TriangleMeasure& measure)
+{
+  constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
+  constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
+  return { t[next[corner]], t[afterNext[corner]], measure.slack, measure.isThin };
+}
+
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
 class FanChainer
 {
@@ -207,20 +214,27 @@ public:
     {
       this->PlaceOf[sides[i].first] = static_cast<Place>(i);
     }
+    // Looked up before they are followed: then no look-up waits for the one before.
+    bool hasNext = true;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      // The place of a vertex where no side begins is one from another ring.
+      const Place next = this->PlaceOf[sides[i].second];
+      hasNext &= next < sides.size() && sides[next].first == sides[i].second;
+      this->NextOf[i] = next;
+    }
+    if (!hasNext)
+    {
+      return false;
+    }
     std::size_t place = 0;
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      const OppositeSide& side = sides[place];
-      fan[i] = side.opening(side.first);
-      // The place of a vertex where no side begins is one from another ring.
-      place = this->PlaceOf[side.second];
-      if (place >= sides.size() || sides[place].first != side.second)
-      {
-        return false;
-      }
+      fan[i] = sides[place].opening(sides[place].first);
+      place = this->NextOf[place];
       if (place == 0)
       {
-        fan[i + 1] = RingEntry(side.second);
+        fan[i + 1] = RingEntry(sides[0].first);
         return i + 1 == sides.size();
       }
     }
@@ -230,6 +244,7 @@ public:
 private:
   using Place = std::uint8_t;
   std::vector<Place> PlaceOf;
+  std::array<Place, std::numeric_limits<Place>::max()> NextOf;
 };
 
 /** Calls visit(v, t, c) for each corner c of a triangle t whose vertex v is in a range. */
@@ -247,50 +262,6 @@ void visitCorners(Index first, Index last, std::span<const Triangle> triangles, 
       }
     }
   }
-}
-
-/** Names a corner of a triangle. */
-class Corner
-{
-public:
-  Corner() = default;
-  Corner(std::uint32_t triangle, std::uint32_t number)
-    : Bits(triangle << 2 | number)
-  {
-  }
-  std::uint32_t triangle() const { return this->Bits >> 2; }
-  OppositeSide oppositeSide(const Triangle& t, const TriangleMeasure& measure) const
-  {
-    constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
-    constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
-    const std::uint32_t number = this->Bits & 3;
-    return { t[next[number]], t[afterNext[number]], measure.slack, measure.isThin };
-  }
-
-private:
-  std::uint32_t Bits = 0;
-};
-
-/** The corners of triangles at a range of vertices, vertex by vertex. */
-struct CornersOfRange
-{
-  BulkVector<Corner> corners;
-  /** Where those of each vertex end. */
-  BulkVector<std::uint32_t> ends;
-};
-
-CornersOfRange cornersOfRange(Index first, Index last, std::span<const Triangle> triangles,
-  std::span<const std::uint32_t> counts)
-{
-  CornersOfRange found;
-  found.ends.resize(counts.size());
-  std::exclusive_scan(counts.begin(), counts.end(), found.ends.begin(), 0u);
-  found.corners.resize(counts.empty() ? 0 : found.ends.back() + counts.back());
-  // Filling moves the place of each vertex to its end.
-  visitCorners(first, last, triangles,
-    [&](Index v, std::uint32_t t, std::uint32_t c)
-    { found.corners[found.ends[v - first]++] = Corner(t, c); });
-  return found;
 }
 
 }
@@ -323,30 +294,42 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      const CornersOfRange found = cornersOfRange(static_cast<Index>(first),
-        static_cast<Index>(last), triangles, { &this->Starts[first], last - first });
+      std::size_t start = starts[range] + first;
+      for (std::size_t v = first; v < last; ++v)
+      {
+        const std::uint32_t count = this->Starts[v];
+        this->Starts[v] = static_cast<std::uint32_t>(start);
+        start += count + 1;
+      }
+      // At first a ring names the corners at its vertex: triangles, and for slack which corner.
+      // Filling moves its start to its end.
+      visitCorners(static_cast<Index>(first), static_cast<Index>(last), triangles,
+        [&](Index v, std::uint32_t t, std::uint32_t c)
+        { this->Entries[this->Starts[v]++] = RingEntry(t, static_cast<float>(c), false); });
       ClosedFanChainer closedFan(numberOfVertices);
       FanChainer anyFans;
       BulkVector<OppositeSide> sides;
       std::vector<RingEntry> fans;
-      std::uint32_t begin = 0;
+      start = starts[range] + first;
       for (std::size_t v = first; v < last; ++v)
       {
-        const std::uint32_t end = found.ends[v - first];
-        sides.resize(end - begin);
+        const std::size_t end = this->Starts[v];
+        this->Starts[v] = static_cast<std::uint32_t>(start);
+        sides.resize(end - start);
         float longest = 0.0f;
         float margin = 0.0f;
         for (OppositeSide& side : sides)
         {
-          const Corner corner = found.corners[begin++];
-          const TriangleMeasure& measure = measures[corner.triangle()];
-          side = corner.oppositeSide(triangles[corner.triangle()], measure);
+          const RingEntry corner = this->Entries[start++];
+          const std::uint32_t t = corner.neighbour();
+          const TriangleMeasure& measure = measures[t];
+          side = oppositeSide(triangles[t], static_cast<std::uint32_t>(corner.slack()), measure);
           longest = std::max(longest, measure.longestSide);
           margin = std::max(margin, measure.margin);
         }
+        ++start;
         this->LongestSides[v] = longest;
         this->Margins[v] = margin;
-        this->Starts[v] = static_cast<std::uint32_t>(starts[range] + end - sides.size() + v);
         const std::span<RingEntry> ring{ &this->Entries[this->Starts[v]], sides.size() + 1 };
         if (!closedFan.chain(sides, ring))
         {

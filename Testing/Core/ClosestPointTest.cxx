@@ -16,7 +16,8 @@ using namespace geodesic::testing;
 namespace
 {
 
-void checkAgainstAllTriangles(const Surface& surface, const Vector3& shift)
+/** @param reach of the queries from 0, on each axis */
+void checkAgainstAllTriangles(const Surface& surface, const Vector3& shift, double reach = 1.5)
 {
   Surface moved = surface;
   for (Vector3& p : moved.points)
@@ -26,7 +27,7 @@ void checkAgainstAllTriangles(const Surface& surface, const Vector3& shift)
   const auto mesh = meshOf(moved);
   const ClosestPointTree tree(mesh);
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  std::uniform_real_distribution<double> uniform(-reach, reach);
   for (int i = 0; i < 20; ++i)
   {
     const double x = uniform(random);
@@ -50,6 +51,53 @@ TEST(ClosestPoint, AgreesWithASearchThroughAllTriangles)
 {
   checkAgainstAllTriangles(icosphere(2), {});
   checkAgainstAllTriangles(planeGrid(30, 3, 1.0, 1.0), {});
+}
+
+// From near its centre all of a sphere is nearly as near as its nearest point.
+TEST(ClosestPoint, AgreesFarInsideASphere)
+{
+  for (double reach : { 1e-3, 0.05, 0.4 })
+  {
+    checkAgainstAllTriangles(icosphere(4), {}, reach);
+  }
+}
+
+TEST(ClosestPoint, AgreesFarOutsideASphere)
+{
+  checkAgainstAllTriangles(icosphere(4), {}, 20.0);
+}
+
+TEST(ClosestPoint, AgreesBetweenPartsFarFromEachOther)
+{
+  Surface far = torus(40, 20, 0.4, 0.2);
+  for (Vector3& p : far.points)
+  {
+    p = p + Vector3{ 7.0, -5.0, 6.0 };
+  }
+  const Surface both = joined(icosphere(3), far);
+  checkAgainstAllTriangles(both, {});
+  checkAgainstAllTriangles(both, { -3.5, 2.5, -3.0 });
+}
+
+// Larger than floats can hold, and smaller.
+TEST(ClosestPoint, SizesOfAllKindsAreSearched)
+{
+  const Surface unit = icosphere(4);
+  const ClosestPointTree tree(meshOf(unit));
+  for (double size : { 1e-42, 1e-30, 1e30, 1e42 })
+  {
+    Surface scaled = unit;
+    for (Vector3& p : scaled.points)
+    {
+      p = size * p;
+    }
+    const ClosestPointTree scaledTree(meshOf(scaled));
+    for (const Vector3& query : { Vector3{ 0.1, 0.2, 0.3 }, Vector3{ -1.0, 1.5, 0.7 } })
+    {
+      const double expected = tree.closestPoint(query).distance;
+      EXPECT_NEAR(scaledTree.closestPoint(size * query).distance / size, expected, 1e-12);
+    }
+  }
 }
 
 TEST(ClosestPoint, AgreesAmongNeedlesAndTrianglesWithoutAnArea)
