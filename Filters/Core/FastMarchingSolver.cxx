@@ -20,7 +20,7 @@ namespace
 
 /** So many vertices are swept before what their crossings gave is proposed. They are of one bucket,
  * so hardly any of them gains by another. Meanwhile the mesh round the next ones is fetched. */
-constexpr std::size_t Handful = 8;
+constexpr std::size_t Handful = 12;
 
 }
 

@@ -98,9 +98,10 @@ public:
 
   double ceiling(Index vertex, double value) const
   {
-    const double reach = this->Context.cost.reach(vertex);
-    return std::min(
-      value * this->Context.control.keptFraction(), this->Context.limit.with(reach) - this->Offset);
+    const double counts = value * this->Context.control.keptFraction();
+    return this->Context.limit.isNone()
+      ? counts
+      : std::min(counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - this->Offset);
   }
 
   FrontValue propose(Index vertex, double value)
@@ -168,12 +169,15 @@ public:
 
   FrontValue look(Index vertex) const
   {
+    const LabelSets::Entry& first = this->Sets[vertex];
+    if (first.label == this->Current || first.label == LabelSets::NoLabel) [[likely]]
+    {
+      return { first.value, first.value, first.isQueued != 0 };
+    }
     const Index known = this->Sets.find(vertex, this->Current);
     if (known == NoIndex)
     {
-      const double kept =
-        this->Sets.isEmpty(vertex) ? DistanceField::Unreached : this->keptUpTo(vertex);
-      return { DistanceField::Unreached, kept, false };
+      return { DistanceField::Unreached, this->keptUpTo(vertex), false };
     }
     const LabelSets::Entry& entry = this->Sets[known];
     return { entry.value, entry.value, entry.isQueued != 0 };
@@ -205,9 +209,11 @@ public:
 
   double ceiling(Index vertex, double value) const
   {
-    const double reach = this->Context.cost.reach(vertex);
-    return std::min({ value * this->Context.control.keptFraction(), this->keptUpTo(vertex),
-      this->Context.limit.with(reach) - this->Offset });
+    const double kept =
+      std::min(value * this->Context.control.keptFraction(), this->keptUpTo(vertex));
+    return this->Context.limit.isNone()
+      ? kept
+      : std::min(kept, this->Context.limit.with(this->Context.cost.reach(vertex)) - this->Offset);
   }
 
   FrontValue propose(Index vertex, double value)

@@ -28,6 +28,7 @@ public:
   }
 
   double value() const { return this->Limit; }
+  bool isNone() const { return this->Limit == DistanceField::Unreached; }
 
   /**
    * The largest value that may still matter where neighbours differ by up to @p reach: one above

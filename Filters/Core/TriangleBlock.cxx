@@ -78,7 +78,6 @@ TriangleBlock::TriangleBlock(
 void TriangleBlock::measure(std::span<TriangleMeasure> measures) const
 {
   Numbers slacks;
-  std::array<bool, Size> isThin;
   Numbers longestSides;
   Numbers margins;
   for (std::size_t i = 0; i < this->Triangles; ++i)
@@ -87,14 +86,13 @@ void TriangleBlock::measure(std::span<TriangleMeasure> measures) const
     // A triangle whose longest side is 0 has no height.
     const double leastHeight =
       this->DoubleAreas[i] / std::max(longest, std::numeric_limits<double>::min());
-    isThin[i] = leastHeight < 0.25 * longest;
     slacks[i] = roundedDown(2.0 * leastHeight - longest);
     longestSides[i] = roundedUp(longest);
     margins[i] = roundedUp(labelMargin(longest, leastHeight));
   }
   for (std::size_t i = 0; i < this->Triangles; ++i)
   {
-    measures[i] = { static_cast<float>(slacks[i]), isThin[i], static_cast<float>(longestSides[i]),
+    measures[i] = { static_cast<float>(slacks[i]), static_cast<float>(longestSides[i]),
       static_cast<float>(margins[i]) };
   }
 }

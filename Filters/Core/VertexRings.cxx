@@ -31,7 +31,7 @@ OppositeSide oppositeSide(const Triangle& t, std::uint32_t corner, const Triangl
 {
   constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
   constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
-  return { t[next[corner]], t[afterNext[corner]], measure.slack, measure.isThin };
+  return { t[next[corner]], t[afterNext[corner]], measure.slack, measure.isThin() };
 }
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
@@ -301,11 +301,11 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
         this->Starts[v] = static_cast<std::uint32_t>(start);
         start += count + 1;
       }
-      // At first a ring names the corners at its vertex: triangles, and for slack which corner.
-      // Filling moves its start to its end.
+      // At first a ring names the corners at its vertex: triangles, and in the bits of slack which
+      // corner. Filling moves its start to its end.
       visitCorners(static_cast<Index>(first), static_cast<Index>(last), triangles,
         [&](Index v, std::uint32_t t, std::uint32_t c)
-        { this->Entries[this->Starts[v]++] = RingEntry(t, static_cast<float>(c), false); });
+        { this->Entries[this->Starts[v]++] = RingEntry(t, std::bit_cast<float>(c), false); });
       ClosedFanChainer closedFan(numberOfVertices);
       FanChainer anyFans;
       BulkVector<OppositeSide> sides;
@@ -323,7 +323,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
           const RingEntry corner = this->Entries[start++];
           const std::uint32_t t = corner.neighbour();
           const TriangleMeasure& measure = measures[t];
-          side = oppositeSide(triangles[t], static_cast<std::uint32_t>(corner.slack()), measure);
+          side = oppositeSide(triangles[t], std::bit_cast<std::uint32_t>(corner.slack()), measure);
           longest = std::max(longest, measure.longestSide);
           margin = std::max(margin, measure.margin);
         }

@@ -62,9 +62,11 @@ private:
 /** What rings tell of the size of a triangle. */
 struct TriangleMeasure
 {
-  /** RingEntry::slack and isThin */
+  /** RingEntry::isThin */
+  bool isThin() const { return this->slack < -0.5f * this->longestSide; }
+
+  /** RingEntry::slack */
   float slack;
-  bool isThin;
   /** Rounded up. */
   float longestSide;
   /** labelMargin(), rounded up. */

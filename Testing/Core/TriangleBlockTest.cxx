@@ -55,16 +55,16 @@ TEST(TriangleBlock, MeasuresAreRoundedToTheSafeSide)
 TEST(TriangleBlock, ThinIsLessThanAQuarterOfTheLongestSideHigh)
 {
   const std::vector<TriangleMeasure> measures = measuresOf(Triangles);
-  EXPECT_FALSE(measures[0].isThin);
-  EXPECT_TRUE(measures[1].isThin);
-  // 4 long and 1 high, and a little lower.
-  const std::vector<Vector3> flat{ { 0.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 },
+  EXPECT_FALSE(measures[0].isThin());
+  EXPECT_TRUE(measures[1].isThin());
+  // 4 long, and a little higher than 1 or lower.
+  const std::vector<Vector3> flat{ { 0.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 1.0, 1.01, 0.0 },
     { 1.0, 0.99, 0.0 } };
   const std::vector<Triangle> triangles{ { 0, 1, 2 }, { 0, 1, 3 } };
   std::vector<TriangleMeasure> two(2);
   TriangleBlock(triangles, flat).measure(two);
-  EXPECT_FALSE(two[0].isThin);
-  EXPECT_TRUE(two[1].isThin);
+  EXPECT_FALSE(two[0].isThin());
+  EXPECT_TRUE(two[1].isThin());
 }
 
 TEST(TriangleBlock, ATriangleIsMeasuredTheSameInEveryPlace)
