@@ -4,7 +4,6 @@
 #include "SolveOptions.h"
 #include "StopLimit.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -29,7 +28,8 @@ public:
     , Limit(limit)
     , Patience(400 * (std::size_t{ numberOfVertices } + 100))
     , NextRelaxation(this->Patience)
-    , NextReport(options.onProgress ? options.progressInterval : Never)
+    , NextReport(
+        options.onProgress && options.progressInterval > 0 ? options.progressInterval : Never)
   {
   }
 
@@ -53,7 +53,7 @@ public:
     {
       this->relax();
     }
-    if (this->Count >= this->NextReport)
+    while (this->Count >= this->NextReport && !this->Cancelled)
     {
       this->report();
     }
@@ -70,9 +70,8 @@ private:
 
   void report()
   {
-    const std::size_t interval = std::max<std::size_t>(this->Options.progressInterval, 1);
-    this->NextReport = this->Count + interval - this->Count % interval;
-    this->Cancelled = !this->Options.onProgress(this->Count);
+    this->Cancelled = !this->Options.onProgress(this->NextReport);
+    this->NextReport += this->Options.progressInterval;
   }
 
   void relax()

@@ -63,7 +63,7 @@ struct SolveOptions
   TargetMode targetMode = TargetMode::Any;
   /**
    * Called with the number of vertices taken from the queue so far, each time that another
-   * @a progressInterval were, or a few more; returning false cancels the run.
+   * @a progressInterval were; returning false cancels the run.
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;

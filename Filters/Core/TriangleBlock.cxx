@@ -109,8 +109,14 @@ double TriangleBlock::sumOfLengths() const
 
 double TriangleBlock::longestSide() const
 {
-  return *std::max_element(
-    this->LongestSides.begin(), this->LongestSides.begin() + this->Triangles);
+  // Two at a time, the last with itself where it is alone.
+  Pair longest{};
+  for (std::size_t i = 0; i < this->Triangles; i += 2)
+  {
+    const std::size_t next = std::min(i + 1, this->Triangles - 1);
+    longest = largest(longest, Pair{ this->LongestSides[i], this->LongestSides[next] });
+  }
+  return std::max(longest[0], longest[1]);
 }
 
 }

@@ -18,20 +18,18 @@ namespace
 /** The side of a triangle that faces the vertex whose ring is built. */
 struct OppositeSide
 {
-  Index first;
+  /** That of the side's first end, where it opens the triangle. */
+  RingEntry opening;
   Index second;
-  float slack;
-  bool isThin;
 
-  /** The entry of an end, where the fan goes on over the triangle. */
-  RingEntry opening(Index end) const { return { end, this->slack, this->isThin }; }
+  Index first() const { return this->opening.neighbour(); }
 };
 
 OppositeSide oppositeSide(const Triangle& t, std::uint32_t corner, const TriangleMeasure& measure)
 {
   constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
   constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
-  return { t[next[corner]], t[afterNext[corner]], measure.slack, measure.isThin() };
+  return { { t[next[corner]], measure.slack, measure.isThin() }, t[afterNext[corner]] };
 }
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
@@ -54,7 +52,7 @@ public:
       std::size_t front = sides.size();
       std::size_t back = front + 1;
       const OppositeSide side = this->takeAny();
-      this->Fan[front] = side.opening(side.first);
+      this->Fan[front] = side.opening;
       this->Fan[back] = RingEntry(side.second);
       bool isClosed = false;
       while (!isClosed)
@@ -67,7 +65,7 @@ public:
         }
         const OppositeSide next = this->take(place);
         const Index other = otherEnd(next, end);
-        this->Fan[back] = next.opening(end);
+        this->Fan[back] = next.opening.at(end);
         this->Fan[++back] = RingEntry(other);
         isClosed = other == this->Fan[front].neighbour();
       }
@@ -80,7 +78,7 @@ public:
           break;
         }
         const OppositeSide next = this->take(place);
-        this->Fan[--front] = next.opening(otherEnd(next, end));
+        this->Fan[--front] = next.opening.at(otherEnd(next, end));
         isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
       }
       entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
@@ -97,7 +95,7 @@ private:
 
   static Index otherEnd(const OppositeSide& side, Index end)
   {
-    return side.first ^ side.second ^ end;
+    return side.first() ^ side.second ^ end;
   }
 
   void indexSides()
@@ -107,7 +105,7 @@ private:
     this->NextStart = 0;
     for (std::size_t i = 0; i < this->Sides.size(); ++i)
     {
-      this->Ends.emplace_back(this->Sides[i].first, i);
+      this->Ends.emplace_back(this->Sides[i].first(), i);
       this->Ends.emplace_back(this->Sides[i].second, i);
     }
     std::sort(this->Ends.begin(), this->Ends.end());
@@ -156,7 +154,7 @@ private:
     for (std::size_t i = 0; i < this->Left; ++i)
     {
       const OppositeSide& side = this->Sides[i];
-      found |= static_cast<Mask>((side.first == vertex) | (side.second == vertex)) << i;
+      found |= static_cast<Mask>((side.first() == vertex) | (side.second == vertex)) << i;
     }
     return found == 0 ? None : std::countr_zero(found);
   }
@@ -212,7 +210,7 @@ public:
     }
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      this->PlaceOf[sides[i].first] = static_cast<Place>(i);
+      this->PlaceOf[sides[i].first()] = static_cast<Place>(i);
     }
     // Looked up before they are followed: then no look-up waits for the one before.
     bool hasNext = true;
@@ -220,7 +218,7 @@ public:
     {
       // The place of a vertex where no side begins is one from another ring.
       const Place next = this->PlaceOf[sides[i].second];
-      hasNext &= next < sides.size() && sides[next].first == sides[i].second;
+      hasNext &= next < sides.size() && sides[next].first() == sides[i].second;
       this->NextOf[i] = next;
     }
     if (!hasNext)
@@ -230,11 +228,11 @@ public:
     std::size_t place = 0;
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      fan[i] = sides[place].opening(sides[place].first);
+      fan[i] = sides[place].opening;
       place = this->NextOf[place];
       if (place == 0)
       {
-        fan[i + 1] = RingEntry(sides[0].first);
+        fan[i + 1] = RingEntry(sides[0].first());
         return i + 1 == sides.size();
       }
     }

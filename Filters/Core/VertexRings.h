@@ -33,6 +33,11 @@ public:
     , Slack(slack)
   {
   }
+  /** The entry of another neighbour that opens the same triangle. */
+  constexpr RingEntry at(Index neighbour) const
+  {
+    return { neighbour, this->Slack, this->isThin() };
+  }
   constexpr Index neighbour() const { return this->Bits & MaximumVertices; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
   /** Whether the triangle's height over its longest side is less than a quarter of that. */

@@ -169,12 +169,8 @@ TYPED_TEST(Request, ProgressIsReportedAndCancels)
   };
   EXPECT_EQ(solver.solve(this->oneSeed, options).stopReason(), StopReason::Exhausted);
   ASSERT_GT(counts.size(), 50u);
-  // A few steps may be taken at once.
-  for (std::size_t i = 0; i < 50; ++i)
-  {
-    EXPECT_EQ(counts[i] / options.progressInterval, i + 1);
-    EXPECT_LT(counts[i] % options.progressInterval, 10u);
-  }
+  EXPECT_EQ(counts.front(), 50u);
+  EXPECT_EQ(counts[1], 100u);
   options.onProgress = [](std::size_t count) { return count < 200; };
   EXPECT_EQ(solver.solve(this->oneSeed, options).stopReason(), StopReason::Cancelled);
   const auto whole = this->solve(this->oneSeed, {});
