@@ -101,7 +101,7 @@ private:
   public:
     void add(Mask bits) { this->Bits = this->Bits >> 2 | bits << (Digits - 2); }
     /** The bits that were added, @p size of them. */
-    Mask of(std::size_t size) const { return this->Bits >> (Digits - size); }
+    Mask of(std::size_t size) const { return this->Bits >> (Digits - size) % Digits; }
 
   private:
     static constexpr std::size_t Digits = std::numeric_limits<Mask>::digits;
