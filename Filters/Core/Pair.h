@@ -44,6 +44,7 @@ inline Pair select(PairTest test, Pair a, Pair b)
   return test ? a : b;
 }
 
+/** These two are the second number where one is NaN. */
 inline double least(double a, double b)
 {
   return a < b ? a : b;

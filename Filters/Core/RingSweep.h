@@ -80,6 +80,7 @@ public:
     }
   }
 
+  /** Proposes what the sweeps since the last call found over edges. */
   void settle()
   {
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)

@@ -1,6 +1,7 @@
 #include "RunBounds.h"
 
 #include "MortonCurve.h"
+#include "Pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,52 +153,37 @@ void FourRunBounds::set(std::size_t run, const RunBounds& bounds)
 
 FourRunBounds::SquaredDistances FourRunBounds::squaredDistances(const Vector3& query) const
 {
-  // Spelt out, as compilers make branches of plain loops, which no processor can foretell.
-  constexpr std::size_t lanes = 2;
-  using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
-  // A gap that is NaN, as where no float can hold the box, is none: then b is taken.
-  const auto larger = [](Lanes a, Lanes b) { return a > b ? a : b; };
-  const auto outside = [&](Lanes x, Lanes low, Lanes high)
-  { return larger(larger(low - x, x - high), Lanes{}); };
-  const std::array<double, 3> q{ query.x, query.y, query.z };
+  // Two at a time, as compilers make branches of plain loops, which no processor can foretell. A
+  // gap that is NaN, as where no float can hold the box, is none: largest() takes its second number
+  // then.
+  const auto outside = [](Pair x, Pair low, Pair high)
+  { return largest(largest(low - x, x - high), Pair()); };
 
   SquaredDistances result;
-  for (std::size_t first = 0; first < Runs; first += lanes)
+  for (std::size_t first = 0; first < Runs; first += 2)
   {
-    const auto of = [first](const Numbers& numbers) {
-      return Lanes{ numbers[first], numbers[first + 1] };
+    const auto pairIn = [first](const Numbers& numbers) {
+      return Pair{ numbers[first], numbers[first + 1] };
     };
-    Lanes toBox{};
-    Lanes along{};
-    Lanes toCentre{};
-    std::array<Lanes, 3> x;
-    for (int i = 0; i < 3; ++i)
-    {
-      const Lanes low = of(this->Low[i]);
-      const Lanes high = of(this->High[i]);
-      const Lanes gap = outside(Lanes{} + q[i], low, high);
-      toBox += gap * gap;
-      x[i] = q[i] - 0.5 * (low + high);
-      along += of(this->Axis[i]) * x[i];
-      toCentre += x[i] * x[i];
-    }
-    Lanes toAxis{};
-    for (int i = 0; i < 3; ++i)
-    {
-      const Lanes side = x[i] - along * of(this->Axis[i]);
-      toAxis += side * side;
-    }
-    for (std::size_t i = 0; i < lanes; ++i)
-    {
-      toAxis[i] = std::sqrt(toAxis[i]);
-    }
+    const auto vectorIn = [&](const std::array<Numbers, 3>& numbers) {
+      return Vector3Of<Pair>{ pairIn(numbers[0]), pairIn(numbers[1]), pairIn(numbers[2]) };
+    };
+    const Vector3Of<Pair> q = pairOf(query, query);
+    const Vector3Of<Pair> low = vectorIn(this->Low);
+    const Vector3Of<Pair> high = vectorIn(this->High);
+    const Vector3Of<Pair> axis = vectorIn(this->Axis);
+    const Vector3Of<Pair> toBox{ outside(q.x, low.x, high.x), outside(q.y, low.y, high.y),
+      outside(q.z, low.z, high.z) };
+    const Vector3Of<Pair> x = q - Pair{ 0.5, 0.5 } * (low + high);
+    const Pair along = dot(axis, x);
     // With an axis a not longer than 1, (a x)^2 + |x - (a x) a|^2 is not above x^2.
-    const Lanes gapAlong = outside(along, of(this->AlongLow), of(this->AlongHigh));
-    const Lanes gapAcross = larger(toAxis - of(this->Radius), Lanes{});
-    const Lanes toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;
-    const Lanes least = larger(toCylinder, toBox);
-    std::memcpy(&result.least[first], &least, sizeof(Lanes));
-    std::memcpy(&result.toCentre[first], &toCentre, sizeof(Lanes));
+    const Pair gapAlong = outside(along, pairIn(this->AlongLow), pairIn(this->AlongHigh));
+    const Pair gapAcross = largest(norm(x - along * axis) - pairIn(this->Radius), Pair());
+    const Pair toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;
+    const Pair least = largest(toCylinder, dot(toBox, toBox));
+    const Pair toCentre = dot(x, x);
+    std::memcpy(&result.least[first], &least, sizeof least);
+    std::memcpy(&result.toCentre[first], &toCentre, sizeof toCentre);
   }
   return result;
 }
