@@ -159,11 +159,6 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
       __builtin_prefetch(&mesh.position(entry.neighbour()));
     }
   };
-  const auto settle = [&]
-  {
-    round.settle();
-    straight.settle();
-  };
   for (const StartValue& start : starts)
   {
     values.setCurrent(start.label);
@@ -191,11 +186,7 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
           }
           LabelSets::Entry& taken = sets[handful[i]];
           taken.isQueued = false;
-          if (taken.label != values.current())
-          {
-            settle();
-            values.setCurrent(taken.label);
-          }
+          values.setCurrent(taken.label);
           const double value = sets[handful[i]].value;
           const Index vertex = sets.vertexOf(handful[i]);
           if (value > values.keptUpTo(vertex))
@@ -211,7 +202,8 @@ bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const Start
             straight.sweep(vertex, value);
           }
         }
-        settle();
+        round.settle();
+        straight.settle();
       }
     });
   const bool finished = request.partition.march(front, limit);

@@ -77,6 +77,7 @@ public:
   {
   }
 
+  Index current() const { return 0; }
   void setCurrent(Index) {}
   double keyOf(double value) const { return value; }
 

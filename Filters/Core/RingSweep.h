@@ -52,6 +52,7 @@ inline Pair crossings(const FlatTriangleOf<Pair>& t, Pair a, Pair b, Pair w)
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the neighbours, for the front that is swept:
+ *                 current(), setCurrent(Index) tell and change which label that is;
  *                 look(Index) -> FrontValue;
  *                 propose(Index, double) -> FrontValue, queues the vertex with the value if that
  *                 counts, and returns what then holds
@@ -69,7 +70,7 @@ public:
   }
 
   /** Sweeps over the triangles round @p vertex, whose value is now @p value. To be followed by
-   * settle(), after a few sweeps of the same front. */
+   * settle(), after a few sweeps. */
   void sweep(Index vertex, double value)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
@@ -83,10 +84,14 @@ public:
   /** Proposes what the sweeps since the last call found over edges. */
   void settle()
   {
+    const Index current = this->FrontValues.current();
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
     {
-      this->FrontValues.propose(this->Proposals[i].vertex, this->Proposals[i].value);
+      const Proposal& proposal = this->Proposals[i];
+      this->FrontValues.setCurrent(proposal.label);
+      this->FrontValues.propose(proposal.vertex, proposal.value);
     }
+    this->FrontValues.setCurrent(current);
     this->NumberOfProposals = 0;
   }
 
@@ -322,7 +327,8 @@ private:
 
   void noteProposal(const Window& window, int target, double value)
   {
-    this->Proposals[this->NumberOfProposals] = { window.ring[target].neighbour(), value };
+    this->Proposals[this->NumberOfProposals] = { window.ring[target].neighbour(),
+      this->FrontValues.current(), value };
     this->NumberOfProposals += value < window.ceilings[target] ? 1 : 0;
   }
 
@@ -336,6 +342,7 @@ private:
   struct Proposal
   {
     Index vertex;
+    Index label;
     double value;
   };
 
