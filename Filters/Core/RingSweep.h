@@ -351,7 +351,7 @@ private:
   const Cost& TriangleCost;
   Values& FrontValues;
   /** What settle() proposes. */
-  std::array<Proposal, 64> Proposals;
+  std::array<Proposal, 32> Proposals;
   std::size_t NumberOfProposals = 0;
 };
 
