@@ -170,6 +170,7 @@ public:
 
   FrontValue look(Index vertex) const
   {
+    // Away from borders a vertex has a value for this label, or none at all.
     const LabelSets::Entry& first = this->Sets[vertex];
     if (first.label == this->Current || first.label == LabelSets::NoLabel) [[likely]]
     {

@@ -52,8 +52,6 @@ public:
     this->VertexOfFurther.clear();
   }
 
-  bool isEmpty(Index vertex) const { return this->Entries[vertex].label == NoLabel; }
-
   /** The entry of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {

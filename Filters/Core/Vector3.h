@@ -56,6 +56,7 @@ inline bool isFinite(const Vector3& a)
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
+/** Both side by side. */
 inline Vector3Of<Pair> pairOf(const Vector3& a, const Vector3& b)
 {
   return { Pair{ a.x, b.x }, Pair{ a.y, b.y }, Pair{ a.z, b.z } };
