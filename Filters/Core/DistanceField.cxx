@@ -17,6 +17,21 @@ void DistanceField::reset()
   this->Reason = StopReason::Exhausted;
 }
 
+void DistanceField::orderReached()
+{
+  constexpr std::size_t least = 8;
+  if (this->Reached.size() < this->Distances.size() / least)
+  {
+    return;
+  }
+  std::size_t count = 0;
+  for (Index vertex = 0; count < this->Reached.size(); ++vertex)
+  {
+    this->Reached[count] = vertex;
+    count += this->isReached(vertex) ? 1 : 0;
+  }
+}
+
 void DistanceField::finish(double limit, StopReason reason)
 {
   this->Reason = reason;

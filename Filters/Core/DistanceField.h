@@ -62,6 +62,9 @@ public:
     }
     this->Distances[vertex] = distance;
   }
+  /** Brings what was reached into the order of the vertices where it is much of the mesh: who
+   * visits it then goes through memory from front to back. */
+  void orderReached();
   void setNearestSeed(Index vertex, Index seed) { this->NearestSeeds[vertex] = seed; }
   /** Takes back every distance above @p limit and sums up the run. */
   void finish(double limit, StopReason reason);

@@ -1,8 +1,10 @@
 #include "FastMarchingSolver.h"
 
 #include "ClosedFans.h"
-#include "FrontValues.h"
+#include "FieldValues.h"
+#include "LabelValues.h"
 #include "MarchControl.h"
+#include "OneLabelValues.h"
 #include "Partition.h"
 #include "QueuedFront.h"
 #include "RingSweep.h"
@@ -69,25 +71,66 @@ template <FrontShape Shape, class Cost>
 bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  const TriangleMesh& mesh = this->mesh();
-  MarchControl control(request.options, limit, mesh.numberOfVertices());
-  const MarchContext<Cost> context{ mesh, cost, request.options, limit, control, field,
-    this->Queue };
-  const Label& label = request.front.labels[0];
-  OneLabelValues<Cost> values(context, label, this->State);
-  RingSweep<Shape, Cost, OneLabelValues<Cost>> ringSweep(mesh, request.closed, cost, values);
+  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
+    this->Queue, this->State };
+  OneLabelValues<Cost> values(context, request.front.labels[0]);
+  RingSweep<Shape, Cost, OneLabelValues<Cost>> ringSweep(
+    this->mesh(), request.closed, cost, values);
+  return this->run(
+    values, starts, request, limit, control, field,
+    [&](Index vertex, double value) { ringSweep.sweep(vertex, value); },
+    [&] { ringSweep.settle(); });
+}
 
+template <class Cost>
+bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  const std::vector<Label>& labels = request.front.labels;
+  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
+    this->Queue, this->State };
+  using Values = LabelValues<Cost>;
+  Values values(context, labels, this->Labels);
+  RingSweep<FrontShape::Round, Cost, Values> round(this->mesh(), request.closed, cost, values);
+  RingSweep<FrontShape::Straight, Cost, Values> straight(
+    this->mesh(), request.closed, cost, values);
+  const bool finished = this->run(
+    values, starts, request, limit, control, field,
+    [&](Index vertex, double value)
+    {
+      if (labels[values.current()].shape == FrontShape::Round)
+      {
+        round.sweep(vertex, value);
+      }
+      else
+      {
+        straight.sweep(vertex, value);
+      }
+    },
+    [&]
+    {
+      round.settle();
+      straight.settle();
+    });
+  this->Labels.finish();
+  return finished;
+}
+
+template <class Values, class Sweep, class Settle>
+bool FastMarchingSolver::run(Values& values, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field,
+  Sweep sweep, Settle settle)
+{
   for (const StartValue& start : starts)
   {
-    values.set(start.vertex, start.value);
-    if (start.isFinal)
-    {
-      values.pin(start.vertex);
-    }
+    values.setCurrent(start.label);
+    values.start(start.vertex, start.value, start.isFinal);
   }
-  // Flat: function calls in the loop, which is there once for each kind of cost, take a tenth more.
-  QueuedFront front(
-    this->Queue, control, label.value, values, [&](std::uint64_t end) __attribute__((flatten)) {
+  QueuedFront front(this->Queue, control, values.firstDistance(), values,
+    [&](std::uint64_t end)
+    {
       std::array<Index, Handful> room;
       while (this->Queue.hasBefore(end))
       {
@@ -98,121 +141,26 @@ bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartVa
         }
         for (Index next : this->Queue.next(Handful))
         {
-          mesh.prefetch(next);
+          this->mesh().prefetch(values.vertexOf(next));
         }
-        for (Index vertex : handful)
+        for (Index waiting : handful)
         {
-          values.unqueue(vertex);
-          ringSweep.sweep(vertex, values.value(vertex));
+          const TakenValue taken = values.take(waiting);
+          if (taken.vertex != NoIndex)
+          {
+            sweep(taken.vertex, taken.value);
+          }
         }
-        ringSweep.settle();
+        settle();
       }
     });
   const bool finished = request.partition.march(front, limit);
+  field.orderReached();
   for (Index vertex : field.reached())
   {
-    this->State[vertex] = {};
-    field.setNearestSeed(vertex, label.seed);
+    field.setNearestSeed(vertex, values.nearestSeed(vertex));
+    values.clear(vertex);
   }
-  return finished;
-}
-
-template <class Cost>
-bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const StartValue> starts,
-  const Request& request, StopLimit& limit, DistanceField& field)
-{
-  const TriangleMesh& mesh = this->mesh();
-  const std::vector<Label>& labels = request.front.labels;
-  LabelSets& sets = this->Labels;
-  sets.start(mesh.numberOfVertices());
-  MarchControl control(request.options, limit, mesh.numberOfVertices());
-  const MarchContext<Cost> context{ mesh, cost, request.options, limit, control, field,
-    this->Queue };
-  using Values = LabelValues<Cost>;
-  Values values(context, labels, sets);
-  RingSweep<FrontShape::Round, Cost, Values> round(mesh, request.closed, cost, values);
-  RingSweep<FrontShape::Straight, Cost, Values> straight(mesh, request.closed, cost, values);
-
-  // Many small fronts spread over more memory than the processor has near. What says where to look
-  // is fetched before what is there.
-  const auto prefetchNext = [&]
-  {
-    const std::span<const Index> next = this->Queue.next(2 * Handful);
-    for (std::size_t i = 0; i < next.size(); ++i)
-    {
-      if (i < Handful)
-      {
-        mesh.prefetch(sets.vertexOf(next[i]));
-      }
-      else
-      {
-        __builtin_prefetch(&sets[next[i]]);
-        mesh.rings().prefetchStart(sets.vertexOf(next[i]));
-      }
-    }
-  };
-  const auto prefetchNeighbours = [&](Index vertex)
-  {
-    for (const RingEntry& entry : mesh.ring(vertex))
-    {
-      __builtin_prefetch(&sets[entry.neighbour()]);
-      __builtin_prefetch(&mesh.position(entry.neighbour()));
-    }
-  };
-  for (const StartValue& start : starts)
-  {
-    values.setCurrent(start.label);
-    const Index entry = sets.add(start.vertex, start.label);
-    values.set(entry, start.value);
-    sets[entry].isPinned = start.isFinal;
-  }
-  QueuedFront front(
-    this->Queue, control, values.firstDistance(),
-    values, [&](std::uint64_t end) __attribute__((flatten)) {
-      std::array<Index, Handful> room;
-      while (this->Queue.hasBefore(end))
-      {
-        const std::span<const Index> handful = this->Queue.take(room);
-        if (!control.mayGoOn(handful.size()))
-        {
-          break;
-        }
-        prefetchNext();
-        for (std::size_t i = 0; i < handful.size(); ++i)
-        {
-          if (i + 1 < handful.size())
-          {
-            prefetchNeighbours(sets.vertexOf(handful[i + 1]));
-          }
-          LabelSets::Entry& taken = sets[handful[i]];
-          taken.isQueued = false;
-          values.setCurrent(taken.label);
-          const double value = sets[handful[i]].value;
-          const Index vertex = sets.vertexOf(handful[i]);
-          if (value > values.keptUpTo(vertex))
-          {
-            continue;
-          }
-          if (labels[values.current()].shape == FrontShape::Round)
-          {
-            round.sweep(vertex, value);
-          }
-          else
-          {
-            straight.sweep(vertex, value);
-          }
-        }
-        round.settle();
-        straight.settle();
-      }
-    });
-  const bool finished = request.partition.march(front, limit);
-  for (Index vertex : field.reached())
-  {
-    field.setNearestSeed(vertex, sets.nearestSeed(vertex, field.distance(vertex), labels));
-    sets.clear(vertex);
-  }
-  sets.finish();
   return finished;
 }
 

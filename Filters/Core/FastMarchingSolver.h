@@ -15,6 +15,8 @@
 namespace geodesic
 {
 
+class MarchControl;
+
 /**
  * Geodesic distance by fast marching: a front that spreads over the triangles, each vertex updated
  * over the edges opposite to it, by pointSourceUpdate round points and straightFrontUpdate beside
@@ -27,8 +29,8 @@ namespace geodesic
  * first order accurate in the edge length elsewhere. With several labels each keeps values of its
  * own near the border between them (LabelSets), so that no update mixes two sources.
  *
- * Time O(n) on meshes whose edges do not vary wildly, memory 20 bytes a vertex beside the mesh for
- * one label, with several 16 more and 20 for each value beyond a vertex's first.
+ * Time O(n) on meshes whose edges do not vary wildly, memory 22 bytes a vertex beside the mesh for
+ * one label, with several 8 more and 24 for each value beyond a vertex's best.
  */
 class FastMarchingSolver : public DistanceSolver
 {
@@ -48,6 +50,10 @@ private:
   template <class Cost>
   bool marchManyLabels(const Cost& cost, std::span<const StartValue> starts, const Request& request,
     StopLimit& limit, DistanceField& field);
+  /** @param sweep, settle those of RingSweep, for the current label of @p values */
+  template <class Values, class Sweep, class Settle>
+  bool run(Values& values, std::span<const StartValue> starts, const Request& request,
+    StopLimit& limit, MarchControl& control, DistanceField& field, Sweep sweep, Settle settle);
 
   BucketQueue Queue;
   std::vector<VertexState> State;

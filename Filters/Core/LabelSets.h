@@ -1,125 +1,106 @@
 #ifndef geodesic_LabelSets_h
 #define geodesic_LabelSets_h
 
-#include "SeedFront.h"
+#include "Index.h"
+#include "VertexState.h"
 
-#include <limits>
-#include <span>
+#include <cstdint>
 #include <vector>
 
 namespace geodesic
 {
 
 /**
- * The values that vertices keep for several labels, one a label and vertex, as far as they are
- * within a margin of the vertex's best. Mixing values of different seeds in an update would be
- * wrong on both sides of the border between them, and a switch by the nearest seed would depend on
- * the order.
+ * Whose the values are that vertices keep for several labels, one a label and vertex, as far as
+ * they are within a margin of the vertex's best. Mixing values of different seeds in an update
+ * would be wrong on both sides of the border between them, and a switch by the nearest seed would
+ * depend on the order.
  *
  * The margin of a vertex is the largest labelMargin() of the triangles round it.
  *
- * Most vertices have one value. Each has its first entry in place, numbered like the vertex, and a
- * chain of further ones behind all vertices' first.
+ * Most vertices have one value. The best one is the vertex's distance in the field; here is only
+ * its label. Behind it comes a chain of further values.
  */
 class LabelSets
 {
 public:
-  /** One value of one vertex. */
-  struct Entry
+  /** A value of a vertex that is not its best. */
+  struct Further
   {
     /** Without the value of the seed itself. */
-    double value = std::numeric_limits<double>::infinity();
-    Index label : 30 = NoLabel;
-    Index isQueued : 1 = 0;
-    Index isPinned : 1 = 0;
-    /** Next entry of the same vertex. */
-    Index next = NoIndex;
+    double value;
+    Index label;
+    Index vertex;
+    /** Next one of the same vertex. */
+    Index next;
+    VertexState state;
   };
-  static constexpr Index NoLabel = 0x3fffffffu;
 
-  /** To be called before each use. Memory 16 bytes a vertex. */
+  /** To be called before each use. Memory 8 bytes a vertex. */
   void start(Index numberOfVertices)
   {
-    this->NumberOfVertices = numberOfVertices;
-    this->Entries.resize(numberOfVertices);
+    this->BestLabels.resize(numberOfVertices, NoLabel);
+    this->FirstFurther.resize(numberOfVertices, NoIndex);
   }
 
-  /** Forgets the entries of a vertex; to be called for all that have some, and finish() after. */
-  void clear(Index vertex) { this->Entries[vertex] = Entry(); }
-  void finish()
+  /** Forgets a vertex; to be called for all that have a value, and finish() after. */
+  void clear(Index vertex)
   {
-    this->Entries.resize(this->NumberOfVertices);
-    this->VertexOfFurther.clear();
+    this->BestLabels[vertex] = NoLabel;
+    this->FirstFurther[vertex] = NoIndex;
+  }
+  void finish() { this->FurtherValues.clear(); }
+
+  /** The label of a vertex's best value. @pre there is one */
+  Index bestLabel(Index vertex) const { return this->BestLabels[vertex] - 1; }
+  void setBestLabel(Index vertex, Index label) { this->BestLabels[vertex] = label + 1; }
+  /** Other than 0 where the best value is of another label than this one. Without a branch, and to
+   * be joined with more of its kind by |: on a front about half of the vertices have no value. */
+  std::uint64_t isOther(Index vertex, Index label) const
+  {
+    const Index best = this->BestLabels[vertex];
+    return std::uint64_t{ best } * (best - (label + 1));
   }
 
-  /** The entry of a vertex for a label, NoIndex where there is none. */
+  /** The further value of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {
-    Index entry = vertex;
-    while (entry != NoIndex && this->Entries[entry].label != label)
+    Index number = this->FirstFurther[vertex];
+    while (number != NoIndex && this->FurtherValues[number].label != label)
     {
-      entry = this->Entries[entry].next;
+      number = this->FurtherValues[number].next;
     }
-    return entry;
+    return number;
   }
 
-  Entry& operator[](Index entry) { return this->Entries[entry]; }
-  const Entry& operator[](Index entry) const { return this->Entries[entry]; }
+  Further& further(Index number) { return this->FurtherValues[number]; }
+  const Further& further(Index number) const { return this->FurtherValues[number]; }
 
-  /** Adds an entry without a value to a vertex that has none for the label. */
-  Index add(Index vertex, Index label)
+  /** Adds a further value to a vertex that has none for the label. */
+  Index add(Index vertex, Index label, double value)
   {
-    if (this->Entries[vertex].label == NoLabel)
-    {
-      this->Entries[vertex].label = label;
-      return vertex;
-    }
-    const Index entry = static_cast<Index>(this->Entries.size());
-    this->Entries.push_back({ .label = label, .next = this->Entries[vertex].next });
-    this->Entries[vertex].next = entry;
-    this->VertexOfFurther.push_back(vertex);
-    return entry;
+    const Index number = static_cast<Index>(this->FurtherValues.size());
+    this->FurtherValues.push_back({ value, label, vertex, this->FirstFurther[vertex], {} });
+    this->FirstFurther[vertex] = number;
+    return number;
   }
 
-  /** Calls @p visit with each entry of a vertex. */
+  /** Calls @p visit with each further value of a vertex. */
   template <class Visit>
-  void visit(Index vertex, Visit&& visit) const
+  void visitFurther(Index vertex, Visit&& visit) const
   {
-    for (Index e = vertex; e != NoIndex; e = this->Entries[e].next)
+    for (Index i = this->FirstFurther[vertex]; i != NoIndex; i = this->FurtherValues[i].next)
     {
-      if (this->Entries[e].label != NoLabel)
-      {
-        visit(this->Entries[e]);
-      }
+      visit(this->FurtherValues[i]);
     }
-  }
-
-  /** The vertex that an entry belongs to. */
-  Index vertexOf(Index entry) const
-  {
-    return entry < this->NumberOfVertices ? entry
-                                          : this->VertexOfFurther[entry - this->NumberOfVertices];
-  }
-  /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
-  Index nearestSeed(Index vertex, double best, std::span<const Label> labels) const
-  {
-    constexpr double rounding = 1.0 + 1e-10;
-    Index seed = NoIndex;
-    for (Index e = vertex; e != NoIndex; e = this->Entries[e].next)
-    {
-      const Label& label = labels[this->Entries[e].label];
-      if (label.seed < seed && this->Entries[e].value + label.value <= best * rounding)
-      {
-        seed = label.seed;
-      }
-    }
-    return seed;
   }
 
 private:
-  Index NumberOfVertices = 0;
-  std::vector<Entry> Entries;
-  std::vector<Index> VertexOfFurther;
+  /** Labels are kept as the number after theirs. */
+  static constexpr Index NoLabel = 0;
+  std::vector<Index> BestLabels;
+  std::vector<Index> FirstFurther;
+  std::vector<Further> FurtherValues;
 };
 
 }

@@ -19,7 +19,7 @@ namespace geodesic
 {
 
 /** What a front knows of a vertex. */
-struct FrontValue
+struct KnownValue
 {
   /** +infinity where the front has not been. */
   double value;
@@ -27,6 +27,14 @@ struct FrontValue
   double ceiling;
   /** The vertex waits to be swept with this value. */
   bool isQueued;
+};
+
+/** What it knows of two; isQueued is in bits 0 and 1. */
+struct KnownPair
+{
+  Pair values;
+  Pair ceilings;
+  unsigned isQueued;
 };
 
 /** The ways of a front of a shape over the inside of two edges, at costs @p w. */
@@ -53,8 +61,8 @@ inline Pair crossings(const FlatTriangleOf<Pair>& t, Pair a, Pair b, Pair w)
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the neighbours, for the front that is swept:
  *                 current(), setCurrent(Index) tell and change which label that is;
- *                 look(Index) -> FrontValue;
- *                 propose(Index, double) -> FrontValue, queues the vertex with the value if that
+ *                 look(Index, Index) -> KnownPair;
+ *                 propose(Index, double) -> KnownValue, queues the vertex with the value if that
  *                 counts, and returns what then holds
  */
 template <FrontShape Shape, class Cost, class Values>
@@ -69,9 +77,11 @@ public:
   {
   }
 
+  // Flat: calls within these two would take a tenth more, and so would further copies of them.
+
   /** Sweeps over the triangles round @p vertex, whose value is now @p value. To be followed by
    * settle(), after a few sweeps. */
-  void sweep(Index vertex, double value)
+  [[gnu::flatten, gnu::noinline]] void sweep(Index vertex, double value)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
     for (std::size_t first = 0; first + 1 < ring.size(); first += WindowSize - 1)
@@ -82,7 +92,7 @@ public:
   }
 
   /** Proposes what the sweeps since the last call found over edges. */
-  void settle()
+  [[gnu::flatten, gnu::noinline]] void settle()
   {
     const Index current = this->FrontValues.current();
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
@@ -189,33 +199,31 @@ private:
     const std::size_t size = ring.size();
     for (std::size_t i = 0; i < size; i += 2)
     {
-      const RingEntry a = ring[i];
-      const RingEntry b = ring[std::min(i + 1, size - 1)];
-      const FrontValue knownA = this->FrontValues.look(a.neighbour());
-      const FrontValue knownB = this->FrontValues.look(b.neighbour());
+      // After the last one comes any other, with which nothing is done.
+      const RingEntry a = ring.data()[i];
+      const RingEntry b = ring.data()[i + 1];
+      const KnownPair known = this->FrontValues.look(a.neighbour(), b.neighbour());
       const Vector3Of<Pair> offset =
         pairOf(this->Mesh.position(a.neighbour()), this->Mesh.position(b.neighbour())) - centre;
       const Pair squares = dot(offset, offset);
-      const Pair values{ knownA.value, knownB.value };
-      const Pair ceilings{ knownA.ceiling, knownB.ceiling };
-      store(values, window.values, i);
-      store(ceilings, window.ceilings, i);
+      store(known.values, window.values, i);
+      store(known.ceilings, window.ceilings, i);
       store(squares, window.squaredLengths, i);
-      isQueued.add(bit(knownA.isQueued, 0) | bit(knownB.isQueued, 1));
+      isQueued.add(known.isQueued);
       hasThin |= a.isThin() | b.isThin();
 
-      const Pair rises = largest(ceilings - value, Pair());
+      const Pair rises = largest(known.ceilings - value, Pair());
       along.add(bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0));
 
       // The triangles that end here: opened by the neighbour before, and by a.
       const Pair costs{ this->TriangleCost.ofTriangle(window.vertex, lastNeighbour, a.neighbour()),
         this->TriangleCost.ofTriangle(window.vertex, a.neighbour(), b.neighbour()) };
       const Pair bounds = value + costs * Pair{ lastSlack, a.slack() };
-      first.add(bitsOf(bounds + values < 2.0 * Pair{ lastCeiling, ceilings[0] }));
-      second.add(bitsOf(bounds + Pair{ lastValue, values[0] } < 2.0 * ceilings));
+      first.add(bitsOf(bounds + known.values < 2.0 * Pair{ lastCeiling, known.ceilings[0] }));
+      second.add(bitsOf(bounds + Pair{ lastValue, known.values[0] } < 2.0 * known.ceilings));
       lastNeighbour = b.neighbour();
-      lastValue = values[1];
-      lastCeiling = ceilings[1];
+      lastValue = known.values[1];
+      lastCeiling = known.ceilings[1];
       lastSlack = b.slack();
     }
     const std::size_t bits = size + size % 2;
@@ -256,7 +264,7 @@ private:
     const double value = window.value + this->edgeCost(window, isOpen, target) * length;
     if (value < window.ceilings[target])
     {
-      const FrontValue held = this->FrontValues.propose(window.ring[target].neighbour(), value);
+      const KnownValue held = this->FrontValues.propose(window.ring[target].neighbour(), value);
       window.values[target] = held.value;
       window.ceilings[target] = held.ceiling;
       window.isQueued |= bit(held.isQueued, target);

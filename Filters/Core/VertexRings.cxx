@@ -287,7 +287,8 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
     });
   // Room for one fan a vertex.
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
-  this->Entries.resize(this->Starts.back());
+  this->Entries.resize(std::size_t{ this->Starts.back() } + 1);
+  this->Entries.back() = RingEntry(0);
   std::vector<std::vector<Ring>> others(starts.size());
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
@@ -367,6 +368,7 @@ void VertexRings::replace(std::span<const Ring> others)
     entries.insert(entries.end(), ring.begin(), ring.end());
   }
   this->Starts.back() = static_cast<std::uint32_t>(entries.size());
+  entries.push_back(RingEntry(0));
   this->Entries = std::move(entries);
 }
 

@@ -97,6 +97,7 @@ public:
   VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
     std::span<const TriangleMeasure> measures, const ThreadTeam& team);
 
+  /** The ring of a vertex. After it there is one entry more that may be read. */
   std::span<const RingEntry> operator[](Index vertex) const
   {
     return { this->Entries.data() + this->Starts[vertex],
@@ -113,19 +114,13 @@ public:
     __builtin_prefetch(entries + cacheLine / sizeof(RingEntry));
   }
 
-  /** Has the processor fetch where a vertex's ring is; prefetch() waits for that. */
-  [[gnu::always_inline]] void prefetchStart(Index vertex) const
-  {
-    __builtin_prefetch(&this->Starts[vertex]);
-  }
-
   /** Number of a vertex's first entry, counted over the rings of all vertices. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
   /** The longest side of the triangles round a vertex. */
   std::span<const float> longestSides() const { return this->LongestSides; }
   /** The largest labelMargin() of the triangles round a vertex. */
   std::span<const float> margins() const { return this->Margins; }
-  std::size_t numberOfEntries() const { return this->Entries.size(); }
+  std::size_t numberOfEntries() const { return this->Starts.back(); }
 
 private:
   struct Ring
@@ -137,6 +132,7 @@ private:
   void replace(std::span<const Ring> others);
 
   std::vector<std::uint32_t> Starts;
+  /** And one more. */
   BulkVector<RingEntry> Entries;
   BulkVector<float> LongestSides;
   BulkVector<float> Margins;

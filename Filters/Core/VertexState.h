@@ -4,13 +4,13 @@
 namespace geodesic
 {
 
-/** What a march of one label notes of a vertex beside its value. */
+/** What a march notes of a vertex beside its value. */
 struct VertexState
 {
   /** It waits to be swept with its value. */
-  bool isQueued : 1 = false;
+  bool isQueued = false;
   /** It keeps its value, whatever is proposed. */
-  bool isPinned : 1 = false;
+  bool isPinned = false;
 };
 
 }

@@ -1,0 +1,149 @@
+#ifndef geodesic_FieldValues_h
+#define geodesic_FieldValues_h
+
+#include "BucketQueue.h"
+#include "DistanceField.h"
+#include "MarchControl.h"
+#include "Pair.h"
+#include "SeedFront.h"
+#include "SolveOptions.h"
+#include "StopLimit.h"
+#include "TriangleMesh.h"
+#include "VertexState.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace geodesic
+{
+
+/**
+ * No way is shorter than the straight line to where a round front starts. Holding updates to that
+ * keeps them monotone, and keeps rounding from growing from update to update where triangles lie on
+ * each other over the source: there the update's slope exceeds 1.
+ */
+class StraightLineBound
+{
+public:
+  StraightLineBound(const Label& label, double smallestCost)
+    : Origin(label.position)
+    , SquaredCost(label.shape == FrontShape::Round ? smallestCost * smallestCost : 0.0)
+  {
+  }
+
+  /** @p value, or the bound at @p position where that is more. */
+  double raised(double value, const Vector3& position) const
+  {
+    const Vector3 away = position - this->Origin;
+    const double square = this->SquaredCost * dot(away, away);
+    return value * value < square ? std::sqrt(square) : value;
+  }
+
+private:
+  Vector3 Origin;
+  double SquaredCost;
+};
+
+/** What the values of every label have in common; see RingSweep. */
+template <class Cost>
+struct MarchContext
+{
+  const TriangleMesh& mesh;
+  const Cost& cost;
+  const SolveOptions& options;
+  const StopLimit& limit;
+  const MarchControl& control;
+  DistanceField& field;
+  BucketQueue& queue;
+  std::span<VertexState> state;
+};
+
+/** A value that was taken from the queue. */
+struct TakenValue
+{
+  /** NoIndex where it is no longer of interest. */
+  Index vertex;
+  double value;
+};
+
+/**
+ * Values of a label, the current one, that the field itself holds: its distances less the value of
+ * the seed.
+ */
+template <class Cost>
+class FieldValues
+{
+public:
+  /** The distance of the queue's key 0. */
+  double firstDistance() const { return this->First; }
+  /** The place in the queue of a value of the current label. */
+  double keyOf(double value) const { return value + this->Offset - this->First; }
+
+protected:
+  FieldValues(const MarchContext<Cost>& context, double firstDistance)
+    : Context(context)
+    , First(firstDistance)
+    , State(context.state)
+    , Distances(context.field.distances())
+    , Positions(context.mesh.positions())
+  {
+  }
+
+  void setOffset(double value) { this->Offset = value; }
+  double offset() const { return this->Offset; }
+  const MarchContext<Cost>& context() const { return this->Context; }
+  const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
+  VertexState& state(Index vertex) { return this->State[vertex]; }
+
+  double value(Index vertex) const { return this->Distances[vertex] - this->Offset; }
+  Pair values(Index a, Index b) const
+  {
+    return Pair{ this->Distances[a], this->Distances[b] } - this->Offset;
+  }
+
+  bool isQueued(Index vertex) const { return this->State[vertex].isQueued; }
+  /** That of two vertices, in bits 0 and 1. */
+  unsigned areQueued(Index a, Index b) const
+  {
+    return static_cast<unsigned>(this->isQueued(a)) | static_cast<unsigned>(this->isQueued(b)) << 1;
+  }
+
+  /** What a value has to be below in order to count where there is @p old. */
+  double ceiling(Index vertex, double old) const
+  {
+    const double counts = old * this->Context.control.keptFraction();
+    return this->Context.limit.isNone()
+      ? counts
+      : std::min(counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - this->Offset);
+  }
+
+  /** Whether the field takes a value. */
+  bool accepts(Index vertex, double value) const
+  {
+    return value < this->ceiling(vertex, this->value(vertex)) && !this->State[vertex].isPinned &&
+      !this->Context.options.isExcluded(vertex);
+  }
+
+  void set(Index vertex, double value)
+  {
+    this->Context.field.setDistance(vertex, value + this->Offset);
+    if (!this->State[vertex].isQueued)
+    {
+      this->State[vertex].isQueued = true;
+      this->Context.queue.push(vertex, this->keyOf(value));
+    }
+  }
+
+private:
+  const MarchContext<Cost>& Context;
+  double First;
+  double Offset = 0.0;
+  std::span<VertexState> State;
+  std::span<const double> Distances;
+  std::span<const Vector3> Positions;
+};
+
+}
+
+#endif

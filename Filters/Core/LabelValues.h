@@ -1,0 +1,275 @@
+#ifndef geodesic_LabelValues_h
+#define geodesic_LabelValues_h
+
+#include "FieldValues.h"
+#include "LabelSets.h"
+#include "MarchingFront.h"
+#include "RingSweep.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * The values of one of several labels, the current one. The field holds a vertex's best value,
+ * LabelSets what else the vertex keeps. In the queue are vertices for their best values, and behind
+ * their numbers those of further values. When a further value becomes the best, the two change
+ * places; what the queue then holds of either is passed over.
+ */
+template <class Cost>
+class LabelValues : public FieldValues<Cost>
+{
+public:
+  LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels, LabelSets& sets)
+    : FieldValues<Cost>(context, smallestOf(labels))
+    , Labels(labels)
+    , Sets(sets)
+    , NumberOfVertices(context.mesh.numberOfVertices())
+  {
+    sets.start(this->NumberOfVertices);
+    this->LeastOf.reserve(labels.size());
+    for (const Label& label : labels)
+    {
+      this->LeastOf.emplace_back(label, context.cost.smallest());
+    }
+  }
+
+  Index current() const { return this->Current; }
+  void setCurrent(Index label)
+  {
+    this->Current = label;
+    this->setOffset(this->Labels[label].value);
+  }
+
+  KnownPair look(Index a, Index b) const
+  {
+    // Away from borders a vertex has a value for this label, or none at all.
+    if ((this->isOther(a) | this->isOther(b)) != 0) [[unlikely]]
+    {
+      const KnownValue first = this->look(a);
+      const KnownValue second = this->look(b);
+      return { Pair{ first.value, second.value }, Pair{ first.ceiling, second.ceiling },
+        static_cast<unsigned>(first.isQueued) | static_cast<unsigned>(second.isQueued) << 1 };
+    }
+    const Pair values = this->values(a, b);
+    return { values, values, this->areQueued(a, b) };
+  }
+
+  KnownValue propose(Index vertex, double value)
+  {
+    value = this->LeastOf[this->Current].raised(value, this->position(vertex));
+    if (this->isOther(vertex) != 0) [[unlikely]]
+    {
+      return this->proposeFurther(vertex, value);
+    }
+    if (!this->accepts(vertex, value))
+    {
+      const double old = this->value(vertex);
+      return { old, old, this->isQueued(vertex) };
+    }
+    this->setBest(vertex, value);
+    return { value, value, true };
+  }
+
+  void start(Index vertex, double value, bool isFinal)
+  {
+    if (this->isOther(vertex) == 0)
+    {
+      this->setBest(vertex, value);
+      this->state(vertex).isPinned = isFinal;
+      return;
+    }
+    const Index number = this->Sets.add(vertex, this->Current, value);
+    this->Sets.further(number).state.isPinned = isFinal;
+    this->setFurther(number, value);
+  }
+
+  Index vertexOf(Index taken) const
+  {
+    return taken < this->NumberOfVertices
+      ? taken
+      : this->Sets.further(taken - this->NumberOfVertices).vertex;
+  }
+
+  /** Makes the label of what was taken from the queue the current one. */
+  TakenValue take(Index taken)
+  {
+    const bool isBest = taken < this->NumberOfVertices;
+    VertexState& state =
+      isBest ? this->state(taken) : this->Sets.further(taken - this->NumberOfVertices).state;
+    if (!std::exchange(state.isQueued, false))
+    {
+      return { NoIndex, 0.0 };
+    }
+    if (isBest)
+    {
+      this->setCurrent(this->Sets.bestLabel(taken));
+      return { taken, this->value(taken) };
+    }
+    const LabelSets::Further& further = this->Sets.further(taken - this->NumberOfVertices);
+    this->setCurrent(further.label);
+    const bool isKept = further.value <= this->keptUpTo(further.vertex);
+    return { isKept ? further.vertex : NoIndex, further.value };
+  }
+
+  /** The values that the vertex keeps, by label. */
+  void visit(Index vertex, const MarchingFront::Visit& visit)
+  {
+    if (!this->context().field.isReached(vertex))
+    {
+      return;
+    }
+    this->setCurrent(this->Sets.bestLabel(vertex));
+    visit(this->Current, this->value(vertex));
+    this->Sets.visitFurther(vertex,
+      [&](const LabelSets::Further& further)
+      {
+        this->setCurrent(further.label);
+        if (further.value <= this->keptUpTo(vertex))
+        {
+          visit(further.label, further.value);
+        }
+      });
+  }
+
+  /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
+  Index nearestSeed(Index vertex) const
+  {
+    constexpr double rounding = 1.0 + 1e-10;
+    const double most = this->context().field.distance(vertex) * rounding;
+    Index seed = this->Labels[this->Sets.bestLabel(vertex)].seed;
+    this->Sets.visitFurther(vertex,
+      [&](const LabelSets::Further& further)
+      {
+        const Label& label = this->Labels[further.label];
+        if (further.value + label.value <= most)
+        {
+          seed = std::min(seed, label.seed);
+        }
+      });
+    return seed;
+  }
+
+  void clear(Index vertex)
+  {
+    this->state(vertex) = {};
+    this->Sets.clear(vertex);
+  }
+
+private:
+  std::uint64_t isOther(Index vertex) const { return this->Sets.isOther(vertex, this->Current); }
+
+  /** The largest value of the current label that a vertex keeps beside its best one. */
+  double keptUpTo(Index vertex) const
+  {
+    return this->value(vertex) + this->context().cost.margin(vertex);
+  }
+
+  KnownValue look(Index vertex) const
+  {
+    if (this->isOther(vertex) == 0)
+    {
+      const double value = this->value(vertex);
+      return { value, value, this->isQueued(vertex) };
+    }
+    return this->furtherValue(vertex, this->Sets.find(vertex, this->Current));
+  }
+
+  KnownValue furtherValue(Index vertex, Index number) const
+  {
+    if (number == NoIndex)
+    {
+      return { DistanceField::Unreached, this->keptUpTo(vertex), false };
+    }
+    const LabelSets::Further& further = this->Sets.further(number);
+    return { further.value, further.value, further.state.isQueued };
+  }
+
+  KnownValue proposeFurther(Index vertex, double value)
+  {
+    Index number = this->Sets.find(vertex, this->Current);
+    const KnownValue known = this->furtherValue(vertex, number);
+    if (!(value < std::min(this->ceiling(vertex, known.value), this->keptUpTo(vertex))) ||
+      this->context().options.isExcluded(vertex) ||
+      (number != NoIndex && this->Sets.further(number).state.isPinned))
+    {
+      return known;
+    }
+    if (number == NoIndex)
+    {
+      number = this->Sets.add(vertex, this->Current, value);
+    }
+    this->setFurther(number, value);
+    return { value, value, true };
+  }
+
+  void setBest(Index vertex, double value)
+  {
+    this->Sets.setBestLabel(vertex, this->Current);
+    this->set(vertex, value);
+  }
+
+  /** Of the current label. */
+  void setFurther(Index number, double value)
+  {
+    LabelSets::Further& further = this->Sets.further(number);
+    further.value = value;
+    if (value < this->value(further.vertex))
+    {
+      this->makeBest(number);
+    }
+    else
+    {
+      this->queueFurther(number);
+    }
+  }
+
+  void queueFurther(Index number)
+  {
+    LabelSets::Further& further = this->Sets.further(number);
+    if (!std::exchange(further.state.isQueued, true))
+    {
+      this->context().queue.push(this->NumberOfVertices + number,
+        further.value + this->Labels[further.label].value - this->firstDistance());
+    }
+  }
+
+  /** A further value of the current label and the best one change places. */
+  void makeBest(Index number)
+  {
+    LabelSets::Further& further = this->Sets.further(number);
+    const Index vertex = further.vertex;
+    const double value = further.value;
+    further.label = this->Sets.bestLabel(vertex);
+    further.value = this->context().field.distance(vertex) - this->Labels[further.label].value;
+    std::swap(further.state, this->state(vertex));
+    // Wherever the queue has them, they go to it again under their new numbers.
+    if (std::exchange(further.state.isQueued, false))
+    {
+      this->queueFurther(number);
+    }
+    this->state(vertex).isQueued = false;
+    this->setBest(vertex, value);
+  }
+
+  static double smallestOf(std::span<const Label> labels)
+  {
+    return std::min_element(labels.begin(), labels.end(),
+      [](const Label& a, const Label& b) { return a.value < b.value; })
+      ->value;
+  }
+
+  std::span<const Label> Labels;
+  LabelSets& Sets;
+  Index NumberOfVertices;
+  std::vector<StraightLineBound> LeastOf;
+  Index Current = 0;
+};
+
+}
+
+#endif

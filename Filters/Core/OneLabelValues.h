@@ -1,0 +1,76 @@
+#ifndef geodesic_OneLabelValues_h
+#define geodesic_OneLabelValues_h
+
+#include "FieldValues.h"
+#include "MarchingFront.h"
+#include "RingSweep.h"
+
+namespace geodesic
+{
+
+/** The values of the only label: the field itself, but for the value of the seed. */
+template <class Cost>
+class OneLabelValues : public FieldValues<Cost>
+{
+public:
+  OneLabelValues(const MarchContext<Cost>& context, const Label& label)
+    : FieldValues<Cost>(context, label.value)
+    , LeastOf(label, context.cost.smallest())
+    , Seed(label.seed)
+  {
+    this->setOffset(label.value);
+  }
+
+  Index current() const { return 0; }
+  void setCurrent(Index) {}
+
+  KnownPair look(Index a, Index b) const
+  {
+    const Pair values = this->values(a, b);
+    return { values, values, this->areQueued(a, b) };
+  }
+
+  KnownValue propose(Index vertex, double value)
+  {
+    value = this->LeastOf.raised(value, this->position(vertex));
+    if (!this->accepts(vertex, value))
+    {
+      const double old = this->value(vertex);
+      return { old, old, this->isQueued(vertex) };
+    }
+    this->set(vertex, value);
+    return { value, value, true };
+  }
+
+  void start(Index vertex, double value, bool isFinal)
+  {
+    this->set(vertex, value);
+    this->state(vertex).isPinned = isFinal;
+  }
+
+  Index vertexOf(Index taken) const { return taken; }
+  TakenValue take(Index vertex)
+  {
+    this->state(vertex).isQueued = false;
+    return { vertex, this->value(vertex) };
+  }
+
+  void visit(Index vertex, const MarchingFront::Visit& visit) const
+  {
+    if (this->context().field.isReached(vertex))
+    {
+      visit(0, this->value(vertex));
+    }
+  }
+
+  Index nearestSeed(Index) const { return this->Seed; }
+  void clear(Index vertex) { this->state(vertex) = {}; }
+
+private:
+  StraightLineBound LeastOf;
+  Index Seed;
+};
+
+}
+
+#endif
