@@ -24,6 +24,10 @@ namespace
  * so hardly any of them gains by another. Meanwhile the mesh round the next ones is fetched. */
 constexpr std::size_t Handful = 12;
 
+/** Many small fronts spread over more memory than the processor has near. So what waits in a bucket
+ * is swept by blocks of so many vertices, whose numbers go with their places. */
+constexpr int BlockBits = 9;
+
 }
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
@@ -56,9 +60,10 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
 {
   const double width = BucketWidthInMeanEdges * this->mesh().meanEdgeLength() * cost.mean();
   // A piece without triangles has no edges.
-  this->Queue.start(
-    width > 0.0 ? width : 1.0, 2.0 * this->mesh().longestEdgeLength() * cost.largest());
-  if (request.front.labels.size() > 1)
+  const bool isOneFront = request.front.labels.size() == 1;
+  this->Queue.start(width > 0.0 ? width : 1.0,
+    2.0 * this->mesh().longestEdgeLength() * cost.largest(), isOneFront ? 0 : BlockBits);
+  if (!isOneFront)
   {
     return this->marchManyLabels(cost, starts, request, limit, field);
   }
