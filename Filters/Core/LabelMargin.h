@@ -15,13 +15,13 @@ namespace geodesic
  * is too high. From update to update what is wrong comes a part of an edge nearer to where the seed
  * wins, sideways to its way: over a side of length c and a height h with a variance of up to
  * c^2 / 4 in a step of at least h. A detour over where values are wrong by e is then as rare as
- * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.75 of
+ * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.5 of
  * it leave at most 2e-8 of a distance at single points of icospheres, tori and regular grids, as 5
  * longest sides do, which are enough for thinner triangles.
  */
 inline double labelMargin(double longestSide, double leastHeight)
 {
-  constexpr double perSpread = 2.75;
+  constexpr double perSpread = 2.5;
   constexpr double mostSides = 5.0;
   return longestSide * std::min(mostSides, perSpread * longestSide / leastHeight);
 }
