@@ -5,6 +5,7 @@
 #include "DistanceField.h"
 #include "MarchControl.h"
 #include "Pair.h"
+#include "RingSweep.h"
 #include "SeedFront.h"
 #include "SolveOptions.h"
 #include "StopLimit.h"
@@ -91,22 +92,27 @@ protected:
   }
 
   void setOffset(double value) { this->Offset = value; }
-  double offset() const { return this->Offset; }
   const MarchContext<Cost>& context() const { return this->Context; }
   const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
   VertexState& state(Index vertex) { return this->State[vertex]; }
 
   double value(Index vertex) const { return this->Distances[vertex] - this->Offset; }
-  Pair values(Index a, Index b) const
+  KnownValue known(Index vertex) const
   {
-    return Pair{ this->Distances[a], this->Distances[b] } - this->Offset;
+    const double value = this->value(vertex);
+    return { value, value, this->State[vertex].isQueued };
   }
 
-  bool isQueued(Index vertex) const { return this->State[vertex].isQueued; }
-  /** That of two vertices, in bits 0 and 1. */
-  unsigned areQueued(Index a, Index b) const
+  KnownPair known(Index a, Index b) const
   {
-    return static_cast<unsigned>(this->isQueued(a)) | static_cast<unsigned>(this->isQueued(b)) << 1;
+    const Pair values = Pair{ this->Distances[a], this->Distances[b] } - this->Offset;
+    return { values, values, areQueued(this->State[a].isQueued, this->State[b].isQueued) };
+  }
+
+  /** As in KnownPair. */
+  static unsigned areQueued(bool first, bool second)
+  {
+    return static_cast<unsigned>(first) | static_cast<unsigned>(second) << 1;
   }
 
   /** What a value has to be below in order to count where there is @p old. */

@@ -4,7 +4,6 @@
 #include "FieldValues.h"
 #include "LabelSets.h"
 #include "MarchingFront.h"
-#include "RingSweep.h"
 
 #include <algorithm>
 #include <span>
@@ -53,10 +52,9 @@ public:
       const KnownValue first = this->look(a);
       const KnownValue second = this->look(b);
       return { Pair{ first.value, second.value }, Pair{ first.ceiling, second.ceiling },
-        static_cast<unsigned>(first.isQueued) | static_cast<unsigned>(second.isQueued) << 1 };
+        this->areQueued(first.isQueued, second.isQueued) };
     }
-    const Pair values = this->values(a, b);
-    return { values, values, this->areQueued(a, b) };
+    return this->known(a, b);
   }
 
   KnownValue propose(Index vertex, double value)
@@ -68,8 +66,7 @@ public:
     }
     if (!this->accepts(vertex, value))
     {
-      const double old = this->value(vertex);
-      return { old, old, this->isQueued(vertex) };
+      return this->known(vertex);
     }
     this->setBest(vertex, value);
     return { value, value, true };
@@ -171,15 +168,12 @@ private:
 
   KnownValue look(Index vertex) const
   {
-    if (this->isOther(vertex) == 0)
-    {
-      const double value = this->value(vertex);
-      return { value, value, this->isQueued(vertex) };
-    }
-    return this->furtherValue(vertex, this->Sets.find(vertex, this->Current));
+    return this->isOther(vertex) == 0
+      ? this->known(vertex)
+      : this->knownFurther(vertex, this->Sets.find(vertex, this->Current));
   }
 
-  KnownValue furtherValue(Index vertex, Index number) const
+  KnownValue knownFurther(Index vertex, Index number) const
   {
     if (number == NoIndex)
     {
@@ -192,7 +186,7 @@ private:
   KnownValue proposeFurther(Index vertex, double value)
   {
     Index number = this->Sets.find(vertex, this->Current);
-    const KnownValue known = this->furtherValue(vertex, number);
+    const KnownValue known = this->knownFurther(vertex, number);
     if (!(value < std::min(this->ceiling(vertex, known.value), this->keptUpTo(vertex))) ||
       this->context().options.isExcluded(vertex) ||
       (number != NoIndex && this->Sets.further(number).state.isPinned))

@@ -3,7 +3,6 @@
 
 #include "FieldValues.h"
 #include "MarchingFront.h"
-#include "RingSweep.h"
 
 namespace geodesic
 {
@@ -24,19 +23,14 @@ public:
   Index current() const { return 0; }
   void setCurrent(Index) {}
 
-  KnownPair look(Index a, Index b) const
-  {
-    const Pair values = this->values(a, b);
-    return { values, values, this->areQueued(a, b) };
-  }
+  KnownPair look(Index a, Index b) const { return this->known(a, b); }
 
   KnownValue propose(Index vertex, double value)
   {
     value = this->LeastOf.raised(value, this->position(vertex));
     if (!this->accepts(vertex, value))
     {
-      const double old = this->value(vertex);
-      return { old, old, this->isQueued(vertex) };
+      return this->known(vertex);
     }
     this->set(vertex, value);
     return { value, value, true };
