@@ -79,7 +79,7 @@ public:
     const std::span<const double> cost = this->Options.cost;
     const double sum = std::accumulate(cost.begin(), cost.end(), 0.0);
     const double mean = cost.empty() ? 1.0 : sum / static_cast<double>(cost.size());
-    return mean * this->Mesh.meanEdgeLength();
+    return mean * this->Mesh.meanLongestEdge();
   }
 
   std::size_t numberOfUpdates() const override { return this->Control.count(); }

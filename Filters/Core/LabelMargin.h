@@ -1,7 +1,7 @@
 #ifndef geodesic_LabelMargin_h
 #define geodesic_LabelMargin_h
 
-#include <algorithm>
+#include "Pair.h"
 
 namespace geodesic
 {
@@ -18,12 +18,14 @@ namespace geodesic
  * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.5 of
  * it leave at most 2e-8 of a distance at single points of icospheres, tori and regular grids, as 5
  * longest sides do, which are enough for thinner triangles.
+ * @tparam Real  double, or Pair for two triangles at once
  */
-inline double labelMargin(double longestSide, double leastHeight)
+template <class Real>
+inline Real labelMargin(Real longestSide, Real leastHeight)
 {
   constexpr double perSpread = 2.5;
   constexpr double mostSides = 5.0;
-  return longestSide * std::min(mostSides, perSpread * longestSide / leastHeight);
+  return longestSide * least(perSpread * longestSide / leastHeight, Real() + mostSides);
 }
 
 }

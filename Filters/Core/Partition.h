@@ -3,6 +3,7 @@
 
 #include "MarchingFront.h"
 #include "StartValue.h"
+#include "VertexRings.h"
 
 #include <functional>
 #include <limits>
@@ -33,12 +34,10 @@ public:
   /** The vertices that other pieces have as well. */
   virtual std::span<const Index> sharedVertices() const { return {}; }
   /**
-   * The longest side of the triangles round each vertex on all pieces; where the surface is not
-   * divided, none: the mesh's own are meant.
+   * Of the triangles round each vertex on all pieces; where the surface is not divided, none: the
+   * mesh's own are meant.
    */
-  virtual std::span<const float> longestEdges() const { return {}; }
-  /** The same of VertexRings::margins. */
-  virtual std::span<const float> margins() const { return {}; }
+  virtual std::span<const VertexSize> sizes() const { return {}; }
 
   /** Runs a step that makes no collective call. Where it throws on one piece, it does on all. */
   virtual void together(const std::function<void()>& step) { step(); }

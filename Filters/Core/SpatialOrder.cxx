@@ -22,7 +22,6 @@ struct Keyed
   std::uint32_t key;
   Index id;
 };
-constexpr int KeyBits = 32;
 
 BoundingBox boxOf(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
@@ -66,9 +65,7 @@ BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::u
       {
         if (used[i])
         {
-          const std::uint64_t code = curve.codeOf(points[i]);
-          keyed[next++] = { static_cast<std::uint32_t>(code >> (MortonCurve::CodeBits - KeyBits)),
-            static_cast<Index>(i) };
+          keyed[next++] = { curve.leadingBitsOf(points[i]), static_cast<Index>(i) };
         }
       }
     });

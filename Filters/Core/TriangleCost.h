@@ -19,23 +19,21 @@ public:
   static constexpr bool isUnit = true;
 
   UnitCost(const TriangleMesh& mesh, const Partition& partition)
-    : LongestEdges(partition.isDivided() ? partition.longestEdges() : mesh.rings().longestSides())
-    , Margins(partition.isDivided() ? partition.margins() : mesh.rings().margins())
+    : Sizes(partition.isDivided() ? partition.sizes() : mesh.rings().sizes())
   {
   }
 
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
   /** The most that two vertices of the triangles round a vertex can differ by. */
-  double reach(Index vertex) const { return this->LongestEdges[vertex]; }
+  double reach(Index vertex) const { return this->Sizes[vertex].longestSide; }
   /** See labelMargin(). */
-  double margin(Index vertex) const { return this->Margins[vertex]; }
+  double margin(Index vertex) const { return this->Sizes[vertex].margin; }
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
 
 private:
-  std::span<const float> LongestEdges;
-  std::span<const float> Margins;
+  std::span<const VertexSize> Sizes;
 };
 
 /** A cost at each vertex; that of a triangle is the mean of its corners'. Set up in O(n). */

@@ -1,7 +1,6 @@
 #include "TriangleMesh.h"
 
 #include "SpatialOrder.h"
-#include "TriangleBlock.h"
 
 #include <algorithm>
 #include <atomic>
@@ -113,9 +112,11 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
 
 void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& team)
 {
-  this->orderTriangles(triangles, team);
-  this->Rings =
-    VertexRings(this->numberOfVertices(), this->Triangles, this->measureTriangles(team), team);
+  // Memory costs most where it is first touched, so two steps share it.
+  BulkVector<Index> room(3 * triangles.size());
+  this->orderTriangles(triangles, room, team);
+  this->Rings = VertexRings(this->numberOfVertices(), this->Triangles, this->Positions, room, team);
+  this->measureEdges();
   if (this->Triangles.size() < triangles.size())
   {
     this->forgetBareVertices();
@@ -163,19 +164,22 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
     });
 }
 
-void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team)
+void TriangleMesh::orderTriangles(
+  std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
-  BulkVector<Triangle> corners(triangles.size());
-  BulkVector<Index> lowestCorners(triangles.size());
   team.run(triangles.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t t = first; t < last; ++t)
       {
         const Triangle& input = triangles[t];
-        corners[t] = { this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
+        const Triangle ours{ this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
           this->VertexOfPoint[input[2]] };
-        lowestCorners[t] = repeatsCorner(corners[t]) ? NoIndex : lowestCorner(corners[t]);
+        std::fill_n(&corners[3 * t], 3, NoIndex);
+        if (!repeatsCorner(ours))
+        {
+          std::copy(ours.begin(), ours.end(), &corners[3 * t]);
+        }
       }
     });
   // Each thread takes the triangles whose lowest corner is in its range.
@@ -183,19 +187,21 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
   std::vector<std::size_t> starts(team.numberOfRanges(places.size()));
   const auto visit = [&](std::size_t firstVertex, std::size_t lastVertex, auto&& take)
   {
-    for (Index source = 0; source < corners.size(); ++source)
+    for (Index source = 0; source < triangles.size(); ++source)
     {
-      const Index lowest = lowestCorners[source];
+      const Index* const c = &corners[3 * std::size_t{ source }];
+      const Triangle ours{ c[0], c[1], c[2] };
+      const Index lowest = lowestCorner(ours);
       if (lowest >= firstVertex && lowest < lastVertex)
       {
-        take(source, lowest);
+        take(source, ours, lowest);
       }
     }
   };
   team.run(places.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      visit(first, last, [&](Index, Index lowest) { ++places[lowest]; });
+      visit(first, last, [&](Index, const Triangle&, Index lowest) { ++places[lowest]; });
       starts[range] = std::accumulate(places.begin() + first, places.begin() + last, Index{ 0 });
     });
   const std::size_t total = startsOf(starts);
@@ -207,10 +213,10 @@ void TriangleMesh::orderTriangles(std::span<const Triangle> triangles, const Thr
       std::exclusive_scan(places.begin() + first, places.begin() + last, places.begin() + first,
         static_cast<Index>(starts[range]));
       visit(first, last,
-        [&](Index source, Index lowest)
+        [&](Index source, const Triangle& ours, Index lowest)
         {
           const Index place = places[lowest]++;
-          this->Triangles[place] = corners[source];
+          this->Triangles[place] = ours;
           this->SourceOfTriangle[place] = source;
         });
     });
@@ -224,40 +230,18 @@ void TriangleMesh::forgetBareVertices()
   }
 }
 
-BulkVector<TriangleMeasure> TriangleMesh::measureTriangles(const ThreadTeam& team)
+void TriangleMesh::measureEdges()
 {
-  // Sums over blocks of one size, so that their sum does not depend on the threads.
-  constexpr std::size_t blockSize = TriangleBlock::Size;
-  struct Block
-  {
-    double sum;
-    double longest;
-  };
-  BulkVector<Block> blocks((this->Triangles.size() + blockSize - 1) / blockSize);
-  BulkVector<TriangleMeasure> measures(this->Triangles.size());
-  team.run(blocks.size(),
-    [&](std::size_t, std::size_t firstBlock, std::size_t lastBlock)
-    {
-      for (std::size_t number = firstBlock; number < lastBlock; ++number)
-      {
-        const std::size_t first = number * blockSize;
-        const std::size_t count = std::min(blockSize, this->Triangles.size() - first);
-        const TriangleBlock block({ &this->Triangles[first], count }, this->Positions);
-        block.measure({ &measures[first], count });
-        blocks[number] = { block.sumOfLengths(), block.longestSide() };
-      }
-    });
+  const std::span<const VertexSize> sizes = this->Rings.sizes();
   double sum = 0.0;
-  for (const Block& block : blocks)
+  float longest = 0.0f;
+  for (const VertexSize& size : sizes)
   {
-    sum += block.sum;
-    this->LongestEdgeLength = std::max(this->LongestEdgeLength, block.longest);
+    sum += size.longestSide;
+    longest = std::max(longest, size.longestSide);
   }
-  if (!this->Triangles.empty())
-  {
-    this->MeanEdgeLength = sum / (3.0 * static_cast<double>(this->Triangles.size()));
-  }
-  return measures;
+  this->MeanLongestEdge = sizes.empty() ? 0.0 : sum / static_cast<double>(sizes.size());
+  this->LongestEdgeLength = longest;
 }
 
 SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const

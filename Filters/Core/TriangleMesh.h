@@ -90,21 +90,23 @@ public:
   /** Where a point of the surface is in space. */
   Vector3 positionOf(const SurfacePoint& point) const;
 
-  /** Mean length over all sides of all triangles; 0 without triangles. */
-  double meanEdgeLength() const { return this->MeanEdgeLength; }
-  /** Length of the longest side of any triangle. */
+  /** Mean over all vertices of longestEdgeAround(); 0 without any. */
+  double meanLongestEdge() const { return this->MeanLongestEdge; }
+  /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
-  double longestEdgeAround(Index vertex) const { return this->Rings.longestSides()[vertex]; }
+  double longestEdgeAround(Index vertex) const { return this->Rings.sizes()[vertex].longestSide; }
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
   void build(std::span<const Triangle> triangles, const ThreadTeam& team);
-  void orderTriangles(std::span<const Triangle> triangles, const ThreadTeam& team);
+  /** @param corners room to work in, three numbers a triangle */
+  void orderTriangles(
+    std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();
-  BulkVector<TriangleMeasure> measureTriangles(const ThreadTeam& team);
+  void measureEdges();
 
   BulkVector<Vector3> Positions;
   BulkVector<Triangle> Triangles;
@@ -112,7 +114,7 @@ private:
   VertexRings Rings;
   BulkVector<Index> VertexOfPoint;
   BulkVector<Index> PointOfVertex;
-  double MeanEdgeLength = 0.0;
+  double MeanLongestEdge = 0.0;
   double LongestEdgeLength = 0.0;
 };
 

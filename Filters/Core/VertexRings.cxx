@@ -1,5 +1,7 @@
 #include "VertexRings.h"
 
+#include "TriangleMeasure.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -24,13 +26,6 @@ struct OppositeSide
 
   Index first() const { return this->opening.neighbour(); }
 };
-
-OppositeSide oppositeSide(const Triangle& t, std::uint32_t corner, const TriangleMeasure& measure)
-{
-  constexpr std::array<std::uint8_t, 3> next{ 1, 2, 0 };
-  constexpr std::array<std::uint8_t, 3> afterNext{ 2, 0, 1 };
-  return { { t[next[corner]], measure.slack, measure.isThin() }, t[afterNext[corner]] };
-}
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
 class FanChainer
@@ -199,76 +194,81 @@ public:
   }
 
   /**
-   * Where all sides follow each other, first end to second end, as one fan that closes, writes it
-   * to @p fan, which has one entry more than there are sides; returns false elsewhere.
+   * Where all sides follow each other, first end to second end, as one fan that closes, brings them
+   * into that order; leaves them as they are and returns false elsewhere.
+   * @param seconds  the other ends of the sides
+   * @param fan      what opens them, and room for one entry more
    */
-  bool chain(std::span<const OppositeSide> sides, std::span<RingEntry> fan)
+  bool chain(std::span<const Index> seconds, std::span<RingEntry> fan)
   {
-    if (sides.size() > std::numeric_limits<Place>::max())
+    const std::size_t size = seconds.size();
+    if (size == 0 || size > std::numeric_limits<Place>::max())
     {
       return false;
     }
-    for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
-      this->PlaceOf[sides[i].first()] = static_cast<Place>(i);
-    }
-    // Looked up before they are followed: then no look-up waits for the one before.
-    bool hasNext = true;
-    for (std::size_t i = 0; i < sides.size(); ++i)
-    {
-      // The place of a vertex where no side begins is one from another ring.
-      const Place next = this->PlaceOf[sides[i].second];
-      hasNext &= next < sides.size() && sides[next].first() == sides[i].second;
-      this->NextOf[i] = next;
-    }
-    if (!hasNext)
-    {
-      return false;
+      const RingEntry side = fan[i];
+      this->Sides[i] = side;
+      this->PlaceOf[side.neighbour()] = static_cast<Place>(i);
     }
     std::size_t place = 0;
-    for (std::size_t i = 0; i < sides.size(); ++i)
+    std::size_t chained = 0;
+    bool isFound = false;
+    do
     {
-      fan[i] = sides[place].opening;
-      place = this->NextOf[place];
-      if (place == 0)
-      {
-        fan[i + 1] = RingEntry(sides[0].first());
-        return i + 1 == sides.size();
-      }
+      fan[chained++] = this->Sides[place];
+      const Index end = seconds[place];
+      place = this->PlaceOf[end];
+      // The place of a vertex where no side begins is one from another ring.
+      isFound = place < size && this->Sides[place].neighbour() == end;
+    } while (isFound && place != 0 && chained < size);
+    const bool isWhole = isFound && place == 0 && chained == size;
+    if (isWhole)
+    {
+      fan[size] = RingEntry(this->Sides[0].neighbour());
     }
-    return false;
+    else
+    {
+      std::copy_n(this->Sides.begin(), chained, fan.begin());
+    }
+    return isWhole;
   }
 
 private:
   using Place = std::uint8_t;
   std::vector<Place> PlaceOf;
-  std::array<Place, std::numeric_limits<Place>::max()> NextOf;
+  std::array<RingEntry, std::numeric_limits<Place>::max()> Sides;
 };
 
-/** Calls visit(v, t, c) for each corner c of a triangle t whose vertex v is in a range. */
-template <class Visit>
-void visitCorners(Index first, Index last, std::span<const Triangle> triangles, const Visit& visit)
+VertexSize largest(const VertexSize& size, const TriangleMeasure& measure)
 {
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-  {
-    for (std::uint32_t c = 0; c < 3; ++c)
-    {
-      const Index v = triangles[t][c];
-      if (v >= first && v < last)
-      {
-        visit(v, t, c);
-      }
-    }
-  }
+  return { std::max(size.longestSide, measure.longestSide), std::max(size.margin, measure.margin) };
 }
+
+/** Tells the numbers from a first to before a last one. */
+class IndexRange
+{
+public:
+  IndexRange(std::size_t first, std::size_t last)
+    : First(static_cast<Index>(first))
+    , Size(static_cast<Index>(last - first))
+  {
+  }
+  bool has(Index i) const { return i - this->First < this->Size; }
+  bool hasAny(const Triangle& t) const { return has(t[0]) || has(t[1]) || has(t[2]); }
+
+private:
+  Index First;
+  Index Size;
+};
 
 }
 
 VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
-  std::span<const TriangleMeasure> measures, const ThreadTeam& team)
+  std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team)
   : Starts(std::size_t{ numberOfVertices } + 1)
-  , LongestSides(numberOfVertices)
-  , Margins(numberOfVertices)
+  , Sizes(numberOfVertices)
 {
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
@@ -280,11 +280,7 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   std::vector<std::size_t> starts(team.numberOfRanges(numberOfVertices));
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
-    {
-      visitCorners(static_cast<Index>(first), static_cast<Index>(last), triangles,
-        [&](Index v, std::uint32_t, std::uint32_t) { ++this->Starts[v]; });
-      starts[range] = std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
-    });
+    { starts[range] = this->countCorners(first, last, triangles); });
   // Room for one fan a vertex.
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
   this->Entries.resize(std::size_t{ this->Starts.back() } + 1);
@@ -293,57 +289,8 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      std::size_t start = starts[range] + first;
-      for (std::size_t v = first; v < last; ++v)
-      {
-        const std::uint32_t count = this->Starts[v];
-        this->Starts[v] = static_cast<std::uint32_t>(start);
-        start += count + 1;
-      }
-      // At first a ring names the corners at its vertex: triangles, and in the bits of slack which
-      // corner. Filling moves its start to its end.
-      visitCorners(static_cast<Index>(first), static_cast<Index>(last), triangles,
-        [&](Index v, std::uint32_t t, std::uint32_t c)
-        { this->Entries[this->Starts[v]++] = RingEntry(t, std::bit_cast<float>(c), false); });
-      ClosedFanChainer closedFan(numberOfVertices);
-      FanChainer anyFans;
-      BulkVector<OppositeSide> sides;
-      std::vector<RingEntry> fans;
-      start = starts[range] + first;
-      for (std::size_t v = first; v < last; ++v)
-      {
-        const std::size_t end = this->Starts[v];
-        this->Starts[v] = static_cast<std::uint32_t>(start);
-        sides.resize(end - start);
-        float longest = 0.0f;
-        float margin = 0.0f;
-        for (OppositeSide& side : sides)
-        {
-          const RingEntry corner = this->Entries[start++];
-          const std::uint32_t t = corner.neighbour();
-          const TriangleMeasure& measure = measures[t];
-          side = oppositeSide(triangles[t], std::bit_cast<std::uint32_t>(corner.slack()), measure);
-          longest = std::max(longest, measure.longestSide);
-          margin = std::max(margin, measure.margin);
-        }
-        ++start;
-        this->LongestSides[v] = longest;
-        this->Margins[v] = margin;
-        const std::span<RingEntry> ring{ &this->Entries[this->Starts[v]], sides.size() + 1 };
-        if (!closedFan.chain(sides, ring))
-        {
-          fans.clear();
-          anyFans.chain(sides, fans);
-          if (fans.size() == ring.size())
-          {
-            std::copy(fans.begin(), fans.end(), ring.begin());
-          }
-          else
-          {
-            others[range].push_back({ static_cast<Index>(v), fans });
-          }
-        }
-      }
+      this->fillCorners(first, last, starts[range] + first, triangles, positions, room);
+      others[range] = this->chainCorners(first, last, starts[range] + first, room);
     });
   for (std::size_t range = 1; range < others.size(); ++range)
   {
@@ -353,6 +300,104 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   {
     this->replace(others[0]);
   }
+}
+
+std::size_t VertexRings::countCorners(
+  std::size_t first, std::size_t last, std::span<const Triangle> triangles)
+{
+  const IndexRange range(first, last);
+  for (const Triangle& t : triangles)
+  {
+    for (Index v : t)
+    {
+      if (range.has(v))
+      {
+        ++this->Starts[v];
+      }
+    }
+  }
+  return std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
+}
+
+void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t start,
+  std::span<const Triangle> triangles, std::span<const Vector3> positions, std::span<Index> seconds)
+{
+  for (std::size_t v = first; v < last; ++v)
+  {
+    start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
+    this->Sizes[v] = {};
+  }
+  const IndexRange range(first, last);
+  const auto fill = [&, starts = this->Starts.data(), entries = this->Entries.data(),
+                      sizes = this->Sizes.data()](Triangle t, TriangleMeasure measure)
+  {
+    const RingEntry opening(0, measure.slack, measure.isThin());
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index v = t[c];
+      if (range.has(v))
+      {
+        // Moves the start of the ring to its end.
+        const std::uint32_t place = starts[v]++;
+        entries[place] = opening.at(t[(c + 1) % 3]);
+        seconds[place - v] = t[(c + 2) % 3];
+        sizes[v] = largest(sizes[v], measure);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < triangles.size(); i += 2)
+  {
+    // The last one alone is measured twice.
+    const Triangle& t = triangles[i];
+    const Triangle& u = triangles[std::min(i + 1, triangles.size() - 1)];
+    if (range.hasAny(t) || range.hasAny(u))
+    {
+      const auto corners = [&](int c) { return pairOf(positions[t[c]], positions[u[c]]); };
+      const auto measures = measuresOf(corners(0), corners(1), corners(2));
+      fill(t, measures[0]);
+      if (i + 1 < triangles.size())
+      {
+        fill(u, measures[1]);
+      }
+    }
+  }
+}
+
+std::vector<VertexRings::Ring> VertexRings::chainCorners(
+  std::size_t first, std::size_t last, std::size_t start, std::span<const Index> seconds)
+{
+  ClosedFanChainer closedFan(static_cast<Index>(this->Starts.size() - 1));
+  FanChainer anyFans;
+  std::vector<OppositeSide> sides;
+  std::vector<RingEntry> fans;
+  std::vector<Ring> others;
+  for (std::size_t v = first; v < last; ++v)
+  {
+    const std::size_t size =
+      std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
+    const std::span<RingEntry> ring{ &this->Entries[start], size + 1 };
+    const std::span<const Index> ends = seconds.subspan(start - v, size);
+    start += ring.size();
+    if (!closedFan.chain(ends, ring))
+    {
+      sides.clear();
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        sides.push_back({ ring[i], ends[i] });
+      }
+      fans.clear();
+      anyFans.chain(sides, fans);
+      if (fans.size() == ring.size())
+      {
+        std::copy(fans.begin(), fans.end(), ring.begin());
+      }
+      else
+      {
+        others.push_back({ static_cast<Index>(v), fans });
+      }
+    }
+  }
+  return others;
 }
 
 void VertexRings::replace(std::span<const Ring> others)

@@ -4,6 +4,7 @@
 #include "BulkVector.h"
 #include "Index.h"
 #include "ThreadTeam.h"
+#include "Vector3.h"
 
 #include <cstdint>
 #include <limits>
@@ -36,7 +37,9 @@ public:
   /** The entry of another neighbour that opens the same triangle. */
   constexpr RingEntry at(Index neighbour) const
   {
-    return { neighbour, this->Slack, this->isThin() };
+    RingEntry entry = *this;
+    entry.Bits = neighbour | (this->Bits & ~MaximumVertices);
+    return entry;
   }
   constexpr Index neighbour() const { return this->Bits & MaximumVertices; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
@@ -64,18 +67,13 @@ private:
   float Slack = 0.0f;
 };
 
-/** What rings tell of the size of a triangle. */
-struct TriangleMeasure
+/** The largest of what is measured of the triangles round a vertex. */
+struct VertexSize
 {
-  /** RingEntry::isThin */
-  bool isThin() const { return this->slack < -0.5f * this->longestSide; }
-
-  /** RingEntry::slack */
-  float slack;
-  /** Rounded up. */
-  float longestSide;
+  /** Longest side, rounded up. */
+  float longestSide = 0.0f;
   /** labelMargin(), rounded up. */
-  float margin;
+  float margin = 0.0f;
 };
 
 /**
@@ -90,12 +88,13 @@ public:
   VertexRings() = default;
   /**
    * @param triangles  three different ones of @p numberOfVertices vertices each
-   * @param measures   one a triangle
+   * @param positions  of the vertices
+   * @param room       to work in, three numbers a triangle
    * @param team       threads to work on; the rings do not depend on their number
    * Time O(n).
    */
   VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
-    std::span<const TriangleMeasure> measures, const ThreadTeam& team);
+    std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team);
 
   /** The ring of a vertex. After it there is one entry more that may be read. */
   std::span<const RingEntry> operator[](Index vertex) const
@@ -116,10 +115,8 @@ public:
 
   /** Number of a vertex's first entry, counted over the rings of all vertices. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
-  /** The longest side of the triangles round a vertex. */
-  std::span<const float> longestSides() const { return this->LongestSides; }
-  /** The largest labelMargin() of the triangles round a vertex. */
-  std::span<const float> margins() const { return this->Margins; }
+  /** One a vertex. */
+  std::span<const VertexSize> sizes() const { return this->Sizes; }
   std::size_t numberOfEntries() const { return this->Starts.back(); }
 
 private:
@@ -128,14 +125,27 @@ private:
     Index vertex;
     std::vector<RingEntry> entries;
   };
+  // The making of the rings of some vertices, step by step.
+
+  /** Counts the corners at each vertex to Starts; returns their sum. */
+  std::size_t countCorners(
+    std::size_t first, std::size_t last, std::span<const Triangle> triangles);
+  /** Puts what opens the triangles at each vertex to where its ring will be, the first one's from
+   * @p start, in no order; and the other ends of the sides opposite to @p seconds. Leaves the ends
+   * of what was put in Starts. */
+  void fillCorners(std::size_t first, std::size_t last, std::size_t start,
+    std::span<const Triangle> triangles, std::span<const Vector3> positions,
+    std::span<Index> seconds);
+  /** Brings them into order. Returns the rings of more than one fan, for which there is no room. */
+  std::vector<Ring> chainCorners(
+    std::size_t first, std::size_t last, std::size_t start, std::span<const Index> seconds);
   /** Replaces rings, which are sorted by vertex, by others of other sizes. */
   void replace(std::span<const Ring> others);
 
   std::vector<std::uint32_t> Starts;
   /** And one more. */
   BulkVector<RingEntry> Entries;
-  BulkVector<float> LongestSides;
-  BulkVector<float> Margins;
+  BulkVector<VertexSize> Sizes;
 };
 
 }

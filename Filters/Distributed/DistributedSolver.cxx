@@ -35,14 +35,9 @@ std::span<const Index> DistributedSolver::sharedVertices() const
   return this->Mesh.shared().vertices();
 }
 
-std::span<const float> DistributedSolver::longestEdges() const
+std::span<const VertexSize> DistributedSolver::sizes() const
 {
-  return this->Mesh.longestEdges();
-}
-
-std::span<const float> DistributedSolver::margins() const
-{
-  return this->Mesh.margins();
+  return this->Mesh.sizes();
 }
 
 std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)

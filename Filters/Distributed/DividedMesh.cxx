@@ -21,11 +21,10 @@ DividedMesh::DividedMesh(
 
 void DividedMesh::agreeOnSizes(RankGroup& ranks)
 {
-  const VertexRings& rings = this->mesh().rings();
-  this->LongestEdges.assign(rings.longestSides().begin(), rings.longestSides().end());
-  this->Margins.assign(rings.margins().begin(), rings.margins().end());
-  this->Shared.takeLargest<float>(ranks, this->LongestEdges);
-  this->Shared.takeLargest<float>(ranks, this->Margins);
+  const std::span<const VertexSize> own = this->mesh().rings().sizes();
+  this->Sizes.assign(own.begin(), own.end());
+  this->Shared.takeLargest<VertexSize>(ranks, this->Sizes, &VertexSize::longestSide);
+  this->Shared.takeLargest<VertexSize>(ranks, this->Sizes, &VertexSize::margin);
 }
 
 void DividedMesh::chooseStep(RankGroup& ranks)

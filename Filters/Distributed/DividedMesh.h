@@ -29,9 +29,8 @@ public:
   const TriangleMesh& mesh() const { return *this->Mesh; }
   const SharedPoints& shared() const { return this->Shared; }
 
-  /** See Partition::longestEdges. */
-  std::span<const float> longestEdges() const { return this->LongestEdges; }
-  std::span<const float> margins() const { return this->Margins; }
+  /** See Partition::sizes. */
+  std::span<const VertexSize> sizes() const { return this->Sizes; }
   /**
    * By how many mean edges the limit of the march grows from round to round. The more vertices are
    * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
@@ -46,8 +45,7 @@ private:
 
   std::shared_ptr<const TriangleMesh> Mesh;
   SharedPoints Shared;
-  std::vector<float> LongestEdges;
-  std::vector<float> Margins;
+  std::vector<VertexSize> Sizes;
   double StepInEdges = 0.0;
 };
 

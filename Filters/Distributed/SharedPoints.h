@@ -78,18 +78,20 @@ public:
    * @param own of any vertices; only those of shared ones are sent
    */
   std::vector<StartValue> exchange(RankGroup& ranks, std::span<const StartValue> own) const;
-  /** Puts the largest value of all copies of each shared vertex in place of its own. Collective. */
-  template <class T>
-  void takeLargest(RankGroup& ranks, std::span<T> ofVertices) const
+  /** Puts the largest value that a member has in all copies of each shared vertex in place of its
+   * own. Collective. */
+  template <class T, class Number>
+  void takeLargest(RankGroup& ranks, std::span<T> ofVertices, Number T::*member) const
   {
     std::vector<StartValue> own;
     for (const Index vertex : this->Vertices)
     {
-      own.push_back({ vertex, 0, static_cast<double>(ofVertices[vertex]), false });
+      own.push_back({ vertex, 0, static_cast<double>(ofVertices[vertex].*member), false });
     }
     for (const StartValue& other : this->exchange(ranks, own))
     {
-      ofVertices[other.vertex] = std::max(ofVertices[other.vertex], static_cast<T>(other.value));
+      Number& largest = ofVertices[other.vertex].*member;
+      largest = std::max(largest, static_cast<Number>(other.value));
     }
   }
 
