@@ -62,6 +62,8 @@ public:
     }
     this->Distances[vertex] = distance;
   }
+  /** Sets the distance of a vertex that has one. */
+  void lowerDistance(Index vertex, double distance) { this->Distances[vertex] = distance; }
   /** Brings what was reached into the order of the vertices where it is much of the mesh: who
    * visits it then goes through memory from front to back. */
   void orderReached();

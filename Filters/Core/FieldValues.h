@@ -124,21 +124,40 @@ protected:
       : std::min(counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - this->Offset);
   }
 
+  /** Whether the field takes no value. */
+  bool isFixed(Index vertex) const
+  {
+    return this->State[vertex].isPinned || this->Context.options.isExcluded(vertex);
+  }
   /** Whether the field takes a value. */
   bool accepts(Index vertex, double value) const
   {
-    return value < this->ceiling(vertex, this->value(vertex)) && !this->State[vertex].isPinned &&
-      !this->Context.options.isExcluded(vertex);
+    return value < this->ceiling(vertex, this->value(vertex)) && !this->isFixed(vertex);
   }
 
   void set(Index vertex, double value)
   {
-    this->Context.field.setDistance(vertex, value + this->Offset);
-    if (!this->State[vertex].isQueued)
+    if (this->State[vertex].isQueued)
     {
+      this->Context.field.lowerDistance(vertex, value + this->Offset);
+    }
+    else
+    {
+      this->Context.field.setDistance(vertex, value + this->Offset);
       this->State[vertex].isQueued = true;
       this->Context.queue.push(vertex, this->keyOf(value));
     }
+  }
+
+  /** Sets the value of a vertex that is queued, if it counts, and returns what then holds. Whether
+   * it does is not to be guessed, so there is no branch on it. */
+  double lower(Index vertex, double value)
+  {
+    const double ceiling = this->ceiling(vertex, this->value(vertex));
+    const Pair distance = select(Pair{ value } < Pair{ ceiling }, Pair{ value + this->Offset },
+      Pair{ this->Distances[vertex] });
+    this->Context.field.lowerDistance(vertex, distance[0]);
+    return distance[0] - this->Offset;
   }
 
 private:

@@ -28,12 +28,21 @@ public:
   KnownValue propose(Index vertex, double value)
   {
     value = this->LeastOf.raised(value, this->position(vertex));
-    if (!this->accepts(vertex, value))
+    if (this->isFixed(vertex))
     {
       return this->known(vertex);
     }
-    this->set(vertex, value);
-    return { value, value, true };
+    if (this->state(vertex).isQueued)
+    {
+      const double held = this->lower(vertex, value);
+      return { held, held, true };
+    }
+    if (this->accepts(vertex, value))
+    {
+      this->set(vertex, value);
+      return { value, value, true };
+    }
+    return this->known(vertex);
   }
 
   void start(Index vertex, double value, bool isFinal)

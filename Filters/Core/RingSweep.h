@@ -131,6 +131,14 @@ private:
     double value;
     Vector3 centre;
     std::span<const RingEntry> ring;
+    /** Of the neighbours without the last, where that is the first one again. */
+    std::size_t size;
+    bool isRound() const { return this->size < this->ring.size(); }
+    /** With what holds for the first neighbour also for the last, where that is the same. */
+    Mask rounded(Mask mask) const
+    {
+      return this->isRound() ? mask | bit((mask & 1) != 0, this->size) : mask;
+    }
     alignas(Pair) std::array<double, WindowSize> values;
     alignas(Pair) std::array<double, WindowSize> ceilings;
     alignas(Pair) std::array<double, WindowSize> squaredLengths;
@@ -157,13 +165,24 @@ private:
     window.value = value;
     window.centre = this->Mesh.position(vertex);
     window.ring = ring;
+    const bool isRound = ring.front().neighbour() == ring.back().neighbour();
+    window.size = ring.size() - (isRound ? 1 : 0);
     Gains gains = this->look(window);
 
     const Mask isOpen = this->openTriangles(vertex, ring, first);
-    for (Mask along = gains.along & (isOpen | isOpen << 1); along != 0; along &= along - 1)
+    const Mask isOpenEdge = isOpen | isOpen << 1 | (isRound ? isOpen >> (window.size - 1) : 0);
+    for (Mask along = gains.along & isOpenEdge; along != 0; along &= along - 1)
     {
       this->goAlong(window, std::countr_zero(along), isOpen);
     }
+    if (isRound)
+    {
+      window.values[window.size] = window.values[0];
+      window.ceilings[window.size] = window.ceilings[0];
+      window.squaredLengths[window.size] = window.squaredLengths[0];
+    }
+    gains.along = window.rounded(gains.along);
+    window.isQueued = window.rounded(window.isQueued);
 
     // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
     // lies behind the edge may come before it.
@@ -196,7 +215,7 @@ private:
     const Vector3Of<Pair> centre = pairOf(window.centre, window.centre);
     const double value = window.value;
     const std::span<const RingEntry> ring = window.ring;
-    const std::size_t size = ring.size();
+    const std::size_t size = window.size;
     for (std::size_t i = 0; i < size; i += 2)
     {
       // After the last one comes any other, with which nothing is done.
@@ -226,7 +245,22 @@ private:
       lastCeiling = known.ceilings[1];
       lastSlack = b.slack();
     }
-    const std::size_t bits = size + size % 2;
+    std::size_t bits = size + size % 2;
+    if (window.isRound() && bits == size)
+    {
+      // The triangle from the last neighbour to the first, which is faster looked up again than
+      // kept.
+      const Index next = ring[0].neighbour();
+      const KnownPair known = this->FrontValues.look(next, next);
+      const Pair cost = Pair() + this->TriangleCost.ofTriangle(window.vertex, lastNeighbour, next);
+      const Mask gains = bitsOf(value + cost * lastSlack + Pair{ known.values[0], lastValue } <
+        2.0 * Pair{ lastCeiling, known.ceilings[0] });
+      isQueued.add(0);
+      along.add(0);
+      first.add(gains & 1);
+      second.add(gains >> 1);
+      bits += 2;
+    }
     window.isQueued = isQueued.of(bits);
     return { along.of(bits) & (bit(true, size) - 1), first.of(bits) >> 1, second.of(bits) >> 1,
       hasThin ? thinTriangles(ring) : 0 };
@@ -291,7 +325,8 @@ private:
     }
     constexpr double none = std::numeric_limits<double>::infinity();
     const double after = isOpen >> i & 1 ? this->triangleCost(window, i) : none;
-    const double before = isOpen << 1 >> i & 1 ? this->triangleCost(window, i - 1) : none;
+    const std::size_t last = i > 0 ? i - 1 : window.isRound() ? window.size - 1 : WindowSize;
+    const double before = isOpen >> last & 1 ? this->triangleCost(window, last) : none;
     return std::min(before, after);
   }
 
