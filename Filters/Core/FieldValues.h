@@ -124,15 +124,21 @@ protected:
       : std::min(counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - this->Offset);
   }
 
-  /** Whether the field takes no value. */
-  bool isFixed(Index vertex) const
+  /** Gives the field a value, which it takes if that counts; returns what then holds. */
+  KnownValue offer(Index vertex, double value)
   {
-    return this->State[vertex].isPinned || this->Context.options.isExcluded(vertex);
-  }
-  /** Whether the field takes a value. */
-  bool accepts(Index vertex, double value) const
-  {
-    return value < this->ceiling(vertex, this->value(vertex)) && !this->isFixed(vertex);
+    const bool isFixed = this->State[vertex].isPinned || this->Context.options.isExcluded(vertex);
+    if (!isFixed && this->State[vertex].isQueued)
+    {
+      const double held = this->lower(vertex, value);
+      return { held, held, true };
+    }
+    if (!isFixed && value < this->ceiling(vertex, this->value(vertex)))
+    {
+      this->set(vertex, value);
+      return { value, value, true };
+    }
+    return this->known(vertex);
   }
 
   void set(Index vertex, double value)
@@ -149,6 +155,7 @@ protected:
     }
   }
 
+private:
   /** Sets the value of a vertex that is queued, if it counts, and returns what then holds. Whether
    * it does is not to be guessed, so there is no branch on it. */
   double lower(Index vertex, double value)
@@ -160,7 +167,6 @@ protected:
     return distance[0] - this->Offset;
   }
 
-private:
   const MarchContext<Cost>& Context;
   double First;
   double Offset = 0.0;

@@ -64,12 +64,12 @@ public:
     {
       return this->proposeFurther(vertex, value);
     }
-    if (!this->accepts(vertex, value))
+    const KnownValue held = this->offer(vertex, value);
+    if (held.isQueued)
     {
-      return this->known(vertex);
+      this->Sets.setBestLabel(vertex, this->Current);
     }
-    this->setBest(vertex, value);
-    return { value, value, true };
+    return held;
   }
 
   void start(Index vertex, double value, bool isFinal)

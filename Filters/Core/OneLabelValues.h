@@ -27,22 +27,7 @@ public:
 
   KnownValue propose(Index vertex, double value)
   {
-    value = this->LeastOf.raised(value, this->position(vertex));
-    if (this->isFixed(vertex))
-    {
-      return this->known(vertex);
-    }
-    if (this->state(vertex).isQueued)
-    {
-      const double held = this->lower(vertex, value);
-      return { held, held, true };
-    }
-    if (this->accepts(vertex, value))
-    {
-      this->set(vertex, value);
-      return { value, value, true };
-    }
-    return this->known(vertex);
+    return this->offer(vertex, this->LeastOf.raised(value, this->position(vertex)));
   }
 
   void start(Index vertex, double value, bool isFinal)

@@ -170,7 +170,8 @@ private:
     Gains gains = this->look(window);
 
     const Mask isOpen = this->openTriangles(vertex, ring, first);
-    const Mask isOpenEdge = isOpen | isOpen << 1 | (isRound ? isOpen >> (window.size - 1) : 0);
+    Mask isOpenEdge = isOpen | isOpen << 1;
+    isOpenEdge |= isRound ? isOpenEdge >> window.size : 0;
     for (Mask along = gains.along & isOpenEdge; along != 0; along &= along - 1)
     {
       this->goAlong(window, std::countr_zero(along), isOpen);
