@@ -74,7 +74,7 @@ public:
     return this->Heap.empty() ? DistanceField::Unreached : this->Heap.front().distance;
   }
 
-  double meanEdge() const override
+  double meanLongestEdge() const override
   {
     const std::span<const double> cost = this->Options.cost;
     const double sum = std::accumulate(cost.begin(), cost.end(), 0.0);

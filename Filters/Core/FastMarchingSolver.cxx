@@ -58,7 +58,7 @@ template <class Cost>
 bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  const double width = BucketWidthInMeanEdges * this->mesh().meanLongestEdge() * cost.mean();
+  const double width = BucketWidthInEdges * this->mesh().meanLongestEdge() * cost.mean();
   // A piece without triangles has no edges.
   const bool isOneFront = request.front.labels.size() == 1;
   this->Queue.start(width > 0.0 ? width : 1.0,

@@ -24,9 +24,9 @@ public:
   virtual void advance(double limit) = 0;
   /** No distance that waits in the queue is less; infinity where none does. */
   virtual double nextDistance() const = 0;
-  /** What a mean edge of the piece adds to a distance; 0 on a piece without edges, or any number.
-   */
-  virtual double meanEdge() const = 0;
+  /** What an edge of TriangleMesh::meanLongestEdge() adds to a distance; 0 on a piece without
+   * edges, or any number. */
+  virtual double meanLongestEdge() const = 0;
   /** How many vertices were taken from the queue so far. */
   virtual std::size_t numberOfUpdates() const = 0;
   virtual bool isCancelled() const = 0;

@@ -12,8 +12,9 @@
 namespace geodesic
 {
 
-/** Width of the queue's buckets; 0.1 to 0.5 serve about equally well. */
-constexpr double BucketWidthInMeanEdges = 0.25;
+/** Width of the queue's buckets, in edges of TriangleMesh::meanLongestEdge(); 0.1 to 0.5 serve
+ * about equally well. */
+constexpr double BucketWidthInEdges = 0.25;
 
 /** A march as a Partition sees it; @p Values and @p advance are the march. */
 template <class Values, class Advance>
@@ -42,7 +43,7 @@ public:
                                  : this->FirstDistance + this->Queue.nextKey();
   }
 
-  double meanEdge() const override { return this->Queue.width() / BucketWidthInMeanEdges; }
+  double meanLongestEdge() const override { return this->Queue.width() / BucketWidthInEdges; }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   bool isCancelled() const override { return this->Control.isCancelled(); }
 

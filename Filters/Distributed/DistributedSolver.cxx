@@ -97,9 +97,9 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
 double DistributedSolver::stepOf(const MarchingFront& front)
 {
   const auto triangles = static_cast<double>(this->Mesh.mesh().numberOfTriangles());
-  const double meanEdge =
-    this->Ranks.sum(triangles * front.meanEdge()) / this->Ranks.sum(triangles);
-  return this->Mesh.stepInEdges() * meanEdge;
+  const double edge =
+    this->Ranks.sum(triangles * front.meanLongestEdge()) / this->Ranks.sum(triangles);
+  return this->Mesh.stepInEdges() * edge;
 }
 
 void DistributedSolver::exchangeNews(MarchingFront& front)

@@ -32,10 +32,11 @@ public:
   /** See Partition::sizes. */
   std::span<const VertexSize> sizes() const { return this->Sizes; }
   /**
-   * By how many mean edges the limit of the march grows from round to round. The more vertices are
-   * shared, the more the ranks redo: where nearly all are, as when triangles are dealt out at
-   * random, half an edge led to twice the work of one rank and one edge to up to ten times. Where
-   * few are, a round is to hold enough work to be worth its messages. Infinite where none are.
+   * By how many edges of MarchingFront::meanLongestEdge() the limit of the march grows from round
+   * to round. The more vertices are shared, the more the ranks redo: where nearly all are, as when
+   * triangles are dealt out at random, half an edge led to twice the work of one rank and one edge
+   * to up to ten times. Where few are, a round is to hold enough work to be worth its messages.
+   * Infinite where none are.
    */
   double stepInEdges() const { return this->StepInEdges; }
 
