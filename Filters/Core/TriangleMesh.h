@@ -44,7 +44,7 @@ public:
    * @param team       threads to build it on; the mesh does not depend on their number
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
    *         coordinates are not finite
-   * @throws std::length_error for more than 2^31 - 1 vertices or 700 million triangles
+   * @throws std::length_error for more than 2^30 - 1 vertices or 700 million triangles
    * Time O(n).
    */
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 #include <vector>
 
 using namespace geodesic;
@@ -47,6 +50,30 @@ TEST(TriangleMeasure, IsRoundedToTheSafeSide)
     EXPECT_NEAR(measure.longestSide, longestSides[t], 1e-6);
     EXPECT_GT(measure.margin, margins[t]);
     EXPECT_NEAR(measure.margin, margins[t], 1e-5);
+  }
+}
+
+// Whichever corner is the far one of a needle; the truth by the cross product, which loses nothing.
+TEST(TriangleMeasure, IsOnTheSafeSideForNeedles)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return size * Vector3{ number(random), number(random), number(random) };
+  };
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double width = std::pow(10.0, -i % 13);
+    Corners t{ vector(1.0), vector(1.0), {} };
+    t[2] = t[0] + (i % 2) * 0.4 * (t[1] - t[0]) + vector(width);
+    std::rotate(t.begin(), t.begin() + i % 3, t.end());
+    const double longest = std::max({ norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2]) });
+    const double height = norm(cross(t[1] - t[0], t[2] - t[0])) / longest;
+    const TriangleMeasure measure = measureOf(t);
+    ASSERT_LT(measure.slack, 2.0 * height - longest);
+    ASSERT_NEAR(measure.slack, 2.0 * height - longest, 4e-7 * longest);
+    ASSERT_GT(measure.longestSide, longest);
+    ASSERT_NEAR(measure.longestSide, longest, 4e-7 * longest);
   }
 }
 
