@@ -20,8 +20,8 @@ namespace geodesic
 namespace
 {
 
-/** So many vertices are swept before what their crossings gave is proposed. They are of one bucket,
- * so hardly any of them gains by another. Meanwhile the mesh round the next ones is fetched. */
+/** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
+ * another. Meanwhile the mesh round the next ones is fetched. */
 constexpr std::size_t Handful = 12;
 
 /** Many small fronts spread over more memory than the processor has near. So what waits in a bucket
@@ -30,8 +30,9 @@ constexpr int BlockBits = 9;
 
 }
 
-FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh)
+FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads)
   : DistanceSolver(std::move(mesh))
+  , MayUseQuads(mayUseQuads)
 {
   this->State.resize(this->mesh().numberOfVertices());
 }
@@ -46,7 +47,7 @@ bool FastMarchingSolver::march(const Request& request, StopLimit& limit, Distanc
   }
   if (!this->UnitSolver)
   {
-    this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh());
+    this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh(), this->MayUseQuads);
   }
   const VertexCost cost(this->mesh(), request.options.cost, request.partition);
   const auto starts = costedStarts(
@@ -63,71 +64,25 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
   const bool isOneFront = request.front.labels.size() == 1;
   this->Queue.start(width > 0.0 ? width : 1.0,
     2.0 * this->mesh().longestEdgeLength() * cost.largest(), isOneFront ? 0 : BlockBits);
-  if (!isOneFront)
+  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
+    this->Queue, this->State };
+  if (isOneFront)
   {
-    return this->marchManyLabels(cost, starts, request, limit, field);
+    OneLabelValues<Cost> values(context, request.front.labels[0]);
+    return this->run(cost, values, starts, request, limit, control, field);
   }
-  return request.front.labels[0].shape == FrontShape::Round
-    ? this->marchOneLabel<FrontShape::Round>(cost, starts, request, limit, field)
-    : this->marchOneLabel<FrontShape::Straight>(cost, starts, request, limit, field);
-}
-
-template <FrontShape Shape, class Cost>
-bool FastMarchingSolver::marchOneLabel(const Cost& cost, std::span<const StartValue> starts,
-  const Request& request, StopLimit& limit, DistanceField& field)
-{
-  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
-  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queue, this->State };
-  OneLabelValues<Cost> values(context, request.front.labels[0]);
-  RingSweep<Shape, Cost, OneLabelValues<Cost>> ringSweep(
-    this->mesh(), request.closed, cost, values);
-  return this->run(
-    values, starts, request, limit, control, field,
-    [&](Index vertex, double value) { ringSweep.sweep(vertex, value); },
-    [&] { ringSweep.settle(); });
-}
-
-template <class Cost>
-bool FastMarchingSolver::marchManyLabels(const Cost& cost, std::span<const StartValue> starts,
-  const Request& request, StopLimit& limit, DistanceField& field)
-{
-  const std::vector<Label>& labels = request.front.labels;
-  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
-  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queue, this->State };
-  using Values = LabelValues<Cost>;
-  Values values(context, labels, this->Labels);
-  RingSweep<FrontShape::Round, Cost, Values> round(this->mesh(), request.closed, cost, values);
-  RingSweep<FrontShape::Straight, Cost, Values> straight(
-    this->mesh(), request.closed, cost, values);
-  const bool finished = this->run(
-    values, starts, request, limit, control, field,
-    [&](Index vertex, double value)
-    {
-      if (labels[values.current()].shape == FrontShape::Round)
-      {
-        round.sweep(vertex, value);
-      }
-      else
-      {
-        straight.sweep(vertex, value);
-      }
-    },
-    [&]
-    {
-      round.settle();
-      straight.settle();
-    });
+  LabelValues<Cost> values(context, request.front.labels, this->Labels);
+  const bool finished = this->run(cost, values, starts, request, limit, control, field);
   this->Labels.finish();
   return finished;
 }
 
-template <class Values, class Sweep, class Settle>
-bool FastMarchingSolver::run(Values& values, std::span<const StartValue> starts,
-  const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field,
-  Sweep sweep, Settle settle)
+template <class Cost, class Values>
+bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
 {
+  RingSweep<Cost, Values> ringSweep(this->mesh(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
     values.setCurrent(start.label);
@@ -148,15 +103,7 @@ bool FastMarchingSolver::run(Values& values, std::span<const StartValue> starts,
         {
           this->mesh().prefetch(values.vertexOf(next));
         }
-        for (Index waiting : handful)
-        {
-          const TakenValue taken = values.take(waiting);
-          if (taken.vertex != NoIndex)
-          {
-            sweep(taken.vertex, taken.value);
-          }
-        }
-        settle();
+        ringSweep.sweep(handful);
       }
     });
   const bool finished = request.partition.march(front, limit);

@@ -35,7 +35,9 @@ class MarchControl;
 class FastMarchingSolver : public DistanceSolver
 {
 public:
-  explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh);
+  /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
+   * Lanes.h); the field is the same either way, to the bit */
+  explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads = true);
 
 protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
@@ -44,17 +46,11 @@ private:
   template <class Cost>
   bool marchAtCost(const Cost& cost, std::span<const StartValue> starts, const Request& request,
     StopLimit& limit, DistanceField& field);
-  template <FrontShape Shape, class Cost>
-  bool marchOneLabel(const Cost& cost, std::span<const StartValue> starts, const Request& request,
-    StopLimit& limit, DistanceField& field);
-  template <class Cost>
-  bool marchManyLabels(const Cost& cost, std::span<const StartValue> starts, const Request& request,
-    StopLimit& limit, DistanceField& field);
-  /** @param sweep, settle those of RingSweep, for the current label of @p values */
-  template <class Values, class Sweep, class Settle>
-  bool run(Values& values, std::span<const StartValue> starts, const Request& request,
-    StopLimit& limit, MarchControl& control, DistanceField& field, Sweep sweep, Settle settle);
+  template <class Cost, class Values>
+  bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
+    const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
+  bool MayUseQuads;
   BucketQueue Queue;
   std::vector<VertexState> State;
   LabelSets Labels;

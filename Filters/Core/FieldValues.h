@@ -3,8 +3,8 @@
 
 #include "BucketQueue.h"
 #include "DistanceField.h"
+#include "Lanes.h"
 #include "MarchControl.h"
-#include "Pair.h"
 #include "RingSweep.h"
 #include "SeedFront.h"
 #include "SolveOptions.h"
@@ -60,14 +60,6 @@ struct MarchContext
   std::span<VertexState> state;
 };
 
-/** A value that was taken from the queue. */
-struct TakenValue
-{
-  /** NoIndex where it is no longer of interest. */
-  Index vertex;
-  double value;
-};
-
 /**
  * Values of a label, the current one, that the field itself holds: its distances less the value of
  * the seed.
@@ -103,16 +95,17 @@ protected:
     return { value, value, this->State[vertex].isQueued };
   }
 
-  KnownPair known(Index a, Index b) const
+  template <class Real>
+  GEODESIC_INLINED KnownValues<Real> known(const Indices<Real>& vertices) const
   {
-    const Pair values = Pair{ this->Distances[a], this->Distances[b] } - this->Offset;
-    return { values, values, areQueued(this->State[a].isQueued, this->State[b].isQueued) };
-  }
-
-  /** As in KnownPair. */
-  static unsigned areQueued(bool first, bool second)
-  {
-    return static_cast<unsigned>(first) | static_cast<unsigned>(second) << 1;
+    const Real values =
+      lanesOf<Real>([&](int lane) { return this->Distances[vertices[lane]]; }) - this->Offset;
+    unsigned isQueued = 0;
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+    {
+      isQueued += static_cast<unsigned>(this->State[vertices[lane]].isQueued) << lane;
+    }
+    return { values, values, isQueued };
   }
 
   /** What a value has to be below in order to count where there is @p old. */

@@ -1,7 +1,7 @@
 #ifndef geodesic_LabelMargin_h
 #define geodesic_LabelMargin_h
 
-#include "Pair.h"
+#include "Lanes.h"
 
 namespace geodesic
 {

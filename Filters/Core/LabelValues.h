@@ -38,23 +38,35 @@ public:
   }
 
   Index current() const { return this->Current; }
+  FrontShape shape() const { return this->Labels[this->Current].shape; }
   void setCurrent(Index label)
   {
     this->Current = label;
     this->setOffset(this->Labels[label].value);
   }
 
-  KnownPair look(Index a, Index b) const
+  template <class Real>
+  GEODESIC_INLINED KnownValues<Real> look(const Indices<Real>& vertices) const
   {
     // Away from borders a vertex has a value for this label, or none at all.
-    if ((this->isOther(a) | this->isOther(b)) != 0) [[unlikely]]
+    std::uint64_t areOthers = 0;
+    for (Index vertex : vertices)
     {
-      const KnownValue first = this->look(a);
-      const KnownValue second = this->look(b);
-      return { Pair{ first.value, second.value }, Pair{ first.ceiling, second.ceiling },
-        this->areQueued(first.isQueued, second.isQueued) };
+      areOthers |= this->isOther(vertex);
     }
-    return this->known(a, b);
+    KnownValues<Real> known = this->template known<Real>(vertices);
+    if (areOthers != 0) [[unlikely]]
+    {
+      known.isQueued = 0;
+      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+      {
+        const KnownValue one = this->look(vertices[lane]);
+        known.values[lane] = one.value;
+        known.ceilings[lane] = one.ceiling;
+        known.isQueued |= static_cast<unsigned>(one.isQueued) << lane;
+      }
+    }
+    return known;
   }
 
   KnownValue propose(Index vertex, double value)

@@ -16,14 +16,20 @@ public:
     : FieldValues<Cost>(context, label.value)
     , LeastOf(label, context.cost.smallest())
     , Seed(label.seed)
+    , Shape(label.shape)
   {
     this->setOffset(label.value);
   }
 
   Index current() const { return 0; }
   void setCurrent(Index) {}
+  FrontShape shape() const { return this->Shape; }
 
-  KnownPair look(Index a, Index b) const { return this->known(a, b); }
+  template <class Real>
+  GEODESIC_INLINED KnownValues<Real> look(const Indices<Real>& vertices) const
+  {
+    return this->template known<Real>(vertices);
+  }
 
   KnownValue propose(Index vertex, double value)
   {
@@ -57,6 +63,7 @@ public:
 private:
   StraightLineBound LeastOf;
   Index Seed;
+  FrontShape Shape;
 };
 
 }

@@ -3,17 +3,18 @@
 
 #include "ClosedFans.h"
 #include "EikonalUpdate.h"
-#include "Pair.h"
+#include "Lanes.h"
+#include "RingWindows.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace geodesic
 {
@@ -29,24 +30,29 @@ struct KnownValue
   bool isQueued;
 };
 
-/** What it knows of two; isQueued is in bits 0 and 1. */
-struct KnownPair
+/** What it knows of several; isQueued is in bits 0, 1 and so on. */
+template <class Real>
+struct KnownValues
 {
-  Pair values;
-  Pair ceilings;
+  Real values;
+  Real ceilings;
   unsigned isQueued;
 };
 
-/** The ways of a front of a shape over the inside of two edges, at costs @p w. */
-template <FrontShape Shape>
-inline Pair crossings(const FlatTriangleOf<Pair>& t, Pair a, Pair b, Pair w)
+/** As many vertices as a Real has numbers. */
+template <class Real>
+using Indices = std::array<Index, lanes<Real>>;
+
+/** A value that was taken from the queue. */
+struct TakenValue
 {
-  return Shape == FrontShape::Round ? w * pointSourceCrossing(t, a / w, b / w)
-                                    : straightFrontCrossing(t, a, b, w);
-}
+  /** NoIndex where it is no longer of interest. */
+  Index vertex;
+  double value;
+};
 
 /**
- * Updates the neighbours of a vertex over the edges round it, after its own value fell.
+ * Updates the neighbours of vertices over the edges round them, after their own values fell.
  *
  * An update is the least of three ways: along either edge to the neighbour, and over the inside of
  * the edge opposite to it. Along an edge the front comes when the edge's other end is swept, over
@@ -54,217 +60,196 @@ inline Pair crossings(const FlatTriangleOf<Pair>& t, Pair a, Pair b, Pair w)
  * gain nothing by RingEntry::slack.
  *
  * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
- * waits. So the ring is looked at without branches first, in windows and two neighbours at a time,
- * and what is found noted in the bits of a mask. Crossings are computed two at a time as well, and
- * their values only proposed by settle(): so the roots of some sweeps are taken while others go on.
+ * waits. So some vertices are swept together, step by step, and each step is one loop over all of
+ * them: first the rings are looked at, several neighbours at a time, and what is found noted in the
+ * bits of masks; then fronts go along edges; then over edges, several at a time; last the values
+ * that were found are proposed.
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
- * @tparam Values  of the neighbours, for the front that is swept:
- *                 current(), setCurrent(Index) tell and change which label that is;
- *                 look(Index, Index) -> KnownPair;
+ * @tparam Values  of the front that is swept:
+ *                 take(Index) -> TakenValue of what was in the queue, and makes its label the
+ *                 current one; current(), shape(), setCurrent(Index) tell and change which that is;
+ *                 look<Real>(const Indices<Real>&) -> KnownValues<Real> of its values;
  *                 propose(Index, double) -> KnownValue, queues the vertex with the value if that
  *                 counts, and returns what then holds
  */
-template <FrontShape Shape, class Cost, class Values>
+template <class Cost, class Values>
 class RingSweep
 {
 public:
-  RingSweep(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, Values& values)
+  /** @param mayUseQuads whether four numbers are treated at once where the processor can; the
+   * values are the same either way */
+  RingSweep(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, Values& values,
+    bool mayUseQuads = true)
     : Mesh(mesh)
     , Closed(closed)
     , TriangleCost(cost)
     , FrontValues(values)
+    , UsesQuads(mayUseQuads && hasQuads())
   {
   }
 
-  // Flat: calls within these two would take a tenth more, and so would further copies of them.
-
-  /** Sweeps over the triangles round @p vertex, whose value is now @p value. To be followed by
-   * settle(), after a few sweeps. */
-  [[gnu::flatten, gnu::noinline]] void sweep(Index vertex, double value)
+  /** Sweeps over the triangles round the vertices of @p waiting, which were in the queue. */
+  void sweep(std::span<const Index> waiting)
   {
-    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
-    for (std::size_t first = 0; first + 1 < ring.size(); first += WindowSize - 1)
+    if (this->UsesQuads)
     {
-      const std::size_t size = std::min(WindowSize, ring.size() - first);
-      this->sweepWindow(vertex, value, ring.subspan(first, size), first);
+      this->sweepByFour(waiting);
     }
-  }
-
-  /** Proposes what the sweeps since the last call found over edges. */
-  [[gnu::flatten, gnu::noinline]] void settle()
-  {
-    const Index current = this->FrontValues.current();
-    for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
+    else
     {
-      const Proposal& proposal = this->Proposals[i];
-      this->FrontValues.setCurrent(proposal.label);
-      this->FrontValues.propose(proposal.vertex, proposal.value);
+      this->sweepByTwo(waiting);
     }
-    this->FrontValues.setCurrent(current);
-    this->NumberOfProposals = 0;
   }
 
 private:
-  static constexpr std::size_t WindowSize = 16;
-  /** One bit a neighbour, or the triangle that it opens; or one for each of two ways. */
-  using Mask = std::uint32_t;
+  using Mask = RingWindows::Mask;
+  using Window = RingWindows::Window;
   static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
 
-  /** A mask in the making, two bits after two. */
-  class GrowingMask
-  {
-  public:
-    void add(Mask bits) { this->Bits = this->Bits >> 2 | bits << (Digits - 2); }
-    /** The bits that were added, @p size of them. */
-    Mask of(std::size_t size) const { return this->Bits >> (Digits - size) % Digits; }
+  // Flat: what is called from these and not inlined would not be compiled for AVX2.
 
-  private:
-    static constexpr std::size_t Digits = std::numeric_limits<Mask>::digits;
-    Mask Bits = 0;
-  };
-
-  /** A vertex and its neighbours in a window of its ring. */
-  struct Window
+  [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void sweepByFour(std::span<const Index> waiting)
   {
-    Index vertex;
-    double value;
-    Vector3 centre;
-    std::span<const RingEntry> ring;
-    /** Of the neighbours without the last, where that is the first one again. */
-    std::size_t size;
-    bool isRound() const { return this->size < this->ring.size(); }
-    /** With what holds for the first neighbour also for the last, where that is the same. */
-    Mask rounded(Mask mask) const
+    this->lookRound<Quad>(waiting, [&] { this->finishByFour(); });
+  }
+  [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void finishByFour() { this->finish<Quad>(); }
+  [[gnu::flatten, gnu::noinline]] void sweepByTwo(std::span<const Index> waiting)
+  {
+    this->lookRound<Pair>(waiting, [&] { this->finishByTwo(); });
+  }
+  [[gnu::flatten, gnu::noinline]] void finishByTwo() { this->finish<Pair>(); }
+
+  /** @param doNoted  does what was noted in all windows */
+  template <class Real, class DoNoted>
+  void lookRound(std::span<const Index> waiting, DoNoted doNoted)
+  {
+    constexpr std::size_t step = RingWindows::Size - 1;
+    for (Index next : waiting)
     {
-      return this->isRound() ? mask | bit((mask & 1) != 0, this->size) : mask;
+      const TakenValue taken = this->FrontValues.take(next);
+      const std::span<const RingEntry> ring =
+        taken.vertex != NoIndex ? this->Mesh.ring(taken.vertex) : std::span<const RingEntry>();
+      for (std::size_t first = 0; first + 1 < ring.size(); first += step)
+      {
+        if (this->Windows.Count == RingWindows::Most)
+        {
+          const Index current = this->FrontValues.current();
+          doNoted();
+          this->FrontValues.setCurrent(current);
+        }
+        this->look<Real>(taken, ring, first);
+      }
     }
-    alignas(Pair) std::array<double, WindowSize> values;
-    alignas(Pair) std::array<double, WindowSize> ceilings;
-    alignas(Pair) std::array<double, WindowSize> squaredLengths;
-    /** Waits to be swept with its value. */
-    Mask isQueued;
-  };
+    doNoted();
+  }
 
-  /** Who may gain. */
-  struct Gains
+  /** Notes what there is to do in a window of a ring. */
+  template <class Real>
+  void look(const TakenValue& taken, std::span<const RingEntry> ring, std::size_t firstEntry)
   {
-    /** A neighbour, along the edge to it. */
-    Mask along;
-    /** The neighbour that opens a triangle, or the one after it, over the edge to the other. */
-    Mask first;
-    Mask second;
-    /** The triangles that are thin. */
-    Mask isThin;
-  };
+    const std::size_t number = this->Windows.Count++;
+    const std::size_t base = number * RingWindows::Size;
+    const RingEntry* const entries = &ring[firstEntry];
+    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
+    const Vector3* const positions = this->Mesh.positions().data();
+    const Vector3& centre = positions[taken.vertex];
+    const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
+    Mask isQueued = 0;
+    Mask along = 0;
+    Mask first = 0;
+    Mask second = 0;
+    Index thinBits = 0;
+    // Of the neighbours before those that are looked at.
+    Index lastNeighbour = taken.vertex;
+    Real lastValues = Real();
+    Real lastCeilings = Real();
+    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size; i += lanes<Real>)
+    {
+      // After the last neighbour come any others, with which nothing is done.
+      Indices<Real> neighbours;
+      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+      {
+        neighbours[lane] = entries[i + lane].neighbour();
+        this->Windows.Neighbours[base + i + lane] = neighbours[lane];
+        thinBits |= entries[i + lane].thinBit();
+      }
+      const KnownValues<Real> known = this->FrontValues.template look<Real>(neighbours);
+      const Vector3Of<Real> offset =
+        sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
+        origin;
+      const Real squares = dot(offset, offset);
+      store(known.values, &this->Windows.Values[base + i]);
+      store(known.ceilings, &this->Windows.Ceilings[base + i]);
+      store(offset.x, &this->Windows.X[base + i]);
+      store(offset.y, &this->Windows.Y[base + i]);
+      store(offset.z, &this->Windows.Z[base + i]);
+      store(squares, &this->Windows.SquaredLengths[base + i]);
+      isQueued |= known.isQueued << i;
 
-  void sweepWindow(Index vertex, double value, std::span<const RingEntry> ring, std::size_t first)
+      const Real rises = largest(known.ceilings - taken.value, Real());
+      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
+
+      // The triangles that end here, each opened by the neighbour before.
+      const Real slacks = slacksOf<Real>(entries + i);
+      const Real costs = this->costsBefore<Real>(taken.vertex, lastNeighbour, neighbours);
+      const Real bounds = taken.value + costs * shiftedIn(lastSlacks, slacks);
+      const Real ceilings = 2.0 * known.ceilings;
+      first |= bitsOf(bounds + known.values < shiftedIn(lastCeilings, ceilings)) << i;
+      second |= bitsOf(bounds + shiftedIn(lastValues, known.values) < ceilings) << i;
+      lastNeighbour = neighbours.back();
+      lastValues = known.values;
+      lastCeilings = ceilings;
+      lastSlacks = slacks;
+    }
+    const std::size_t last = size - 1;
+    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
+    const Mask triangles = bit(true, last) - 1;
+    this->Windows.OwnValues[number] = taken.value;
+    Window& window = this->Windows.Windows[number];
+    window.vertex = taken.vertex;
+    window.label = this->FrontValues.current();
+    window.shape = this->FrontValues.shape();
+    window.last = isRound ? static_cast<Mask>(last) : 0;
+    window.isQueued = isQueued;
+    window.isOpen = this->openTriangles(taken.vertex, firstEntry, last) & triangles;
+    window.isThin = thinBits != 0 ? thinTriangles({ entries, size }) : 0;
+    window.along = along & (isRound ? triangles : triangles << 1 | 1);
+    window.first = first >> 1;
+    window.second = second >> 1;
+  }
+
+  /** Those of as many entries as a Real has numbers. */
+  template <class Real>
+  GEODESIC_INLINED static Real slacksOf(const RingEntry* entries)
   {
-    Window window;
-    window.vertex = vertex;
-    window.value = value;
-    window.centre = this->Mesh.position(vertex);
-    window.ring = ring;
-    const bool isRound = ring.front().neighbour() == ring.back().neighbour();
-    window.size = ring.size() - (isRound ? 1 : 0);
-    Gains gains = this->look(window);
-
-    const Mask isOpen = this->openTriangles(vertex, ring, first);
-    Mask isOpenEdge = isOpen | isOpen << 1;
-    isOpenEdge |= isRound ? isOpenEdge >> window.size : 0;
-    for (Mask along = gains.along & isOpenEdge; along != 0; along &= along - 1)
+    if constexpr (lanes<Real> == 2)
     {
-      this->goAlong(window, std::countr_zero(along), isOpen);
+      return Real{ entries[0].slack(), entries[1].slack() };
     }
-    if (isRound)
+    else
     {
-      window.values[window.size] = window.values[0];
-      window.ceilings[window.size] = window.ceilings[0];
-      window.squaredLengths[window.size] = window.squaredLengths[0];
-    }
-    gains.along = window.rounded(gains.along);
-    window.isQueued = window.rounded(window.isQueued);
-
-    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
-    // lies behind the edge may come before it.
-    gains.first |= gains.isThin & gains.along >> 1;
-    gains.second |= gains.isThin & gains.along;
-    gains.first &= isOpen & (gains.isThin | ~(window.isQueued >> 1));
-    gains.second &= isOpen & (gains.isThin | ~window.isQueued);
-    for (Mask ways = gains.first | gains.second << WindowSize; ways != 0;)
-    {
-      const Way a(ways);
-      ways &= ways - 1;
-      const Way b = ways != 0 ? Way(ways) : a;
-      ways &= ways - 1;
-      this->crossBoth(window, a, b);
+      using Floats = float __attribute__((vector_size(16)));
+      static_assert(sizeof(Floats) == 2 * sizeof(RingEntry));
+      Floats first;
+      Floats second;
+      std::memcpy(&first, entries, sizeof first);
+      std::memcpy(&second, entries + 2, sizeof second);
+      return __builtin_convertvector(__builtin_shufflevector(first, second, 1, 3, 5, 7), Real);
     }
   }
 
-  Gains look(Window& window) const
+  /** Of the triangles of a vertex between each neighbour and the one before. */
+  template <class Real>
+  GEODESIC_INLINED Real costsBefore(Index vertex, Index last, const Indices<Real>& neighbours) const
   {
-    GrowingMask isQueued;
-    GrowingMask along;
-    GrowingMask first;
-    GrowingMask second;
-    bool hasThin = false;
-    // Of the neighbour before the two that are looked at.
-    Index lastNeighbour = window.vertex;
-    double lastValue = 0.0;
-    double lastCeiling = 0.0;
-    float lastSlack = std::numeric_limits<float>::infinity();
-    const Vector3Of<Pair> centre = pairOf(window.centre, window.centre);
-    const double value = window.value;
-    const std::span<const RingEntry> ring = window.ring;
-    const std::size_t size = window.size;
-    for (std::size_t i = 0; i < size; i += 2)
-    {
-      // After the last one comes any other, with which nothing is done.
-      const RingEntry a = ring.data()[i];
-      const RingEntry b = ring.data()[i + 1];
-      const KnownPair known = this->FrontValues.look(a.neighbour(), b.neighbour());
-      const Vector3Of<Pair> offset =
-        pairOf(this->Mesh.position(a.neighbour()), this->Mesh.position(b.neighbour())) - centre;
-      const Pair squares = dot(offset, offset);
-      store(known.values, window.values, i);
-      store(known.ceilings, window.ceilings, i);
-      store(squares, window.squaredLengths, i);
-      isQueued.add(known.isQueued);
-      hasThin |= a.isThin() | b.isThin();
-
-      const Pair rises = largest(known.ceilings - value, Pair());
-      along.add(bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0));
-
-      // The triangles that end here: opened by the neighbour before, and by a.
-      const Pair costs{ this->TriangleCost.ofTriangle(window.vertex, lastNeighbour, a.neighbour()),
-        this->TriangleCost.ofTriangle(window.vertex, a.neighbour(), b.neighbour()) };
-      const Pair bounds = value + costs * Pair{ lastSlack, a.slack() };
-      first.add(bitsOf(bounds + known.values < 2.0 * Pair{ lastCeiling, known.ceilings[0] }));
-      second.add(bitsOf(bounds + Pair{ lastValue, known.values[0] } < 2.0 * known.ceilings));
-      lastNeighbour = b.neighbour();
-      lastValue = known.values[1];
-      lastCeiling = known.ceilings[1];
-      lastSlack = b.slack();
-    }
-    std::size_t bits = size + size % 2;
-    if (window.isRound() && bits == size)
-    {
-      // The triangle from the last neighbour to the first, which is faster looked up again than
-      // kept.
-      const Index next = ring[0].neighbour();
-      const KnownPair known = this->FrontValues.look(next, next);
-      const Pair cost = Pair() + this->TriangleCost.ofTriangle(window.vertex, lastNeighbour, next);
-      const Mask gains = bitsOf(value + cost * lastSlack + Pair{ known.values[0], lastValue } <
-        2.0 * Pair{ lastCeiling, known.ceilings[0] });
-      isQueued.add(0);
-      along.add(0);
-      first.add(gains & 1);
-      second.add(gains >> 1);
-      bits += 2;
-    }
-    window.isQueued = isQueued.of(bits);
-    return { along.of(bits) & (bit(true, size) - 1), first.of(bits) >> 1, second.of(bits) >> 1,
-      hasThin ? thinTriangles(ring) : 0 };
+    return lanesOf<Real>(
+      [&](std::size_t lane)
+      {
+        return this->TriangleCost.ofTriangle(
+          vertex, lane > 0 ? neighbours[lane - 1] : last, neighbours[lane]);
+      });
   }
 
   static Mask thinTriangles(std::span<const RingEntry> ring)
@@ -277,126 +262,197 @@ private:
     return isThin;
   }
 
-  /** Those that may be crossed, of those that are whole in the window; or just all, where nothing
-   * is closed. */
-  Mask openTriangles(Index vertex, std::span<const RingEntry> ring, std::size_t first) const
+  /** Those that may be crossed, @p count of them; or just all, where nothing is closed. */
+  Mask openTriangles(Index vertex, std::size_t firstEntry, std::size_t count) const
   {
     if (Cost::isUnit && this->Closed.isEmpty())
     {
       return ~Mask(0);
     }
     Mask isOpen = 0;
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      isOpen |= bit(this->Closed.isOpen(vertex, first + i), i);
+      isOpen |= bit(this->Closed.isOpen(vertex, firstEntry + i), i);
     }
     return isOpen;
   }
 
-  void goAlong(Window& window, int target, Mask isOpen)
+  template <class Real>
+  static void store(const Real& numbers, double* to)
   {
-    const double length = std::sqrt(window.squaredLengths[target]);
-    const double value = window.value + this->edgeCost(window, isOpen, target) * length;
-    if (value < window.ceilings[target])
+    std::memcpy(to, &numbers, sizeof numbers);
+  }
+
+  /** Does what was noted. */
+  template <class Real>
+  void finish()
+  {
+    this->Along.clear();
+    for (std::size_t number = 0; number < this->Windows.Count; ++number)
     {
-      const KnownValue held = this->FrontValues.propose(window.ring[target].neighbour(), value);
-      window.values[target] = held.value;
-      window.ceilings[target] = held.ceiling;
-      window.isQueued |= bit(held.isQueued, target);
+      this->noteWaysAlong(number);
+    }
+    for (std::size_t i = 0; i < this->Along.size(); ++i)
+    {
+      this->goAlong(this->Along[i]);
+    }
+    this->Over[0].clear();
+    this->Over[1].clear();
+    for (std::size_t number = 0; number < this->Windows.Count; ++number)
+    {
+      this->noteWaysOver(number);
+    }
+    this->goOver<Real, FrontShape::Round>();
+    this->goOver<Real, FrontShape::Straight>();
+    this->propose();
+    this->Windows.Count = 0;
+  }
+
+  void noteWaysAlong(std::size_t number)
+  {
+    const Window& window = this->Windows.Windows[number];
+    const Mask beforeFirst = window.last > 0 ? window.isOpen >> (window.last - 1) : 0;
+    const Mask isOpenEdge = window.isOpen | window.isOpen << 1 | beforeFirst;
+    this->Along.add(window.along & isOpenEdge,
+      [&](int slot) { return static_cast<Slot>(number * RingWindows::Size + slot); });
+  }
+
+  void goAlong(Slot slot)
+  {
+    Window& window = this->Windows.at(slot);
+    const double length = std::sqrt(this->Windows.SquaredLengths[slot]);
+    const double value =
+      this->Windows.OwnValues[RingWindows::windowOf(slot)] + this->edgeCost(slot) * length;
+    if (value < this->Windows.Ceilings[slot])
+    {
+      this->FrontValues.setCurrent(window.label);
+      const KnownValue held = this->FrontValues.propose(this->Windows.Neighbours[slot], value);
+      this->Windows.Values[slot] = held.value;
+      this->Windows.Ceilings[slot] = held.ceiling;
+      window.isQueued |= bit(held.isQueued, slot % RingWindows::Size);
     }
   }
 
-  static void store(Pair two, std::array<double, WindowSize>& numbers, std::size_t i)
-  {
-    std::memcpy(&numbers[i], &two, sizeof two);
-  }
-
-  double triangleCost(const Window& window, std::size_t i) const
-  {
-    return this->TriangleCost.ofTriangle(
-      window.vertex, window.ring[i].neighbour(), window.ring[i + 1].neighbour());
-  }
-
-  /** That of the cheaper open triangle beside the edge to neighbour @p i. */
-  double edgeCost(const Window& window, Mask isOpen, int i) const
+  /** That of the cheaper open triangle beside the edge to the neighbour in a slot. */
+  double edgeCost(Slot slot) const
   {
     if constexpr (Cost::isUnit)
     {
       return 1.0;
     }
     constexpr double none = std::numeric_limits<double>::infinity();
-    const double after = isOpen >> i & 1 ? this->triangleCost(window, i) : none;
-    const std::size_t last = i > 0 ? i - 1 : window.isRound() ? window.size - 1 : WindowSize;
-    const double before = isOpen >> last & 1 ? this->triangleCost(window, last) : none;
+    const Window& window = this->Windows.at(slot);
+    const std::size_t i = slot % RingWindows::Size;
+    const std::size_t base = slot - i;
+    const std::size_t last = i > 0 ? i - 1 : window.last > 0 ? window.last - 1 : RingWindows::Size;
+    const double after = window.isOpen >> i & 1 ? this->triangleCost(slot) : none;
+    const double before =
+      window.isOpen >> last & 1 ? this->triangleCost(static_cast<Slot>(base + last)) : none;
     return std::min(before, after);
   }
 
-  /** From the vertex and a neighbour over the edge between to the triangle's third corner. */
-  struct Way
+  /** Of the triangle that the neighbour in a slot opens. */
+  double triangleCost(Slot slot) const
   {
-    /** The one of the lowest bit in Gains::first and, WindowSize higher, Gains::second. */
-    explicit Way(Mask ways)
-    {
-      const int number = std::countr_zero(ways);
-      const int isSecond = number / static_cast<int>(WindowSize);
-      this->triangle = number % static_cast<int>(WindowSize);
-      this->over = this->triangle + 1 - isSecond;
-      this->target = this->triangle + isSecond;
-    }
-    int triangle;
-    int over;
-    int target;
-  };
-
-  void crossBoth(Window& window, Way a, Way b)
-  {
-    const Vector3Of<Pair> toOver =
-      this->offsets(window, window.ring[a.over].neighbour(), window.ring[b.over].neighbour());
-    const Vector3Of<Pair> toTarget =
-      this->offsets(window, window.ring[a.target].neighbour(), window.ring[b.target].neighbour());
-    const Pair length = root(Pair{ window.squaredLengths[a.over], window.squaredLengths[b.over] });
-    const Pair perLength = 1.0 / length;
-    const FlatTriangleOf<Pair> flat{ length, dot(toOver, toTarget) * perLength,
-      norm(cross(toOver, toTarget)) * perLength };
-    const Pair values = crossings<Shape>(flat, Pair{ window.value, window.value },
-      Pair{ window.values[a.over], window.values[b.over] },
-      Pair{ this->triangleCost(window, a.triangle), this->triangleCost(window, b.triangle) });
-    if (this->NumberOfProposals + 2 > this->Proposals.size())
-    {
-      this->settle();
-    }
-    this->noteProposal(window, a.target, values[0]);
-    this->noteProposal(window, b.target, values[1]);
+    return this->TriangleCost.ofTriangle(this->Windows.at(slot).vertex,
+      this->Windows.Neighbours[slot], this->Windows.Neighbours[slot + 1]);
   }
 
-  void noteProposal(const Window& window, int target, double value)
+  void noteWaysOver(std::size_t number)
   {
-    this->Proposals[this->NumberOfProposals] = { window.ring[target].neighbour(),
-      this->FrontValues.current(), value };
-    this->NumberOfProposals += value < window.ceilings[target] ? 1 : 0;
+    const Window& window = this->Windows.Windows[number];
+    const std::size_t base = number * RingWindows::Size;
+    // What holds for the first neighbour holds for the last, where that is the same.
+    this->Windows.Values[base + window.last] = this->Windows.Values[base];
+    this->Windows.Ceilings[base + window.last] = this->Windows.Ceilings[base];
+    const auto rounded = [&](Mask mask) { return mask | (mask & 1) << window.last; };
+    const Mask isQueued = rounded(window.isQueued);
+    const Mask along = rounded(window.along);
+    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
+    // lies behind the edge may come before it.
+    const Mask first = (window.first | (window.isThin & along >> 1)) & window.isOpen &
+      (window.isThin | ~(isQueued >> 1));
+    const Mask second =
+      (window.second | (window.isThin & along)) & window.isOpen & (window.isThin | ~isQueued);
+    this->Over[static_cast<std::size_t>(window.shape)].add(first | second << RingWindows::Size,
+      [&](int way) { return WayOver(base, base) + waysOver[way]; });
   }
 
-  /** From the vertex of a window to two others. */
-  Vector3Of<Pair> offsets(const Window& window, Index a, Index b) const
+  template <class Real, FrontShape Shape>
+  void goOver()
   {
-    return pairOf(this->Mesh.position(a), this->Mesh.position(b)) -
-      pairOf(window.centre, window.centre);
+    auto& ways = this->Over[static_cast<std::size_t>(Shape)];
+    ways.pad(lanes<Real>);
+    std::size_t count = this->NumberOfProposals;
+    for (std::size_t i = 0; i < ways.size(); i += lanes<Real>)
+    {
+      count = this->crossEdges<Real, Shape>(&ways[i], count);
+    }
+    this->NumberOfProposals = count;
+  }
+
+  /** As many at once as a Real has numbers. Puts what lowers a value behind the first @p count
+   * proposals; returns how many there are then. */
+  template <class Real, FrontShape Shape>
+  std::size_t crossEdges(const WayOver* ways, std::size_t count)
+  {
+    const RingWindows& windows = this->Windows;
+    const auto over = [&](std::size_t lane) { return ways[lane].over(); };
+    const auto target = [&](std::size_t lane) { return ways[lane].target(); };
+    const Vector3Of<Real> toOver{ gathered<Real>(windows.X, over), gathered<Real>(windows.Y, over),
+      gathered<Real>(windows.Z, over) };
+    const Vector3Of<Real> toTarget{ gathered<Real>(windows.X, target),
+      gathered<Real>(windows.Y, target), gathered<Real>(windows.Z, target) };
+    const Vector3Of<Real> normal = cross(toOver, toTarget);
+    const FlatTriangleOf<Real> flat{ gathered<Real>(windows.SquaredLengths, over),
+      dot(toOver, toTarget), dot(normal, normal) };
+    const Real a = gathered<Real>(
+      windows.OwnValues, [&](std::size_t lane) { return RingWindows::windowOf(over(lane)); });
+    const Real b = gathered<Real>(windows.Values, over);
+    const Real cost = lanesOf<Real>(
+      [&](std::size_t lane) { return this->triangleCost(std::min(over(lane), target(lane))); });
+    const Real values = Shape == FrontShape::Round
+      ? cost * pointSourceCrossing<Real>(flat, a / cost, b / cost)
+      : straightFrontCrossing<Real>(flat, a, b, cost);
+    const unsigned isLower = bitsOf(values < gathered<Real>(windows.Ceilings, target));
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+    {
+      this->Proposals[count] = { values[lane], target(lane) };
+      count += isLower >> lane & 1;
+    }
+    return count;
+  }
+
+  /** Proposes what was found over edges. */
+  [[gnu::flatten, gnu::noinline]] void propose()
+  {
+    for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
+    {
+      const Proposal& proposal = this->Proposals[i];
+      this->FrontValues.setCurrent(this->Windows.at(proposal.target).label);
+      this->FrontValues.propose(this->Windows.Neighbours[proposal.target], proposal.value);
+    }
+    this->NumberOfProposals = 0;
   }
 
   struct Proposal
   {
-    Index vertex;
-    Index label;
     double value;
+    Slot target;
   };
 
+  RingWindows Windows;
   const TriangleMesh& Mesh;
   const ClosedFans& Closed;
   const Cost& TriangleCost;
   Values& FrontValues;
-  /** What settle() proposes. */
-  std::array<Proposal, 32> Proposals;
+  BitList<Slot, RingWindows::Slots, 3> Along;
+  /** By the front's shape. */
+  std::array<BitList<WayOver, 2 * RingWindows::Slots, 4>, 2> Over;
+  /** What propose() proposes. */
+  std::array<Proposal, 4 * RingWindows::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;
+  bool UsesQuads;
 };
 
 }

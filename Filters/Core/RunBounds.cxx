@@ -1,7 +1,7 @@
 #include "RunBounds.h"
 
 #include "MortonCurve.h"
-#include "Pair.h"
+#include "Lanes.h"
 
 #include <algorithm>
 #include <cmath>

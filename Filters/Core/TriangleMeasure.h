@@ -2,7 +2,7 @@
 #define geodesic_TriangleMeasure_h
 
 #include "LabelMargin.h"
-#include "Pair.h"
+#include "Lanes.h"
 #include "Vector3.h"
 
 #include <array>

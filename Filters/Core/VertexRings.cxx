@@ -283,8 +283,8 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
     { starts[range] = this->countCorners(first, last, triangles); });
   // Room for one fan a vertex.
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
-  this->Entries.resize(std::size_t{ this->Starts.back() } + 1);
-  this->Entries.back() = RingEntry(0);
+  this->Entries.resize(this->Starts.back() + Overrun);
+  std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
   std::vector<std::vector<Ring>> others(starts.size());
   team.run(numberOfVertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
@@ -413,7 +413,7 @@ void VertexRings::replace(std::span<const Ring> others)
     entries.insert(entries.end(), ring.begin(), ring.end());
   }
   this->Starts.back() = static_cast<std::uint32_t>(entries.size());
-  entries.push_back(RingEntry(0));
+  entries.insert(entries.end(), Overrun, RingEntry(0));
   this->Entries = std::move(entries);
 }
 

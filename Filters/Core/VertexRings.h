@@ -44,7 +44,8 @@ public:
   constexpr Index neighbour() const { return this->Bits & MaximumVertices; }
   constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
   /** Whether the triangle's height over its longest side is less than a quarter of that. */
-  constexpr bool isThin() const { return (this->Bits & ThinBit) != 0; }
+  constexpr bool isThin() const { return this->thinBit() != 0; }
+  constexpr Index thinBit() const { return this->Bits & ThinBit; }
 
   /**
    * Tells from three values that no update of the triangle can gain anything: the least of 2 h - c
@@ -96,7 +97,10 @@ public:
   VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
     std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team);
 
-  /** The ring of a vertex. After it there is one entry more that may be read. */
+  /** How many entries after the end of a ring may be read. */
+  static constexpr std::size_t Overrun = 3;
+
+  /** The ring of a vertex. */
   std::span<const RingEntry> operator[](Index vertex) const
   {
     return { this->Entries.data() + this->Starts[vertex],
@@ -143,7 +147,7 @@ private:
   void replace(std::span<const Ring> others);
 
   std::vector<std::uint32_t> Starts;
-  /** And one more. */
+  /** And Overrun more. */
   BulkVector<RingEntry> Entries;
   BulkVector<VertexSize> Sizes;
 };

@@ -14,12 +14,18 @@ using namespace geodesic;
 namespace
 {
 
-/** Random triangles, needles and obtuse ones among them. */
+/** The third corner at (x, h) over an edge of length 1 along the x axis. */
+FlatTriangle triangleTo(double x, double h)
+{
+  return { 1.0, x, h * h };
+}
+
+/** Random triangles over an edge of length 1, needles and obtuse ones among them. */
 FlatTriangle randomTriangle(std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const double height = std::pow(10.0, -8.0 * uniform(random));
-  return { 1.0, 3.0 * uniform(random) - 1.0, height };
+  return triangleTo(3.0 * uniform(random) - 1.0, height);
 }
 
 }
@@ -33,14 +39,16 @@ TEST(EikonalUpdate, IsExactForAPointSource)
   int checked = 0;
   for (int i = 0; i < 100000; ++i)
   {
-    const FlatTriangle t{ 1.0, 2.0 * uniform(random) - 0.5, 0.05 + uniform(random) };
+    const double foot = 2.0 * uniform(random) - 0.5;
+    const double height = 0.05 + uniform(random);
     const double x = 4.0 * uniform(random) - 2.0;
     const double y = 0.01 + 3.0 * uniform(random);
-    const double crossing = x + (t.x - x) * y / (y + t.h);
+    const double crossing = x + (foot - x) * y / (y + height);
     if (crossing > 0.0 && crossing < 1.0)
     {
-      const double value = pointSourceUpdate(t, std::hypot(x, y), std::hypot(x - 1.0, y));
-      EXPECT_NEAR(value, std::hypot(x - t.x, y + t.h), 1e-11);
+      const double value =
+        pointSourceUpdate(triangleTo(foot, height), std::hypot(x, y), std::hypot(x - 1.0, y));
+      EXPECT_NEAR(value, std::hypot(x - foot, y + height), 1e-11);
       ++checked;
     }
   }
@@ -55,15 +63,16 @@ TEST(EikonalUpdate, IsExactForAStraightFront)
   int checked = 0;
   for (int i = 0; i < 100000; ++i)
   {
-    const FlatTriangle t{ 1.0, 2.0 * uniform(random) - 0.5, 0.05 + uniform(random) };
+    const double foot = 2.0 * uniform(random) - 0.5;
+    const double height = 0.05 + uniform(random);
     const double w = 0.1 + 3.0 * uniform(random);
     const double sine = 2.0 * uniform(random) - 1.0;
     const double cosine = std::sqrt(1.0 - sine * sine);
-    const double crossing = t.x - t.h * sine / cosine;
+    const double crossing = foot - height * sine / cosine;
     if (crossing > 0.0 && crossing < 1.0)
     {
-      const double value = straightFrontUpdate(t, 5.0, 5.0 + w * sine, w);
-      EXPECT_NEAR(value, 5.0 + w * (sine * t.x + cosine * t.h), 1e-11);
+      const double value = straightFrontUpdate(triangleTo(foot, height), 5.0, 5.0 + w * sine, w);
+      EXPECT_NEAR(value, 5.0 + w * (sine * foot + cosine * height), 1e-11);
       ++checked;
     }
   }
@@ -90,27 +99,57 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
   }
 }
 
-TEST(EikonalUpdate, TwoAtOnceAreTheSame)
+namespace
+{
+
+/** Compares updates of several triangles at once with those one by one. */
+template <class Real>
+void expectTheSameAtOnce()
 {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(0.0, 3.0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 20000; ++i)
   {
-    const std::array<FlatTriangle, 2> t{ randomTriangle(random), randomTriangle(random) };
-    const FlatTriangleOf<Pair> both{ Pair{ t[0].c, t[1].c }, Pair{ t[0].x, t[1].x },
-      Pair{ t[0].h, t[1].h } };
-    const Pair a{ uniform(random), uniform(random) };
-    const Pair b{ uniform(random), i % 10 == 0 ? infinity : uniform(random) };
-    const Pair w{ 1.0, 2.0 };
-    const Pair round = pointSourceCrossing(both, a, b);
-    const Pair straight = straightFrontCrossing(both, a, b, w);
-    for (int k = 0; k < 2; ++k)
+    std::array<FlatTriangle, lanes<Real>> t;
+    FlatTriangleOf<Real> all;
+    Real a;
+    Real b;
+    Real w;
+    for (std::size_t k = 0; k < lanes<Real>; ++k)
     {
-      EXPECT_EQ(round[k], pointSourceCrossing(t[k], a[k], b[k]));
-      EXPECT_EQ(straight[k], straightFrontCrossing(t[k], a[k], b[k], w[k]));
+      t[k] = randomTriangle(random);
+      all.squaredEdge[k] = t[k].squaredEdge;
+      all.product[k] = t[k].product;
+      all.squaredArea[k] = t[k].squaredArea;
+      a[k] = uniform(random);
+      b[k] = k > 0 && i % 10 == 0 ? infinity : uniform(random);
+      w[k] = 1.0 + static_cast<double>(k);
+    }
+    const Real round = pointSourceCrossing<Real>(all, a, b);
+    const Real straight = straightFrontCrossing<Real>(all, a, b, w);
+    for (std::size_t k = 0; k < lanes<Real>; ++k)
+    {
+      EXPECT_EQ(round[k], pointSourceCrossing<double>(t[k], a[k], b[k]));
+      EXPECT_EQ(straight[k], straightFrontCrossing<double>(t[k], a[k], b[k], w[k]));
     }
   }
+}
+
+}
+
+TEST(EikonalUpdate, TwoAtOnceAreTheSame)
+{
+  expectTheSameAtOnce<Pair>();
+}
+
+TEST(EikonalUpdate, FourAtOnceAreTheSame)
+{
+  if (!hasQuads())
+  {
+    GTEST_SKIP() << "This processor does not treat four numbers at once.";
+  }
+  expectTheSameAtOnce<Quad>();
 }
 
 // What RingEntry::slack rests on.
@@ -123,7 +162,7 @@ TEST(EikonalUpdate, CrossesNoEdgeBelowTheMeanOfItsEndsAndTheSlack)
     const FlatTriangle t = randomTriangle(random);
     const double a = 3.0 * uniform(random);
     const double b = 3.0 * uniform(random);
-    const double slack = 2.0 * t.h - t.c;
+    const double slack = 2.0 * std::sqrt(t.squaredArea) - 1.0;
     EXPECT_GE(pointSourceCrossing(t, a, b), 0.5 * (a + b + slack) - 1e-12);
     const double w = 0.1 + 3.0 * uniform(random);
     EXPECT_GE(straightFrontCrossing(t, a, b, w), 0.5 * (a + b + w * slack) - 1e-12);
@@ -133,18 +172,19 @@ TEST(EikonalUpdate, CrossesNoEdgeBelowTheMeanOfItsEndsAndTheSlack)
 TEST(EikonalUpdate, OneReachedEndIsAWayAlongTheSide)
 {
   const double infinity = std::numeric_limits<double>::infinity();
-  const FlatTriangle t{ 1.0, 0.3, 0.8 };
+  const FlatTriangle t = triangleTo(0.3, 0.8);
   EXPECT_DOUBLE_EQ(pointSourceUpdate(t, 0.5, infinity), 0.5 + t.lengthFromA());
   EXPECT_DOUBLE_EQ(pointSourceUpdate(t, infinity, 0.5), 0.5 + t.lengthFromB());
 }
 
 TEST(EikonalUpdate, IsScaleFree)
 {
-  const FlatTriangle t{ 1.0, 0.3, 0.8 };
+  const FlatTriangle t = triangleTo(0.3, 0.8);
   const double value = pointSourceUpdate(t, 0.9, 1.2);
-  for (double scale : { 1e-30, 1e-6, 1e6, 1e30 })
+  for (double scale : { 1e-50, 1e-30, 1e-6, 1e6, 1e30, 1e50 })
   {
-    const FlatTriangle scaled{ scale, 0.3 * scale, 0.8 * scale };
+    const double square = scale * scale;
+    const FlatTriangle scaled{ square, 0.3 * square, 0.64 * square * square };
     EXPECT_NEAR(pointSourceUpdate(scaled, 0.9 * scale, 1.2 * scale) / scale, value, 1e-12);
   }
 }

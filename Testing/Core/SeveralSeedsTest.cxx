@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace geodesic;
@@ -76,6 +79,32 @@ TEST(SeveralSeeds, ManyAreTheMinimumOfAll)
 TEST(SeveralSeeds, MixedEdgeLengthsAreNoLessExact)
 {
   checkRandomSeeds(20, delaunayPlane(3000, 3, 3.0));
+}
+
+// The ring of the tip is longer than what is looked at in one go.
+TEST(SeveralSeeds, ATipOfManyTrianglesKeepsThemApart)
+{
+  const auto mesh = meshOf(cone(600, 12, 1.0, 1.2));
+  std::vector<Seed> seeds;
+  for (Index s = 0; s < 40; ++s)
+  {
+    const double angle = 0.05 + 2.0 * std::numbers::pi * s / 40.0;
+    const double radius = 0.3 + 0.01 * (s * 7 % 40);
+    seeds.push_back(
+      seedNear(mesh, { radius * std::cos(angle), radius * std::sin(angle), -0.66 * radius }));
+  }
+  const std::vector<double> together = distances<FastMarchingSolver>(mesh, seeds);
+  std::vector<double> least(together.size(), DistanceField::Unreached);
+  for (const Seed& seed : seeds)
+  {
+    const std::vector<double> alone = distances<FastMarchingSolver>(mesh, { seed });
+    std::transform(alone.begin(), alone.end(), least.begin(), least.begin(),
+      [](double a, double b) { return std::min(a, b); });
+  }
+  for (std::size_t i = 0; i < together.size(); ++i)
+  {
+    ASSERT_NEAR(together[i], least[i], 1e-8);
+  }
 }
 
 TEST(SeveralSeeds, TiesGoToTheSmallerNumber)

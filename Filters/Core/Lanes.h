@@ -1,0 +1,178 @@
+#ifndef geodesic_Lanes_h
+#define geodesic_Lanes_h
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+/**
+ * Numbers that the processor treats at once: a formula over one is also one over two or four, if it
+ * is written with what is here instead of branches. Two go everywhere, four where the processor has
+ * AVX2, which hasQuads() tells while the program runs.
+ *
+ * What works on four is compiled for AVX2 by being inlined into a function that is marked
+ * GEODESIC_QUADS. Everything on the way that takes or returns a Quad by value is GEODESIC_INLINED,
+ * as how one is passed differs between what is compiled for AVX2 and what is not. Results are the
+ * same to the bit either way: products and sums are never contracted.
+ */
+#define GEODESIC_INLINED [[gnu::always_inline]] inline
+#ifdef __x86_64__
+#define GEODESIC_QUADS gnu::target("avx2,bmi,bmi2")
+#else
+#define GEODESIC_QUADS
+#endif
+
+namespace geodesic
+{
+
+using Pair = double __attribute__((vector_size(16)));
+using Quad = double __attribute__((vector_size(32)));
+/** What comparing gives: for each of the numbers all bits or none. */
+using PairTest = decltype(Pair() < Pair());
+using QuadTest = decltype(Quad() < Quad());
+
+/** Whether this processor runs what is marked GEODESIC_QUADS. */
+inline bool hasQuads()
+{
+#ifdef __x86_64__
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0;
+#else
+  return false;
+#endif
+}
+
+/** How many numbers there are in a double, a Pair or a Quad. */
+template <class Real>
+inline constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
+
+/** The first test's result in bit 0, the second's in bit 1. */
+inline unsigned bitsOf(PairTest test)
+{
+#ifdef __SSE2__
+  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(test)));
+#else
+  return static_cast<unsigned>((test[0] & 1) | (test[1] & 2));
+#endif
+}
+/** The results in bits 0 to 3. */
+[[GEODESIC_QUADS]] inline unsigned bitsOf(const QuadTest& test)
+{
+#ifdef __x86_64__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<const Quad&>(test)));
+#else
+  return static_cast<unsigned>((test[0] & 1) | (test[1] & 2) | (test[2] & 4) | (test[3] & 8));
+#endif
+}
+
+inline bool any(bool test)
+{
+  return test;
+}
+inline bool any(PairTest test)
+{
+  return bitsOf(test) != 0;
+}
+GEODESIC_INLINED bool any(QuadTest test)
+{
+  return bitsOf(test) != 0;
+}
+
+inline double select(bool test, double a, double b)
+{
+  return test ? a : b;
+}
+inline Pair select(PairTest test, Pair a, Pair b)
+{
+  return test ? a : b;
+}
+GEODESIC_INLINED Quad select(QuadTest test, Quad a, Quad b)
+{
+  return test ? a : b;
+}
+
+/** These two are the second number where one is NaN. */
+inline double least(double a, double b)
+{
+  return a < b ? a : b;
+}
+inline double largest(double a, double b)
+{
+  return a > b ? a : b;
+}
+inline double root(double x)
+{
+  return std::sqrt(x);
+}
+
+#ifdef __SSE2__
+inline Pair least(Pair a, Pair b)
+{
+  return _mm_min_pd(a, b);
+}
+inline Pair largest(Pair a, Pair b)
+{
+  return _mm_max_pd(a, b);
+}
+inline Pair root(Pair x)
+{
+  return _mm_sqrt_pd(x);
+}
+#else
+inline Pair least(Pair a, Pair b)
+{
+  return a < b ? a : b;
+}
+inline Pair largest(Pair a, Pair b)
+{
+  return a > b ? a : b;
+}
+inline Pair root(Pair x)
+{
+  return Pair{ std::sqrt(x[0]), std::sqrt(x[1]) };
+}
+#endif
+
+GEODESIC_INLINED Quad least(Quad a, Quad b)
+{
+  return a < b ? a : b;
+}
+GEODESIC_INLINED Quad largest(Quad a, Quad b)
+{
+  return a > b ? a : b;
+}
+GEODESIC_INLINED Quad root(Quad x)
+{
+  return Quad{ std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3]) };
+}
+
+/** The numbers that @p numberAt gives for 0, 1 and so on. */
+template <class Real, class NumberAt>
+GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
+{
+  if constexpr (lanes<Real> == 2)
+  {
+    return Real{ numberAt(0), numberAt(1) };
+  }
+  else
+  {
+    return Real{ numberAt(0), numberAt(1), numberAt(2), numberAt(3) };
+  }
+}
+
+/** The last of @p before, then @p numbers without their last. */
+GEODESIC_INLINED Pair shiftedIn(Pair before, Pair numbers)
+{
+  return __builtin_shufflevector(before, numbers, 1, 2);
+}
+GEODESIC_INLINED Quad shiftedIn(Quad before, Quad numbers)
+{
+  return __builtin_shufflevector(before, numbers, 3, 4, 5, 6);
+}
+
+}
+
+#endif
