@@ -1,7 +1,7 @@
 #include "RunBounds.h"
 
-#include "MortonCurve.h"
 #include "Lanes.h"
+#include "MortonCurve.h"
 
 #include <algorithm>
 #include <cmath>
