@@ -30,7 +30,7 @@ class MarchControl;
  * own near the border between them (LabelSets), so that no update mixes two sources.
  *
  * Time O(n) on meshes whose edges do not vary wildly, memory 22 bytes a vertex beside the mesh for
- * one label, with several 8 more and 24 for each value beyond a vertex's best.
+ * one label, with several 20 more and 20 for each value beyond a vertex's second.
  */
 class FastMarchingSolver : public DistanceSolver
 {

@@ -6,6 +6,7 @@
 #include "MarchingFront.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -54,19 +55,11 @@ public:
     {
       areOthers |= this->isOther(vertex);
     }
-    KnownValues<Real> known = this->template known<Real>(vertices);
-    if (areOthers != 0) [[unlikely]]
+    if (areOthers == 0) [[likely]]
     {
-      known.isQueued = 0;
-      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-      {
-        const KnownValue one = this->look(vertices[lane]);
-        known.values[lane] = one.value;
-        known.ceilings[lane] = one.ceiling;
-        known.isQueued |= static_cast<unsigned>(one.isQueued) << lane;
-      }
+      return this->template known<Real>(vertices);
     }
-    return known;
+    return this->template lookAtBorder<Real>(vertices);
   }
 
   KnownValue propose(Index vertex, double value)
@@ -93,36 +86,21 @@ public:
       return;
     }
     const Index number = this->Sets.add(vertex, this->Current, value);
-    this->Sets.further(number).state.isPinned = isFinal;
+    this->Sets.further(number).setState({ .isPinned = isFinal });
     this->setFurther(number, value);
   }
 
   Index vertexOf(Index taken) const
   {
-    return taken < this->NumberOfVertices
-      ? taken
-      : this->Sets.further(taken - this->NumberOfVertices).vertex;
+    return taken < this->NumberOfVertices ? taken
+                                          : this->Sets.vertexOf(taken - this->NumberOfVertices);
   }
 
   /** Makes the label of what was taken from the queue the current one. */
   TakenValue take(Index taken)
   {
-    const bool isBest = taken < this->NumberOfVertices;
-    VertexState& state =
-      isBest ? this->state(taken) : this->Sets.further(taken - this->NumberOfVertices).state;
-    if (!std::exchange(state.isQueued, false))
-    {
-      return { NoIndex, 0.0 };
-    }
-    if (isBest)
-    {
-      this->setCurrent(this->Sets.bestLabel(taken));
-      return { taken, this->value(taken) };
-    }
-    const LabelSets::Further& further = this->Sets.further(taken - this->NumberOfVertices);
-    this->setCurrent(further.label);
-    const bool isKept = further.value <= this->keptUpTo(further.vertex);
-    return { isKept ? further.vertex : NoIndex, further.value };
+    return taken < this->NumberOfVertices ? this->takeBest(taken)
+                                          : this->takeFurther(taken - this->NumberOfVertices);
   }
 
   /** The values that the vertex keeps, by label. */
@@ -137,10 +115,10 @@ public:
     this->Sets.visitFurther(vertex,
       [&](const LabelSets::Further& further)
       {
-        this->setCurrent(further.label);
+        this->setCurrent(further.label());
         if (further.value <= this->keptUpTo(vertex))
         {
-          visit(further.label, further.value);
+          visit(further.label(), further.value);
         }
       });
   }
@@ -154,7 +132,7 @@ public:
     this->Sets.visitFurther(vertex,
       [&](const LabelSets::Further& further)
       {
-        const Label& label = this->Labels[further.label];
+        const Label& label = this->Labels[further.label()];
         if (further.value + label.value <= most)
         {
           seed = std::min(seed, label.seed);
@@ -178,6 +156,73 @@ private:
     return this->value(vertex) + this->context().cost.margin(vertex);
   }
 
+  TakenValue takeBest(Index vertex)
+  {
+    if (!std::exchange(this->state(vertex).isQueued, false))
+    {
+      return { NoIndex, 0.0 };
+    }
+    this->setCurrent(this->Sets.bestLabel(vertex));
+    return { vertex, this->value(vertex) };
+  }
+
+  TakenValue takeFurther(Index number)
+  {
+    LabelSets::Further& further = this->Sets.further(number);
+    VertexState state = further.state();
+    if (!std::exchange(state.isQueued, false))
+    {
+      return { NoIndex, 0.0 };
+    }
+    further.setState(state);
+    this->setCurrent(further.label());
+    const Index vertex = this->Sets.vertexOf(number);
+    return { further.value <= this->keptUpTo(vertex) ? vertex : NoIndex, further.value };
+  }
+
+  /** Of vertices some of which have a best value of another label. */
+  template <class Real>
+  GEODESIC_INLINED KnownValues<Real> lookAtBorder(const Indices<Real>& vertices) const
+  {
+    using Further = LabelSets::Further;
+    const auto second = [&](int lane) -> const Further&
+    { return this->Sets.second(vertices[lane]); };
+    const TestOf<Real> isBest = whereEqual<Real>(
+      this->Current + 1, [&](int lane) { return this->Sets.bestBits(vertices[lane]); });
+    const TestOf<Real> isSecond = whereEqual<Real>(
+      this->Current + 1, [&](int lane) { return second(lane).bits() & Further::LabelBits; });
+    const TestOf<Real> isLast =
+      whereEqual<Real>(NoIndex, [&](int lane) { return second(lane).next(); });
+    if (any(~(isBest | isSecond | isLast))) [[unlikely]]
+    {
+      return this->template lookOneByOne<Real>(vertices);
+    }
+    const KnownValues<Real> best = this->template known<Real>(vertices);
+    const Real none = Real() + DistanceField::Unreached;
+    const Real values = select(isBest, best.values,
+      select(isSecond, lanesOf<Real>([&](int lane) { return second(lane).value; }), none));
+    const Real keptUpTo = best.values +
+      lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
+    const TestOf<Real> isQueued = whereEqual<Real>(
+      Further::Queued, [&](int lane) { return second(lane).bits() & Further::Queued; });
+    return { values, select(isBest | isSecond, values, keptUpTo),
+      (bitsOf(isBest) & best.isQueued) | bitsOf(isSecond & isQueued) };
+  }
+
+  template <class Real>
+  KnownValues<Real> lookOneByOne(const Indices<Real>& vertices) const
+  {
+    std::array<KnownValue, lanes<Real>> known;
+    unsigned areQueued = 0;
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+    {
+      known[lane] = this->look(vertices[lane]);
+      areQueued |= static_cast<unsigned>(known[lane].isQueued) << lane;
+    }
+    return { lanesOf<Real>([&](int lane) { return known[lane].value; }),
+      lanesOf<Real>([&](int lane) { return known[lane].ceiling; }), areQueued };
+  }
+
   KnownValue look(Index vertex) const
   {
     return this->isOther(vertex) == 0
@@ -192,7 +237,7 @@ private:
       return { DistanceField::Unreached, this->keptUpTo(vertex), false };
     }
     const LabelSets::Further& further = this->Sets.further(number);
-    return { further.value, further.value, further.state.isQueued };
+    return { further.value, further.value, further.state().isQueued };
   }
 
   KnownValue proposeFurther(Index vertex, double value)
@@ -201,7 +246,7 @@ private:
     const KnownValue known = this->knownFurther(vertex, number);
     if (!(value < std::min(this->ceiling(vertex, known.value), this->keptUpTo(vertex))) ||
       this->context().options.isExcluded(vertex) ||
-      (number != NoIndex && this->Sets.further(number).state.isPinned))
+      (number != NoIndex && this->Sets.further(number).state().isPinned))
     {
       return known;
     }
@@ -222,9 +267,8 @@ private:
   /** Of the current label. */
   void setFurther(Index number, double value)
   {
-    LabelSets::Further& further = this->Sets.further(number);
-    further.value = value;
-    if (value < this->value(further.vertex))
+    this->Sets.further(number).value = value;
+    if (value < this->value(this->Sets.vertexOf(number)))
     {
       this->makeBest(number);
     }
@@ -237,10 +281,12 @@ private:
   void queueFurther(Index number)
   {
     LabelSets::Further& further = this->Sets.further(number);
-    if (!std::exchange(further.state.isQueued, true))
+    VertexState state = further.state();
+    if (!std::exchange(state.isQueued, true))
     {
+      further.setState(state);
       this->context().queue.push(this->NumberOfVertices + number,
-        further.value + this->Labels[further.label].value - this->firstDistance());
+        further.value + this->Labels[further.label()].value - this->firstDistance());
     }
   }
 
@@ -248,13 +294,16 @@ private:
   void makeBest(Index number)
   {
     LabelSets::Further& further = this->Sets.further(number);
-    const Index vertex = further.vertex;
+    const Index vertex = this->Sets.vertexOf(number);
     const double value = further.value;
-    further.label = this->Sets.bestLabel(vertex);
-    further.value = this->context().field.distance(vertex) - this->Labels[further.label].value;
-    std::swap(further.state, this->state(vertex));
+    const Index label = this->Sets.bestLabel(vertex);
+    further.setLabel(label);
+    further.value = this->context().field.distance(vertex) - this->Labels[label].value;
+    VertexState state = std::exchange(this->state(vertex), further.state());
     // Wherever the queue has them, they go to it again under their new numbers.
-    if (std::exchange(further.state.isQueued, false))
+    const bool wasQueued = std::exchange(state.isQueued, false);
+    further.setState(state);
+    if (wasQueued)
     {
       this->queueFurther(number);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -160,6 +161,27 @@ GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
   else
   {
     return Real{ numberAt(0), numberAt(1), numberAt(2), numberAt(3) };
+  }
+}
+
+/** What comparing several numbers gives. */
+template <class Real>
+using TestOf = decltype(Real() < Real());
+
+/** Where the numbers that @p numberAt gives for 0, 1 and so on are the same as another one. */
+template <class Real, class NumberAt>
+GEODESIC_INLINED TestOf<Real> whereEqual(std::uint32_t number, NumberAt numberAt)
+{
+  if constexpr (lanes<Real> == 2)
+  {
+    using Two = std::uint32_t __attribute__((vector_size(8)));
+    return __builtin_convertvector(Two{ numberAt(0), numberAt(1) } == number, PairTest);
+  }
+  else
+  {
+    using Four = std::uint32_t __attribute__((vector_size(16)));
+    const Four four{ numberAt(0), numberAt(1), numberAt(2), numberAt(3) };
+    return __builtin_convertvector(four == number, QuadTest);
   }
 }
 
