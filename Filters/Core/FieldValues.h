@@ -3,9 +3,9 @@
 
 #include "BucketQueue.h"
 #include "DistanceField.h"
+#include "KnownValues.h"
 #include "Lanes.h"
 #include "MarchControl.h"
-#include "RingSweep.h"
 #include "SeedFront.h"
 #include "SolveOptions.h"
 #include "StopLimit.h"

@@ -3,7 +3,9 @@
 
 #include "ClosedFans.h"
 #include "EikonalUpdate.h"
+#include "KnownValues.h"
 #include "Lanes.h"
+#include "RingLook.h"
 #include "RingWindows.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
@@ -12,44 +14,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 
 namespace geodesic
 {
-
-/** What a front knows of a vertex. */
-struct KnownValue
-{
-  /** +infinity where the front has not been. */
-  double value;
-  /** Nothing at or above it is of interest; at most the value. */
-  double ceiling;
-  /** The vertex waits to be swept with this value. */
-  bool isQueued;
-};
-
-/** What it knows of several; isQueued is in bits 0, 1 and so on. */
-template <class Real>
-struct KnownValues
-{
-  Real values;
-  Real ceilings;
-  unsigned isQueued;
-};
-
-/** As many vertices as a Real has numbers. */
-template <class Real>
-using Indices = std::array<Index, lanes<Real>>;
-
-/** A value that was taken from the queue. */
-struct TakenValue
-{
-  /** NoIndex where it is no longer of interest. */
-  Index vertex;
-  double value;
-};
 
 /**
  * Updates the neighbours of vertices over the edges round them, after their own values fell.
@@ -81,8 +50,8 @@ public:
    * values are the same either way */
   RingSweep(const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, Values& values,
     bool mayUseQuads = true)
-    : Mesh(mesh)
-    , Closed(closed)
+    : Look(mesh, closed, cost, values)
+    , Mesh(mesh)
     , TriangleCost(cost)
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
@@ -138,149 +107,10 @@ private:
           doNoted();
           this->FrontValues.setCurrent(current);
         }
-        this->look<Real>(taken, ring, first);
+        this->Look.template note<Real>(taken, ring, first, this->Windows);
       }
     }
     doNoted();
-  }
-
-  /** Notes what there is to do in a window of a ring. */
-  template <class Real>
-  void look(const TakenValue& taken, std::span<const RingEntry> ring, std::size_t firstEntry)
-  {
-    const std::size_t number = this->Windows.Count++;
-    const std::size_t base = number * RingWindows::Size;
-    const RingEntry* const entries = &ring[firstEntry];
-    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
-    const Vector3* const positions = this->Mesh.positions().data();
-    const Vector3& centre = positions[taken.vertex];
-    const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
-    Mask isQueued = 0;
-    Mask along = 0;
-    Mask first = 0;
-    Mask second = 0;
-    Index thinBits = 0;
-    // Of the neighbours before those that are looked at.
-    Index lastNeighbour = taken.vertex;
-    Real lastValues = Real();
-    Real lastCeilings = Real();
-    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < size; i += lanes<Real>)
-    {
-      // After the last neighbour come any others, with which nothing is done.
-      Indices<Real> neighbours;
-      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-      {
-        neighbours[lane] = entries[i + lane].neighbour();
-        this->Windows.Neighbours[base + i + lane] = neighbours[lane];
-        thinBits |= entries[i + lane].thinBit();
-      }
-      const KnownValues<Real> known = this->FrontValues.template look<Real>(neighbours);
-      const Vector3Of<Real> offset =
-        sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
-        origin;
-      const Real squares = dot(offset, offset);
-      store(known.values, &this->Windows.Values[base + i]);
-      store(known.ceilings, &this->Windows.Ceilings[base + i]);
-      store(offset.x, &this->Windows.X[base + i]);
-      store(offset.y, &this->Windows.Y[base + i]);
-      store(offset.z, &this->Windows.Z[base + i]);
-      store(squares, &this->Windows.SquaredLengths[base + i]);
-      isQueued |= known.isQueued << i;
-
-      const Real rises = largest(known.ceilings - taken.value, Real());
-      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
-
-      // The triangles that end here, each opened by the neighbour before.
-      const Real slacks = slacksOf<Real>(entries + i);
-      const Real costs = this->costsBefore<Real>(taken.vertex, lastNeighbour, neighbours);
-      const Real bounds = taken.value + costs * shiftedIn(lastSlacks, slacks);
-      const Real ceilings = 2.0 * known.ceilings;
-      first |= bitsOf(bounds + known.values < shiftedIn(lastCeilings, ceilings)) << i;
-      second |= bitsOf(bounds + shiftedIn(lastValues, known.values) < ceilings) << i;
-      lastNeighbour = neighbours.back();
-      lastValues = known.values;
-      lastCeilings = ceilings;
-      lastSlacks = slacks;
-    }
-    const std::size_t last = size - 1;
-    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
-    const Mask triangles = bit(true, last) - 1;
-    this->Windows.OwnValues[number] = taken.value;
-    Window& window = this->Windows.Windows[number];
-    window.vertex = taken.vertex;
-    window.label = this->FrontValues.current();
-    window.shape = this->FrontValues.shape();
-    window.last = isRound ? static_cast<Mask>(last) : 0;
-    window.isQueued = isQueued;
-    window.isOpen = this->openTriangles(taken.vertex, firstEntry, last) & triangles;
-    window.isThin = thinBits != 0 ? thinTriangles({ entries, size }) : 0;
-    window.along = along & (isRound ? triangles : triangles << 1 | 1);
-    window.first = first >> 1;
-    window.second = second >> 1;
-  }
-
-  /** Those of as many entries as a Real has numbers. */
-  template <class Real>
-  GEODESIC_INLINED static Real slacksOf(const RingEntry* entries)
-  {
-    if constexpr (lanes<Real> == 2)
-    {
-      return Real{ entries[0].slack(), entries[1].slack() };
-    }
-    else
-    {
-      using Floats = float __attribute__((vector_size(16)));
-      static_assert(sizeof(Floats) == 2 * sizeof(RingEntry));
-      Floats first;
-      Floats second;
-      std::memcpy(&first, entries, sizeof first);
-      std::memcpy(&second, entries + 2, sizeof second);
-      return __builtin_convertvector(__builtin_shufflevector(first, second, 1, 3, 5, 7), Real);
-    }
-  }
-
-  /** Of the triangles of a vertex between each neighbour and the one before. */
-  template <class Real>
-  GEODESIC_INLINED Real costsBefore(Index vertex, Index last, const Indices<Real>& neighbours) const
-  {
-    return lanesOf<Real>(
-      [&](std::size_t lane)
-      {
-        return this->TriangleCost.ofTriangle(
-          vertex, lane > 0 ? neighbours[lane - 1] : last, neighbours[lane]);
-      });
-  }
-
-  static Mask thinTriangles(std::span<const RingEntry> ring)
-  {
-    Mask isThin = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-      isThin |= bit(ring[i].isThin(), i);
-    }
-    return isThin;
-  }
-
-  /** Those that may be crossed, @p count of them; or just all, where nothing is closed. */
-  Mask openTriangles(Index vertex, std::size_t firstEntry, std::size_t count) const
-  {
-    if (Cost::isUnit && this->Closed.isEmpty())
-    {
-      return ~Mask(0);
-    }
-    Mask isOpen = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      isOpen |= bit(this->Closed.isOpen(vertex, firstEntry + i), i);
-    }
-    return isOpen;
-  }
-
-  template <class Real>
-  static void store(const Real& numbers, double* to)
-  {
-    std::memcpy(to, &numbers, sizeof numbers);
   }
 
   /** Does what was noted. */
@@ -442,8 +272,8 @@ private:
   };
 
   RingWindows Windows;
+  RingLook<Cost, Values> Look;
   const TriangleMesh& Mesh;
-  const ClosedFans& Closed;
   const Cost& TriangleCost;
   Values& FrontValues;
   BitList<Slot, RingWindows::Slots, 3> Along;

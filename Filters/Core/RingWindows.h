@@ -5,6 +5,7 @@
 #include "Lanes.h"
 #include "SeedFront.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>

@@ -1,0 +1,46 @@
+#ifndef geodesic_KnownValues_h
+#define geodesic_KnownValues_h
+
+#include "Index.h"
+#include "Lanes.h"
+
+#include <array>
+
+namespace geodesic
+{
+
+/** What a front knows of a vertex. */
+struct KnownValue
+{
+  /** +infinity where the front has not been. */
+  double value;
+  /** Nothing at or above it is of interest; at most the value. */
+  double ceiling;
+  /** The vertex waits to be swept with this value. */
+  bool isQueued;
+};
+
+/** What it knows of several; isQueued is in bits 0, 1 and so on. */
+template <class Real>
+struct KnownValues
+{
+  Real values;
+  Real ceilings;
+  unsigned isQueued;
+};
+
+/** As many vertices as a Real has numbers. */
+template <class Real>
+using Indices = std::array<Index, lanes<Real>>;
+
+/** A value that was taken from the queue. */
+struct TakenValue
+{
+  /** NoIndex where it is no longer of interest. */
+  Index vertex;
+  double value;
+};
+
+}
+
+#endif

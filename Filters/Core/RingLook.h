@@ -1,0 +1,187 @@
+#ifndef geodesic_RingLook_h
+#define geodesic_RingLook_h
+
+#include "ClosedFans.h"
+#include "KnownValues.h"
+#include "Lanes.h"
+#include "RingWindows.h"
+#include "TriangleMesh.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <span>
+
+namespace geodesic
+{
+
+/**
+ * Looks at the rings of vertices and notes what there is to do, several neighbours at a time and
+ * without a branch on what is found: a part of RingSweep, which see also for Cost and Values.
+ */
+template <class Cost, class Values>
+class RingLook
+{
+public:
+  RingLook(
+    const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, const Values& values)
+    : Mesh(mesh)
+    , Closed(closed)
+    , TriangleCost(cost)
+    , FrontValues(values)
+  {
+  }
+
+  /** Looks at a window of the ring of what was taken, from @p firstEntry on, and adds it to
+   * @p windows, which are not full. */
+  template <class Real>
+  void note(const TakenValue& taken, std::span<const RingEntry> ring, std::size_t firstEntry,
+    RingWindows& windows) const
+  {
+    const std::size_t number = windows.Count++;
+    const std::size_t base = number * RingWindows::Size;
+    const RingEntry* const entries = &ring[firstEntry];
+    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
+    const Vector3* const positions = this->Mesh.positions().data();
+    const Vector3& centre = positions[taken.vertex];
+    const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
+    Mask isQueued = 0;
+    Mask along = 0;
+    Mask first = 0;
+    Mask second = 0;
+    Index thinBits = 0;
+    // Of the neighbours before those that are looked at.
+    Index lastNeighbour = taken.vertex;
+    Real lastValues = Real();
+    Real lastCeilings = Real();
+    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size; i += lanes<Real>)
+    {
+      // After the last neighbour come any others, with which nothing is done.
+      Indices<Real> neighbours;
+      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+      {
+        neighbours[lane] = entries[i + lane].neighbour();
+        windows.Neighbours[base + i + lane] = neighbours[lane];
+        thinBits |= entries[i + lane].thinBit();
+      }
+      const KnownValues<Real> known = this->FrontValues.template look<Real>(neighbours);
+      const Vector3Of<Real> offset =
+        sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
+        origin;
+      const Real squares = dot(offset, offset);
+      store(known.values, &windows.Values[base + i]);
+      store(known.ceilings, &windows.Ceilings[base + i]);
+      store(offset.x, &windows.X[base + i]);
+      store(offset.y, &windows.Y[base + i]);
+      store(offset.z, &windows.Z[base + i]);
+      store(squares, &windows.SquaredLengths[base + i]);
+      isQueued |= known.isQueued << i;
+
+      const Real rises = largest(known.ceilings - taken.value, Real());
+      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
+
+      // The triangles that end here, each opened by the neighbour before.
+      const Real slacks = slacksOf<Real>(entries + i);
+      const Real costs = this->costsBefore<Real>(taken.vertex, lastNeighbour, neighbours);
+      const Real bounds = taken.value + costs * shiftedIn(lastSlacks, slacks);
+      const Real ceilings = 2.0 * known.ceilings;
+      first |= bitsOf(bounds + known.values < shiftedIn(lastCeilings, ceilings)) << i;
+      second |= bitsOf(bounds + shiftedIn(lastValues, known.values) < ceilings) << i;
+      lastNeighbour = neighbours.back();
+      lastValues = known.values;
+      lastCeilings = ceilings;
+      lastSlacks = slacks;
+    }
+    const std::size_t last = size - 1;
+    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
+    const Mask triangles = (Mask(1) << last) - 1;
+    windows.OwnValues[number] = taken.value;
+    RingWindows::Window& window = windows.Windows[number];
+    window.vertex = taken.vertex;
+    window.label = this->FrontValues.current();
+    window.shape = this->FrontValues.shape();
+    window.last = isRound ? static_cast<Mask>(last) : 0;
+    window.isQueued = isQueued;
+    window.isOpen = this->openTriangles(taken.vertex, firstEntry, last) & triangles;
+    window.isThin = thinBits != 0 ? thinTriangles({ entries, size }) : 0;
+    window.along = along & (isRound ? triangles : triangles << 1 | 1);
+    window.first = first >> 1;
+    window.second = second >> 1;
+  }
+
+private:
+  using Mask = RingWindows::Mask;
+
+  /** Those of as many entries as a Real has numbers. */
+  template <class Real>
+  GEODESIC_INLINED static Real slacksOf(const RingEntry* entries)
+  {
+    if constexpr (lanes<Real> == 2)
+    {
+      return Real{ entries[0].slack(), entries[1].slack() };
+    }
+    else
+    {
+      using Floats = float __attribute__((vector_size(16)));
+      static_assert(sizeof(Floats) == 2 * sizeof(RingEntry));
+      Floats first;
+      Floats second;
+      std::memcpy(&first, entries, sizeof first);
+      std::memcpy(&second, entries + 2, sizeof second);
+      return __builtin_convertvector(__builtin_shufflevector(first, second, 1, 3, 5, 7), Real);
+    }
+  }
+
+  /** Of the triangles of a vertex between each neighbour and the one before. */
+  template <class Real>
+  GEODESIC_INLINED Real costsBefore(Index vertex, Index last, const Indices<Real>& neighbours) const
+  {
+    return lanesOf<Real>(
+      [&](std::size_t lane)
+      {
+        return this->TriangleCost.ofTriangle(
+          vertex, lane > 0 ? neighbours[lane - 1] : last, neighbours[lane]);
+      });
+  }
+
+  static Mask thinTriangles(std::span<const RingEntry> ring)
+  {
+    Mask isThin = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      isThin |= Mask(ring[i].isThin()) << i;
+    }
+    return isThin;
+  }
+
+  /** Those that may be crossed, @p count of them; or just all, where nothing is closed. */
+  Mask openTriangles(Index vertex, std::size_t firstEntry, std::size_t count) const
+  {
+    if (Cost::isUnit && this->Closed.isEmpty())
+    {
+      return ~Mask(0);
+    }
+    Mask isOpen = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      isOpen |= Mask(this->Closed.isOpen(vertex, firstEntry + i)) << i;
+    }
+    return isOpen;
+  }
+
+  template <class Real>
+  static void store(const Real& numbers, double* to)
+  {
+    std::memcpy(to, &numbers, sizeof numbers);
+  }
+
+  const TriangleMesh& Mesh;
+  const ClosedFans& Closed;
+  const Cost& TriangleCost;
+  const Values& FrontValues;
+};
+
+}
+
+#endif
