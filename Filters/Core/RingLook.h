@@ -41,7 +41,8 @@ public:
     const std::size_t number = windows.Count++;
     const std::size_t base = number * RingWindows::Size;
     const RingEntry* const entries = &ring[firstEntry];
-    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
+    const std::size_t last = std::min(RingWindows::Size - 1, ring.size() - firstEntry - 1);
+    const std::size_t size = last + 1;
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
@@ -93,7 +94,6 @@ public:
       lastCeilings = ceilings;
       lastSlacks = slacks;
     }
-    const std::size_t last = size - 1;
     const bool isRound = entries[0].neighbour() == entries[last].neighbour();
     const Mask triangles = (Mask(1) << last) - 1;
     windows.OwnValues[number] = taken.value;
