@@ -34,7 +34,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   : DistanceSolver(std::move(mesh))
   , MayUseQuads(mayUseQuads)
 {
-  this->State.resize(this->mesh().numberOfVertices());
+  this->Marks.resize(this->mesh().numberOfVertices());
 }
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
@@ -66,7 +66,7 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
     2.0 * this->mesh().longestEdgeLength() * cost.largest(), isOneFront ? 0 : BlockBits);
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
   const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queue, this->State };
+    this->Queue, this->Marks };
   if (isOneFront)
   {
     OneLabelValues<Cost> values(context, request.front.labels[0]);

@@ -5,7 +5,7 @@
 #include "CostedStart.h"
 #include "DistanceSolver.h"
 #include "LabelSets.h"
-#include "VertexState.h"
+#include "ValueMark.h"
 
 #include <cstdint>
 #include <memory>
@@ -29,8 +29,8 @@ class MarchControl;
  * first order accurate in the edge length elsewhere. With several labels each keeps values of its
  * own near the border between them (LabelSets), so that no update mixes two sources.
  *
- * Time O(n) on meshes whose edges do not vary wildly, memory 22 bytes a vertex beside the mesh for
- * one label, with several 20 more and 20 for each value beyond a vertex's second.
+ * Time O(n) on meshes whose edges do not vary wildly, memory 24 bytes a vertex beside the mesh for
+ * one label, with several 16 more and 20 for each value beyond a vertex's second.
  */
 class FastMarchingSolver : public DistanceSolver
 {
@@ -52,7 +52,7 @@ private:
 
   bool MayUseQuads;
   BucketQueue Queue;
-  std::vector<VertexState> State;
+  std::vector<ValueMark> Marks;
   LabelSets Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */
   std::unique_ptr<FastMarchingSolver> UnitSolver;

@@ -10,7 +10,7 @@
 #include "SolveOptions.h"
 #include "StopLimit.h"
 #include "TriangleMesh.h"
-#include "VertexState.h"
+#include "ValueMark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ struct MarchContext
   const MarchControl& control;
   DistanceField& field;
   BucketQueue& queue;
-  std::span<VertexState> state;
+  std::span<ValueMark> marks;
 };
 
 /**
@@ -77,35 +77,40 @@ protected:
   FieldValues(const MarchContext<Cost>& context, double firstDistance)
     : Context(context)
     , First(firstDistance)
-    , State(context.state)
+    , Marks(context.marks)
     , Distances(context.field.distances())
     , Positions(context.mesh.positions())
   {
   }
 
-  void setOffset(double value) { this->Offset = value; }
+  /** @param labelBits as in ValueMark; 0 where there is only one label */
+  void setCurrent(Index labelBits, double seedValue)
+  {
+    this->LabelBits = labelBits;
+    this->Offset = seedValue;
+  }
+  Index labelBits() const { return this->LabelBits; }
   const MarchContext<Cost>& context() const { return this->Context; }
   const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
-  VertexState& state(Index vertex) { return this->State[vertex]; }
+  ValueMark& mark(Index vertex) { return this->Marks[vertex]; }
+  const ValueMark& mark(Index vertex) const { return this->Marks[vertex]; }
+  template <class Real>
+  GEODESIC_INLINED BitsOf<Real> marks(const Indices<Real>& vertices) const
+  {
+    return bitsWith<Real>([&](int lane) { return this->Marks[vertices[lane]].bits(); });
+  }
 
   double value(Index vertex) const { return this->Distances[vertex] - this->Offset; }
   KnownValue known(Index vertex) const
   {
     const double value = this->value(vertex);
-    return { value, value, this->State[vertex].isQueued };
+    return { value, value, this->mark(vertex).isQueued() };
   }
 
   template <class Real>
-  GEODESIC_INLINED KnownValues<Real> known(const Indices<Real>& vertices) const
+  GEODESIC_INLINED Real values(const Indices<Real>& vertices) const
   {
-    const Real values =
-      lanesOf<Real>([&](int lane) { return this->Distances[vertices[lane]]; }) - this->Offset;
-    unsigned isQueued = 0;
-    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-    {
-      isQueued += static_cast<unsigned>(this->State[vertices[lane]].isQueued) << lane;
-    }
-    return { values, values, isQueued };
+    return lanesOf<Real>([&](int lane) { return this->Distances[vertices[lane]]; }) - this->Offset;
   }
 
   /** What a value has to be below in order to count where there is @p old. */
@@ -120,8 +125,8 @@ protected:
   /** Gives the field a value, which it takes if that counts; returns what then holds. */
   KnownValue offer(Index vertex, double value)
   {
-    const bool isFixed = this->State[vertex].isPinned || this->Context.options.isExcluded(vertex);
-    if (!isFixed && this->State[vertex].isQueued)
+    const bool isFixed = this->mark(vertex).isPinned() || this->Context.options.isExcluded(vertex);
+    if (!isFixed && this->mark(vertex).isQueued())
     {
       const double held = this->lower(vertex, value);
       return { held, held, true };
@@ -136,14 +141,14 @@ protected:
 
   void set(Index vertex, double value)
   {
-    if (this->State[vertex].isQueued)
+    if (this->mark(vertex).isQueued())
     {
       this->Context.field.lowerDistance(vertex, value + this->Offset);
     }
     else
     {
       this->Context.field.setDistance(vertex, value + this->Offset);
-      this->State[vertex].isQueued = true;
+      this->mark(vertex).queueFor(this->LabelBits);
       this->Context.queue.push(vertex, this->keyOf(value));
     }
   }
@@ -163,7 +168,8 @@ private:
   const MarchContext<Cost>& Context;
   double First;
   double Offset = 0.0;
-  std::span<VertexState> State;
+  Index LabelBits = 0;
+  std::span<ValueMark> Marks;
   std::span<const double> Distances;
   std::span<const Vector3> Positions;
 };

@@ -20,13 +20,17 @@ struct KnownValue
   bool isQueued;
 };
 
-/** What it knows of several; isQueued is in bits 0, 1 and so on. */
+/** What it sees of several at a glance, in bits 0, 1 and so on where it is a mask. */
 template <class Real>
-struct KnownValues
+struct SeenValues
 {
+  /** +infinity where there is none. */
   Real values;
-  Real ceilings;
-  unsigned isQueued;
+  /** The value is of another label than the one that is swept: what that one has is to be asked
+   * for one by one. */
+  unsigned areOther;
+  /** As in KnownValue; not of others. */
+  unsigned areQueued;
 };
 
 /** As many vertices as a Real has numbers. */

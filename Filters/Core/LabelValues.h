@@ -6,7 +6,6 @@
 #include "MarchingFront.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,62 +30,72 @@ public:
     , NumberOfVertices(context.mesh.numberOfVertices())
   {
     sets.start(this->NumberOfVertices);
-    this->LeastOf.reserve(labels.size());
+    this->Fronts.reserve(labels.size());
     for (const Label& label : labels)
     {
-      this->LeastOf.emplace_back(label, context.cost.smallest());
+      this->Fronts.push_back({ label.value, StraightLineBound(label, context.cost.smallest()),
+        ValueMark::bitsOf(static_cast<Index>(this->Fronts.size())), label.shape });
     }
+    this->setCurrent(0);
   }
 
-  Index current() const { return this->Current; }
-  FrontShape shape() const { return this->Labels[this->Current].shape; }
+  static constexpr bool hasOthers = true;
+  Index current() const { return ValueMark::labelOf(this->labelBits()); }
+  FrontShape shape() const { return this->Current->shape; }
   void setCurrent(Index label)
   {
-    this->Current = label;
-    this->setOffset(this->Labels[label].value);
+    this->Current = &this->Fronts[label];
+    FieldValues<Cost>::setCurrent(this->Current->labelBits, this->Current->seedValue);
   }
 
   template <class Real>
-  GEODESIC_INLINED KnownValues<Real> look(const Indices<Real>& vertices) const
+  GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
   {
-    // Away from borders a vertex has a value for this label, or none at all.
-    std::uint64_t areOthers = 0;
-    for (Index vertex : vertices)
+    const BitsOf<Real> marks = this->template marks<Real>(vertices);
+    const BitsOf<Real> labels = marks & ValueMark::LabelBits;
+    const BitsTestOf<Real> areOther = ~((labels == 0) | (labels == this->labelBits()));
+    return { this->template values<Real>(vertices), highestBits<Real>(areOther),
+      highestBits<Real>(marks & ~areOther) };
+  }
+
+  /** What is known for a label of a vertex whose best value is of another one.
+   * @param best  that value, less the one of the label's seed */
+  KnownValue other(Index vertex, Index label, double best) const
+  {
+    const LabelSets::Further& second = this->Sets.second(vertex);
+    const double keptUpTo = best + this->context().cost.margin(vertex);
+    if (this->Sets.mayBeInChain(vertex, label)) [[unlikely]]
     {
-      areOthers |= this->isOther(vertex);
+      return this->knownFurther(this->Sets.find(vertex, label), keptUpTo);
     }
-    if (areOthers == 0) [[likely]]
-    {
-      return this->template known<Real>(vertices);
-    }
-    return this->template lookAtBorder<Real>(vertices);
+    // Whether it is the second is not to be guessed, so there is no branch on it.
+    const bool isSecond = second.mark.label() == label;
+    const Pair none{ DistanceField::Unreached };
+    const double value =
+      select(PairTest{ -static_cast<std::int64_t>(isSecond) }, Pair{ second.value }, none)[0];
+    return { value, least(value, keptUpTo), (isSecond & second.mark.isQueued()) != 0 };
   }
 
   KnownValue propose(Index vertex, double value)
   {
-    value = this->LeastOf[this->Current].raised(value, this->position(vertex));
-    if (this->isOther(vertex) != 0) [[unlikely]]
+    value = this->Current->leastOf.raised(value, this->position(vertex));
+    if (this->isOther(vertex)) [[unlikely]]
     {
       return this->proposeFurther(vertex, value);
     }
-    const KnownValue held = this->offer(vertex, value);
-    if (held.isQueued)
-    {
-      this->Sets.setBestLabel(vertex, this->Current);
-    }
-    return held;
+    return this->offer(vertex, value);
   }
 
   void start(Index vertex, double value, bool isFinal)
   {
-    if (this->isOther(vertex) == 0)
+    if (!this->isOther(vertex))
     {
       this->setBest(vertex, value);
-      this->state(vertex).isPinned = isFinal;
+      this->mark(vertex).setPinned(isFinal);
       return;
     }
-    const Index number = this->Sets.add(vertex, this->Current, value);
-    this->Sets.further(number).setState({ .isPinned = isFinal });
+    const Index number = this->Sets.findOrAdd(vertex, this->current());
+    this->Sets.further(number).mark.setPinned(isFinal);
     this->setFurther(number, value);
   }
 
@@ -110,15 +119,15 @@ public:
     {
       return;
     }
-    this->setCurrent(this->Sets.bestLabel(vertex));
-    visit(this->Current, this->value(vertex));
+    this->setCurrent(this->mark(vertex).label());
+    visit(this->current(), this->value(vertex));
     this->Sets.visitFurther(vertex,
       [&](const LabelSets::Further& further)
       {
-        this->setCurrent(further.label());
+        this->setCurrent(further.mark.label());
         if (further.value <= this->keptUpTo(vertex))
         {
-          visit(further.label(), further.value);
+          visit(this->current(), further.value);
         }
       });
   }
@@ -128,11 +137,11 @@ public:
   {
     constexpr double rounding = 1.0 + 1e-10;
     const double most = this->context().field.distance(vertex) * rounding;
-    Index seed = this->Labels[this->Sets.bestLabel(vertex)].seed;
+    Index seed = this->Labels[this->mark(vertex).label()].seed;
     this->Sets.visitFurther(vertex,
       [&](const LabelSets::Further& further)
       {
-        const Label& label = this->Labels[further.label()];
+        const Label& label = this->Labels[further.mark.label()];
         if (further.value + label.value <= most)
         {
           seed = std::min(seed, label.seed);
@@ -143,12 +152,22 @@ public:
 
   void clear(Index vertex)
   {
-    this->state(vertex) = {};
+    this->mark(vertex) = {};
     this->Sets.clear(vertex);
   }
 
 private:
-  std::uint64_t isOther(Index vertex) const { return this->Sets.isOther(vertex, this->Current); }
+  /** One of the labels, with what the march asks for most. */
+  struct Front
+  {
+    double seedValue;
+    StraightLineBound leastOf;
+    Index labelBits;
+    FrontShape shape;
+  };
+
+  /** Whether the best value of a vertex is of another label than the current one. */
+  bool isOther(Index vertex) const { return this->mark(vertex).hasOtherLabel(this->labelBits()); }
 
   /** The largest value of the current label that a vertex keeps beside its best one. */
   double keptUpTo(Index vertex) const
@@ -158,101 +177,52 @@ private:
 
   TakenValue takeBest(Index vertex)
   {
-    if (!std::exchange(this->state(vertex).isQueued, false))
+    ValueMark& mark = this->mark(vertex);
+    if (!mark.isQueued())
     {
       return { NoIndex, 0.0 };
     }
-    this->setCurrent(this->Sets.bestLabel(vertex));
+    mark.setQueued(false);
+    this->setCurrent(mark.label());
     return { vertex, this->value(vertex) };
   }
 
   TakenValue takeFurther(Index number)
   {
     LabelSets::Further& further = this->Sets.further(number);
-    VertexState state = further.state();
-    if (!std::exchange(state.isQueued, false))
+    if (!further.mark.isQueued())
     {
       return { NoIndex, 0.0 };
     }
-    further.setState(state);
-    this->setCurrent(further.label());
+    further.mark.setQueued(false);
+    this->setCurrent(further.mark.label());
     const Index vertex = this->Sets.vertexOf(number);
     return { further.value <= this->keptUpTo(vertex) ? vertex : NoIndex, further.value };
   }
 
-  /** Of vertices some of which have a best value of another label. */
-  template <class Real>
-  GEODESIC_INLINED KnownValues<Real> lookAtBorder(const Indices<Real>& vertices) const
-  {
-    using Further = LabelSets::Further;
-    const auto second = [&](int lane) -> const Further&
-    { return this->Sets.second(vertices[lane]); };
-    const TestOf<Real> isBest = whereEqual<Real>(
-      this->Current + 1, [&](int lane) { return this->Sets.bestBits(vertices[lane]); });
-    const TestOf<Real> isSecond = whereEqual<Real>(
-      this->Current + 1, [&](int lane) { return second(lane).bits() & Further::LabelBits; });
-    const TestOf<Real> isLast =
-      whereEqual<Real>(NoIndex, [&](int lane) { return second(lane).next(); });
-    if (any(~(isBest | isSecond | isLast))) [[unlikely]]
-    {
-      return this->template lookOneByOne<Real>(vertices);
-    }
-    const KnownValues<Real> best = this->template known<Real>(vertices);
-    const Real none = Real() + DistanceField::Unreached;
-    const Real values = select(isBest, best.values,
-      select(isSecond, lanesOf<Real>([&](int lane) { return second(lane).value; }), none));
-    const Real keptUpTo = best.values +
-      lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
-    const TestOf<Real> isQueued = whereEqual<Real>(
-      Further::Queued, [&](int lane) { return second(lane).bits() & Further::Queued; });
-    return { values, select(isBest | isSecond, values, keptUpTo),
-      (bitsOf(isBest) & best.isQueued) | bitsOf(isSecond & isQueued) };
-  }
-
-  template <class Real>
-  KnownValues<Real> lookOneByOne(const Indices<Real>& vertices) const
-  {
-    std::array<KnownValue, lanes<Real>> known;
-    unsigned areQueued = 0;
-    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-    {
-      known[lane] = this->look(vertices[lane]);
-      areQueued |= static_cast<unsigned>(known[lane].isQueued) << lane;
-    }
-    return { lanesOf<Real>([&](int lane) { return known[lane].value; }),
-      lanesOf<Real>([&](int lane) { return known[lane].ceiling; }), areQueued };
-  }
-
-  KnownValue look(Index vertex) const
-  {
-    return this->isOther(vertex) == 0
-      ? this->known(vertex)
-      : this->knownFurther(vertex, this->Sets.find(vertex, this->Current));
-  }
-
-  KnownValue knownFurther(Index vertex, Index number) const
+  /** @param number  of a further value or NoIndex */
+  KnownValue knownFurther(Index number, double keptUpTo) const
   {
     if (number == NoIndex)
     {
-      return { DistanceField::Unreached, this->keptUpTo(vertex), false };
+      return { DistanceField::Unreached, keptUpTo, false };
     }
     const LabelSets::Further& further = this->Sets.further(number);
-    return { further.value, further.value, further.state().isQueued };
+    return { further.value, std::min(further.value, keptUpTo), further.mark.isQueued() };
   }
 
   KnownValue proposeFurther(Index vertex, double value)
   {
-    Index number = this->Sets.find(vertex, this->Current);
-    const KnownValue known = this->knownFurther(vertex, number);
-    if (!(value < std::min(this->ceiling(vertex, known.value), this->keptUpTo(vertex))) ||
-      this->context().options.isExcluded(vertex) ||
-      (number != NoIndex && this->Sets.further(number).state().isPinned))
+    const KnownValue known = this->other(vertex, this->current(), this->value(vertex));
+    if (!(value < this->ceiling(vertex, known.ceiling)) ||
+      this->context().options.isExcluded(vertex))
     {
       return known;
     }
-    if (number == NoIndex)
+    const Index number = this->Sets.findOrAdd(vertex, this->current());
+    if (this->Sets.further(number).mark.isPinned())
     {
-      number = this->Sets.add(vertex, this->Current, value);
+      return known;
     }
     this->setFurther(number, value);
     return { value, value, true };
@@ -260,7 +230,7 @@ private:
 
   void setBest(Index vertex, double value)
   {
-    this->Sets.setBestLabel(vertex, this->Current);
+    this->mark(vertex).setLabel(this->current());
     this->set(vertex, value);
   }
 
@@ -281,12 +251,11 @@ private:
   void queueFurther(Index number)
   {
     LabelSets::Further& further = this->Sets.further(number);
-    VertexState state = further.state();
-    if (!std::exchange(state.isQueued, true))
+    if (!further.mark.isQueued())
     {
-      further.setState(state);
+      further.mark.setQueued(true);
       this->context().queue.push(this->NumberOfVertices + number,
-        further.value + this->Labels[further.label()].value - this->firstDistance());
+        further.value + this->Fronts[further.mark.label()].seedValue - this->firstDistance());
     }
   }
 
@@ -296,18 +265,16 @@ private:
     LabelSets::Further& further = this->Sets.further(number);
     const Index vertex = this->Sets.vertexOf(number);
     const double value = further.value;
-    const Index label = this->Sets.bestLabel(vertex);
-    further.setLabel(label);
-    further.value = this->context().field.distance(vertex) - this->Labels[label].value;
-    VertexState state = std::exchange(this->state(vertex), further.state());
+    ValueMark& mark = this->mark(vertex);
+    further.value = this->context().field.distance(vertex) - this->Fronts[mark.label()].seedValue;
+    std::swap(mark, further.mark);
     // Wherever the queue has them, they go to it again under their new numbers.
-    const bool wasQueued = std::exchange(state.isQueued, false);
-    further.setState(state);
-    if (wasQueued)
+    if (further.mark.isQueued())
     {
+      further.mark.setQueued(false);
       this->queueFurther(number);
     }
-    this->state(vertex).isQueued = false;
+    mark.setQueued(false);
     this->setBest(vertex, value);
   }
 
@@ -321,8 +288,8 @@ private:
   std::span<const Label> Labels;
   LabelSets& Sets;
   Index NumberOfVertices;
-  std::vector<StraightLineBound> LeastOf;
-  Index Current = 0;
+  std::vector<Front> Fronts;
+  const Front* Current = nullptr;
 };
 
 }

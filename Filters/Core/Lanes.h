@@ -168,21 +168,63 @@ GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
 template <class Real>
 using TestOf = decltype(Real() < Real());
 
-/** Where the numbers that @p numberAt gives for 0, 1 and so on are the same as another one. */
-template <class Real, class NumberAt>
-GEODESIC_INLINED TestOf<Real> whereEqual(std::uint32_t number, NumberAt numberAt)
+/** 32 bits beside each of several numbers. */
+template <class Real>
+struct BitsBeside;
+template <>
+struct BitsBeside<Pair>
+{
+  using Type = std::uint32_t __attribute__((vector_size(8)));
+};
+template <>
+struct BitsBeside<Quad>
+{
+  using Type = std::uint32_t __attribute__((vector_size(16)));
+};
+template <class Real>
+using BitsOf = typename BitsBeside<Real>::Type;
+
+/** Those that @p bitsAt gives for 0, 1 and so on. */
+template <class Real, class BitsAt>
+GEODESIC_INLINED BitsOf<Real> bitsWith(BitsAt bitsAt)
 {
   if constexpr (lanes<Real> == 2)
   {
-    using Two = std::uint32_t __attribute__((vector_size(8)));
-    return __builtin_convertvector(Two{ numberAt(0), numberAt(1) } == number, PairTest);
+    return BitsOf<Real>{ bitsAt(0), bitsAt(1) };
   }
   else
   {
-    using Four = std::uint32_t __attribute__((vector_size(16)));
-    const Four four{ numberAt(0), numberAt(1), numberAt(2), numberAt(3) };
-    return __builtin_convertvector(four == number, QuadTest);
+    return BitsOf<Real>{ bitsAt(0), bitsAt(1), bitsAt(2), bitsAt(3) };
   }
+}
+
+/** What comparing them gives. */
+template <class Real>
+using BitsTestOf = decltype(BitsOf<Real>() == BitsOf<Real>());
+
+/** The same beside numbers as among them. */
+template <class Real>
+GEODESIC_INLINED TestOf<Real> widened(const BitsTestOf<Real>& test)
+{
+  return __builtin_convertvector(test, TestOf<Real>);
+}
+
+/** Whether the highest of the bits is set, in bits 0, 1 and so on; of a test, its results. */
+template <class Real>
+GEODESIC_INLINED unsigned highestBits(const BitsTestOf<Real>& bits)
+{
+#ifdef __SSE2__
+  if constexpr (lanes<Real> == 4)
+  {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<const __m128&>(bits)));
+  }
+#endif
+  return bitsOf(widened<Real>(bits));
+}
+template <class Real>
+GEODESIC_INLINED unsigned highestBits(const BitsOf<Real>& bits)
+{
+  return highestBits<Real>(reinterpret_cast<const BitsTestOf<Real>&>(bits));
 }
 
 /** The last of @p before, then @p numbers without their last. */

@@ -18,17 +18,19 @@ public:
     , Seed(label.seed)
     , Shape(label.shape)
   {
-    this->setOffset(label.value);
+    FieldValues<Cost>::setCurrent(0, label.value);
   }
 
+  static constexpr bool hasOthers = false;
   Index current() const { return 0; }
   void setCurrent(Index) {}
   FrontShape shape() const { return this->Shape; }
 
   template <class Real>
-  GEODESIC_INLINED KnownValues<Real> look(const Indices<Real>& vertices) const
+  GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
   {
-    return this->template known<Real>(vertices);
+    return { this->template values<Real>(vertices), 0,
+      highestBits<Real>(this->template marks<Real>(vertices)) };
   }
 
   KnownValue propose(Index vertex, double value)
@@ -39,13 +41,13 @@ public:
   void start(Index vertex, double value, bool isFinal)
   {
     this->set(vertex, value);
-    this->state(vertex).isPinned = isFinal;
+    this->mark(vertex).setPinned(isFinal);
   }
 
   Index vertexOf(Index taken) const { return taken; }
   TakenValue take(Index vertex)
   {
-    this->state(vertex).isQueued = false;
+    this->mark(vertex).setQueued(false);
     return { vertex, this->value(vertex) };
   }
 
@@ -58,7 +60,7 @@ public:
   }
 
   Index nearestSeed(Index) const { return this->Seed; }
-  void clear(Index vertex) { this->state(vertex) = {}; }
+  void clear(Index vertex) { this->mark(vertex) = {}; }
 
 private:
   StraightLineBound LeastOf;

@@ -17,7 +17,8 @@ namespace geodesic
 
 /**
  * Looks at the rings of vertices and notes what there is to do, several neighbours at a time and
- * without a branch on what is found: a part of RingSweep, which see also for Cost and Values.
+ * without a branch on what is found, so that the processor can go ahead to the next ring while it
+ * waits for memory: a part of RingSweep, which see also for Cost and Values.
  */
 template <class Cost, class Values>
 class RingLook
@@ -41,21 +42,12 @@ public:
     const std::size_t number = windows.Count++;
     const std::size_t base = number * RingWindows::Size;
     const RingEntry* const entries = &ring[firstEntry];
-    const std::size_t last = std::min(RingWindows::Size - 1, ring.size() - firstEntry - 1);
-    const std::size_t size = last + 1;
+    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
+    Mask areOther = 0;
     Mask isQueued = 0;
-    Mask along = 0;
-    Mask first = 0;
-    Mask second = 0;
-    Index thinBits = 0;
-    // Of the neighbours before those that are looked at.
-    Index lastNeighbour = taken.vertex;
-    Real lastValues = Real();
-    Real lastCeilings = Real();
-    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
       // After the last neighbour come any others, with which nothing is done.
@@ -64,47 +56,80 @@ public:
       {
         neighbours[lane] = entries[i + lane].neighbour();
         windows.Neighbours[base + i + lane] = neighbours[lane];
-        thinBits |= entries[i + lane].thinBit();
       }
-      const KnownValues<Real> known = this->FrontValues.template look<Real>(neighbours);
+      const SeenValues<Real> seen = this->FrontValues.template look<Real>(neighbours);
       const Vector3Of<Real> offset =
         sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
         origin;
-      const Real squares = dot(offset, offset);
-      store(known.values, &windows.Values[base + i]);
-      store(known.ceilings, &windows.Ceilings[base + i]);
+      store(seen.values, &windows.Values[base + i]);
+      store(seen.values, &windows.Ceilings[base + i]);
       store(offset.x, &windows.X[base + i]);
       store(offset.y, &windows.Y[base + i]);
       store(offset.z, &windows.Z[base + i]);
-      store(squares, &windows.SquaredLengths[base + i]);
-      isQueued |= known.isQueued << i;
-
-      const Real rises = largest(known.ceilings - taken.value, Real());
-      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
-
-      // The triangles that end here, each opened by the neighbour before.
-      const Real slacks = slacksOf<Real>(entries + i);
-      const Real costs = this->costsBefore<Real>(taken.vertex, lastNeighbour, neighbours);
-      const Real bounds = taken.value + costs * shiftedIn(lastSlacks, slacks);
-      const Real ceilings = 2.0 * known.ceilings;
-      first |= bitsOf(bounds + known.values < shiftedIn(lastCeilings, ceilings)) << i;
-      second |= bitsOf(bounds + shiftedIn(lastValues, known.values) < ceilings) << i;
-      lastNeighbour = neighbours.back();
-      lastValues = known.values;
-      lastCeilings = ceilings;
-      lastSlacks = slacks;
+      store(dot(offset, offset), &windows.SquaredLengths[base + i]);
+      areOther |= seen.areOther << i;
+      isQueued |= seen.areQueued << i;
     }
-    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
-    const Mask triangles = (Mask(1) << last) - 1;
     windows.OwnValues[number] = taken.value;
     RingWindows::Window& window = windows.Windows[number];
     window.vertex = taken.vertex;
     window.label = this->FrontValues.current();
     window.shape = this->FrontValues.shape();
-    window.last = isRound ? static_cast<Mask>(last) : 0;
+    window.firstEntry = static_cast<Index>(firstEntry);
+    window.size = static_cast<Index>(size);
+    window.areOther = areOther & ((Mask(1) << size) - 1);
     window.isQueued = isQueued;
-    window.isOpen = this->openTriangles(taken.vertex, firstEntry, last) & triangles;
-    window.isThin = thinBits != 0 ? thinTriangles({ entries, size }) : 0;
+  }
+
+  /** Notes in the masks of a window what is worth a closer look. */
+  template <class Real>
+  void judge(std::size_t number, RingWindows& windows) const
+  {
+    RingWindows::Window& window = windows.Windows[number];
+    const std::size_t base = number * RingWindows::Size;
+    const RingEntry* const entries = &this->Mesh.ring(window.vertex)[window.firstEntry];
+    const double own = windows.OwnValues[number];
+    Mask along = 0;
+    Mask first = 0;
+    Mask second = 0;
+    Index thinBits = 0;
+    // Of the neighbours before those that are looked at.
+    Index lastNeighbour = window.vertex;
+    Real lastValues = Real();
+    Real lastCeilings = Real();
+    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < window.size; i += lanes<Real>)
+    {
+      Indices<Real> neighbours;
+      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+      {
+        neighbours[lane] = windows.Neighbours[base + i + lane];
+        thinBits |= entries[i + lane].thinBit();
+      }
+      const Real values = load<Real>(&windows.Values[base + i]);
+      const Real held = load<Real>(&windows.Ceilings[base + i]);
+      const Real squares = load<Real>(&windows.SquaredLengths[base + i]);
+      const Real rises = largest(held - own, Real());
+      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
+
+      // The triangles that end here, each opened by the neighbour before.
+      const Real slacks = slacksOf<Real>(entries + i);
+      const Real costs = this->costsBefore<Real>(window.vertex, lastNeighbour, neighbours);
+      const Real bounds = own + costs * shiftedIn(lastSlacks, slacks);
+      const Real ceilings = 2.0 * held;
+      first |= bitsOf(bounds + values < shiftedIn(lastCeilings, ceilings)) << i;
+      second |= bitsOf(bounds + shiftedIn(lastValues, values) < ceilings) << i;
+      lastNeighbour = neighbours.back();
+      lastValues = values;
+      lastCeilings = ceilings;
+      lastSlacks = slacks;
+    }
+    const std::size_t last = window.size - 1;
+    const bool isRound = windows.Neighbours[base] == windows.Neighbours[base + last];
+    const Mask triangles = (Mask(1) << window.size >> 1) - 1;
+    window.last = isRound ? static_cast<Mask>(last) : 0;
+    window.isOpen = this->openTriangles(window.vertex, window.firstEntry, last) & triangles;
+    window.isThin = thinBits != 0 ? thinTriangles({ entries, window.size }) : 0;
     window.along = along & (isRound ? triangles : triangles << 1 | 1);
     window.first = first >> 1;
     window.second = second >> 1;
@@ -171,9 +196,17 @@ private:
   }
 
   template <class Real>
-  static void store(const Real& numbers, double* to)
+  GEODESIC_INLINED static void store(const Real& numbers, double* to)
   {
     std::memcpy(to, &numbers, sizeof numbers);
+  }
+
+  template <class Real>
+  GEODESIC_INLINED static Real load(const double* from)
+  {
+    Real numbers;
+    std::memcpy(&numbers, from, sizeof numbers);
+    return numbers;
   }
 
   const TriangleMesh& Mesh;

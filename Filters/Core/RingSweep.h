@@ -30,15 +30,18 @@ namespace geodesic
  *
  * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
  * waits. So some vertices are swept together, step by step, and each step is one loop over all of
- * them: first the rings are looked at, several neighbours at a time, and what is found noted in the
- * bits of masks; then fronts go along edges; then over edges, several at a time; last the values
- * that were found are proposed.
+ * them: first the rings are looked at, several neighbours at a time; where a neighbour's best value
+ * is of another label, its own of this one is looked up; what is worth more is noted in the bits of
+ * masks; then fronts go along edges; then over edges, several at a time; last the values that were
+ * found are proposed.
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the front that is swept:
  *                 take(Index) -> TakenValue of what was in the queue, and makes its label the
  *                 current one; current(), shape(), setCurrent(Index) tell and change which that is;
- *                 look<Real>(const Indices<Real>&) -> KnownValues<Real> of its values;
+ *                 look<Real>(const Indices<Real>&) -> SeenValues<Real> of its values;
+ *                 hasOthers, whether any of those can be of another label, then also
+ *                 other(Index, Index, double) -> KnownValue of one of them, see LabelValues;
  *                 propose(Index, double) -> KnownValue, queues the vertex with the value if that
  *                 counts, and returns what then holds
  */
@@ -117,9 +120,14 @@ private:
   template <class Real>
   void finish()
   {
+    if constexpr (Values::hasOthers)
+    {
+      this->lookAtOthers();
+    }
     this->Along.clear();
     for (std::size_t number = 0; number < this->Windows.Count; ++number)
     {
+      this->Look.template judge<Real>(number, this->Windows);
       this->noteWaysAlong(number);
     }
     for (std::size_t i = 0; i < this->Along.size(); ++i)
@@ -136,6 +144,27 @@ private:
     this->goOver<Real, FrontShape::Straight>();
     this->propose();
     this->Windows.Count = 0;
+  }
+
+  /** Looks up what labels have at neighbours whose best value is of another one. */
+  void lookAtOthers()
+  {
+    this->Others.clear();
+    for (std::size_t number = 0; number < this->Windows.Count; ++number)
+    {
+      this->Others.add(this->Windows.Windows[number].areOther,
+        [&](int slot) { return static_cast<Slot>(number * RingWindows::Size + slot); });
+    }
+    for (std::size_t i = 0; i < this->Others.size(); ++i)
+    {
+      const Slot slot = this->Others[i];
+      Window& window = this->Windows.at(slot);
+      const KnownValue known = this->FrontValues.other(
+        this->Windows.Neighbours[slot], window.label, this->Windows.Values[slot]);
+      this->Windows.Values[slot] = known.value;
+      this->Windows.Ceilings[slot] = known.ceiling;
+      window.isQueued |= bit(known.isQueued, slot % RingWindows::Size);
+    }
   }
 
   void noteWaysAlong(std::size_t number)
@@ -276,6 +305,7 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   Values& FrontValues;
+  BitList<Slot, RingWindows::Slots, 4> Others;
   BitList<Slot, RingWindows::Slots, 3> Along;
   /** By the front's shape. */
   std::array<BitList<WayOver, 2 * RingWindows::Slots, 4>, 2> Over;

@@ -44,8 +44,14 @@ struct RingWindows
     /** That is swept for it. */
     Index label;
     FrontShape shape;
+    /** Where in the vertex's ring the window begins. */
+    Index firstEntry;
+    /** Slots in use. */
+    Index size;
     /** The slot in which the first neighbour comes again, where the window closes; else 0. */
     Mask last;
+    /** Neighbours whose best value is of another label. */
+    Mask areOther;
     /** Neighbours that wait to be swept with their values. */
     Mask isQueued;
     /** Triangles that may be crossed. */
