@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace geodesic
 {
@@ -34,16 +35,18 @@ std::vector<std::uint8_t> usedPoints(
     {
       for (std::size_t t = first; t < last; ++t)
       {
-        for (Index point : triangles[t])
+        const auto [a, b, c] = triangles[t];
+        if (const Index highest = std::max({ a, b, c }); highest >= points.size())
         {
-          if (point >= points.size())
-          {
-            throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
-              std::to_string(point) + ", but the surface has " + std::to_string(points.size()) +
-              " points. Clean the surface.");
-          }
-          std::atomic_ref(used[point]).store(1, std::memory_order_relaxed);
+          throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
+            std::to_string(highest) + ", but the surface has " + std::to_string(points.size()) +
+            " points. Clean the surface.");
         }
+        const auto use = [&](Index point)
+        { std::atomic_ref(used[point]).store(1, std::memory_order_relaxed); };
+        use(a);
+        use(b);
+        use(c);
       }
     });
   team.run(points.size(),
@@ -167,58 +170,68 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
 void TriangleMesh::orderTriangles(
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
+  // A counting sort: each thread counts and places some of the triangles, before those of the next.
+  const std::size_t vertices = this->numberOfVertices();
+  std::vector<std::vector<Index>> places(team.numberOfRanges(triangles.size()));
   team.run(triangles.size(),
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t range, std::size_t first, std::size_t last)
     {
+      std::vector<Index>& counts = places[range];
+      counts.assign(vertices, 0);
       for (std::size_t t = first; t < last; ++t)
       {
         const Triangle& input = triangles[t];
         const Triangle ours{ this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
           this->VertexOfPoint[input[2]] };
-        std::fill_n(&corners[3 * t], 3, NoIndex);
-        if (!repeatsCorner(ours))
+        std::copy(ours.begin(), ours.end(), &corners[3 * t]);
+        if (repeatsCorner(ours))
         {
-          std::copy(ours.begin(), ours.end(), &corners[3 * t]);
+          corners[3 * t] = NoIndex;
+        }
+        else
+        {
+          ++counts[lowestCorner(ours)];
         }
       }
     });
-  // Each thread takes the triangles whose lowest corner is in its range.
-  std::vector<Index> places(this->numberOfVertices(), 0);
-  std::vector<std::size_t> starts(team.numberOfRanges(places.size()));
-  const auto visit = [&](std::size_t firstVertex, std::size_t lastVertex, auto&& take)
-  {
-    for (Index source = 0; source < triangles.size(); ++source)
-    {
-      const Index* const c = &corners[3 * std::size_t{ source }];
-      const Triangle ours{ c[0], c[1], c[2] };
-      const Index lowest = lowestCorner(ours);
-      if (lowest >= firstVertex && lowest < lastVertex)
-      {
-        take(source, ours, lowest);
-      }
-    }
-  };
-  team.run(places.size(),
+  std::vector<std::size_t> starts(team.numberOfRanges(vertices));
+  team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      visit(first, last, [&](Index, const Triangle&, Index lowest) { ++places[lowest]; });
-      starts[range] = std::accumulate(places.begin() + first, places.begin() + last, Index{ 0 });
+      for (const std::vector<Index>& counts : places)
+      {
+        starts[range] =
+          std::accumulate(counts.begin() + first, counts.begin() + last, starts[range]);
+      }
     });
   const std::size_t total = startsOf(starts);
   this->Triangles.resize(total);
   this->SourceOfTriangle.resize(total);
-  team.run(places.size(),
+  team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      std::exclusive_scan(places.begin() + first, places.begin() + last, places.begin() + first,
-        static_cast<Index>(starts[range]));
-      visit(first, last,
-        [&](Index source, const Triangle& ours, Index lowest)
+      Index next = static_cast<Index>(starts[range]);
+      for (std::size_t v = first; v < last; ++v)
+      {
+        for (std::vector<Index>& counts : places)
         {
-          const Index place = places[lowest]++;
+          next += std::exchange(counts[v], next);
+        }
+      }
+    });
+  team.run(triangles.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Triangle ours{ corners[3 * t], corners[3 * t + 1], corners[3 * t + 2] };
+        if (ours[0] != NoIndex)
+        {
+          const Index place = places[range][lowestCorner(ours)]++;
           this->Triangles[place] = ours;
-          this->SourceOfTriangle[place] = source;
-        });
+          this->SourceOfTriangle[place] = static_cast<Index>(t);
+        }
+      }
     });
 }
 

@@ -241,9 +241,13 @@ private:
   std::array<RingEntry, std::numeric_limits<Place>::max()> Sides;
 };
 
-VertexSize largest(const VertexSize& size, const TriangleMeasure& measure)
+VertexSize largest(const VertexSize& a, const VertexSize& b)
 {
-  return { std::max(size.longestSide, measure.longestSide), std::max(size.margin, measure.margin) };
+  // Both of its numbers at once.
+  using Both = float __attribute__((vector_size(sizeof(VertexSize))));
+  const Both x = std::bit_cast<Both>(a);
+  const Both y = std::bit_cast<Both>(b);
+  return std::bit_cast<VertexSize>(x > y ? x : y);
 }
 
 /** Tells the numbers from a first to before a last one. */
@@ -332,6 +336,7 @@ void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t s
                       sizes = this->Sizes.data()](Triangle t, TriangleMeasure measure)
   {
     const RingEntry opening(0, measure.slack, measure.isThin());
+    const VertexSize size{ measure.longestSide, measure.margin };
     for (int c = 0; c < 3; ++c)
     {
       const Index v = t[c];
@@ -341,7 +346,7 @@ void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t s
         const std::uint32_t place = starts[v]++;
         entries[place] = opening.at(t[(c + 1) % 3]);
         seconds[place - v] = t[(c + 2) % 3];
-        sizes[v] = largest(sizes[v], measure);
+        sizes[v] = largest(sizes[v], size);
       }
     }
   };
