@@ -33,6 +33,15 @@ struct SeenValues
   unsigned areQueued;
 };
 
+/** What a front knows of several, isQueued in bits 0, 1 and so on; see KnownValue. */
+template <class Real>
+struct KnownValues
+{
+  Real values;
+  Real ceilings;
+  unsigned areQueued;
+};
+
 /** As many vertices as a Real has numbers. */
 template <class Real>
 using Indices = std::array<Index, lanes<Real>>;

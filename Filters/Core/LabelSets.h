@@ -4,7 +4,6 @@
 #include "Index.h"
 #include "ValueMark.h"
 
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -60,24 +59,18 @@ public:
   Further& second(Index vertex) { return this->Seconds[vertex]; }
   const Further& second(Index vertex) const { return this->Seconds[vertex]; }
 
-  /** Whether a vertex may have a further value for a label that is not the second. Without a
-   * branch in between, as it is not to be guessed whether the second is of the label. */
-  bool mayBeInChain(Index vertex, Index label) const
-  {
-    const Further& second = this->Seconds[vertex];
-    const Index isOther = second.mark.labelBits() ^ ValueMark::bitsOf(label);
-    const Index afterNext = second.Next + 1;
-    static_assert(NoIndex + 1 == 0);
-    return std::uint64_t{ isOther } * afterNext != 0;
-  }
-
   /** The further value of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {
-    Index number = vertex;
-    while (number != NoIndex && this->further(number).mark.label() != label)
+    return this->Seconds[vertex].mark.label() == label ? vertex : this->findInChain(vertex, label);
+  }
+  /** The same where it is not the second. */
+  Index findInChain(Index vertex, Index label) const
+  {
+    Index number = this->Seconds[vertex].Next;
+    while (number != NoIndex && this->other(number).mark.label() != label)
     {
-      number = this->further(number).Next;
+      number = this->other(number).Next;
     }
     return number;
   }
@@ -103,7 +96,7 @@ public:
     Further& second = this->Seconds[vertex];
     if (second.mark.hasOtherLabel(ValueMark::bitsOf(label))) [[unlikely]]
     {
-      const Index number = this->find(vertex, label);
+      const Index number = this->findInChain(vertex, label);
       return number != NoIndex ? number : this->add(vertex, label);
     }
     second.mark.setLabel(label);
@@ -125,6 +118,9 @@ public:
   }
 
 private:
+  /** Behind a second. */
+  const Further& other(Index number) const { return this->Others[number - this->Seconds.size()]; }
+
   Index add(Index vertex, Index label)
   {
     Further other;

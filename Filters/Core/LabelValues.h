@@ -6,6 +6,7 @@
 #include "MarchingFront.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
@@ -51,29 +52,47 @@ public:
   template <class Real>
   GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
   {
+    constexpr unsigned all = (1u << lanes<Real>)-1;
     const BitsOf<Real> marks = this->template marks<Real>(vertices);
     const BitsOf<Real> labels = marks & ValueMark::LabelBits;
-    const BitsTestOf<Real> areOther = ~((labels == 0) | (labels == this->labelBits()));
-    return { this->template values<Real>(vertices), highestBits<Real>(areOther),
-      highestBits<Real>(marks & ~areOther) };
+    const unsigned areOwn = highestBits<Real>((labels == 0) | (labels == this->labelBits()));
+    return { this->template values<Real>(vertices), areOwn ^ all,
+      areOwn & highestBits<Real>(marks) };
   }
 
-  /** What is known for a label of a vertex whose best value is of another one.
-   * @param best  that value, less the one of the label's seed */
-  KnownValue other(Index vertex, Index label, double best) const
+  /**
+   * What is known for a label of vertices, of which some have a best value of another one.
+   * @param areOther  which do; only of those something is told
+   * @param best      their best values, less the one of the label's seed
+   */
+  template <class Real>
+  GEODESIC_INLINED KnownValues<Real> others(
+    const Indices<Real>& vertices, unsigned areOther, Index label, const Real& best) const
   {
-    const LabelSets::Further& second = this->Sets.second(vertex);
-    const double keptUpTo = best + this->context().cost.margin(vertex);
-    if (this->Sets.mayBeInChain(vertex, label)) [[unlikely]]
+    const auto second = [&](int lane) -> const LabelSets::Further&
+    { return this->Sets.second(vertices[lane]); };
+    const BitsOf<Real> marks = bitsWith<Real>([&](int lane) { return second(lane).mark.bits(); });
+    const BitsTestOf<Real> areSecond = (marks & ValueMark::LabelBits) == ValueMark::bitsOf(label);
+    const BitsTestOf<Real> areLast =
+      bitsWith<Real>([&](int lane) { return second(lane).next(); }) == NoIndex;
+    const Real values =
+      select(widened<Real>(areSecond), lanesOf<Real>([&](int lane) { return second(lane).value; }),
+        Real() + DistanceField::Unreached);
+    const Real keptUpTo =
+      best + lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
+    KnownValues<Real> known{ values, least(values, keptUpTo),
+      highestBits<Real>(areSecond) & highestBits<Real>(marks) };
+    unsigned inChain = areOther & ~highestBits<Real>(areSecond | areLast);
+    for (; inChain != 0; inChain &= inChain - 1)
     {
-      return this->knownFurther(this->Sets.find(vertex, label), keptUpTo);
+      const int lane = std::countr_zero(inChain);
+      const KnownValue further =
+        this->knownFurther(this->Sets.findInChain(vertices[lane], label), keptUpTo[lane]);
+      known.values[lane] = further.value;
+      known.ceilings[lane] = further.ceiling;
+      known.areQueued |= static_cast<unsigned>(further.isQueued) << lane;
     }
-    // Whether it is the second is not to be guessed, so there is no branch on it.
-    const bool isSecond = second.mark.label() == label;
-    const Pair none{ DistanceField::Unreached };
-    const double value =
-      select(PairTest{ -static_cast<std::int64_t>(isSecond) }, Pair{ second.value }, none)[0];
-    return { value, least(value, keptUpTo), (isSecond & second.mark.isQueued()) != 0 };
+    return known;
   }
 
   KnownValue propose(Index vertex, double value)
@@ -96,7 +115,7 @@ public:
     }
     const Index number = this->Sets.findOrAdd(vertex, this->current());
     this->Sets.further(number).mark.setPinned(isFinal);
-    this->setFurther(number, value);
+    this->setFurther(vertex, number, value);
   }
 
   Index vertexOf(Index taken) const
@@ -213,7 +232,8 @@ private:
 
   KnownValue proposeFurther(Index vertex, double value)
   {
-    const KnownValue known = this->other(vertex, this->current(), this->value(vertex));
+    const KnownValue known =
+      this->knownFurther(this->Sets.find(vertex, this->current()), this->keptUpTo(vertex));
     if (!(value < this->ceiling(vertex, known.ceiling)) ||
       this->context().options.isExcluded(vertex))
     {
@@ -224,7 +244,7 @@ private:
     {
       return known;
     }
-    this->setFurther(number, value);
+    this->setFurther(vertex, number, value);
     return { value, value, true };
   }
 
@@ -234,23 +254,23 @@ private:
     this->set(vertex, value);
   }
 
-  /** Of the current label. */
-  void setFurther(Index number, double value)
+  /** @param number  of a further value of the vertex, which is of the current label */
+  void setFurther(Index vertex, Index number, double value)
   {
-    this->Sets.further(number).value = value;
-    if (value < this->value(this->Sets.vertexOf(number)))
+    LabelSets::Further& further = this->Sets.further(number);
+    further.value = value;
+    if (value < this->value(vertex))
     {
-      this->makeBest(number);
+      this->makeBest(vertex, number, further);
     }
     else
     {
-      this->queueFurther(number);
+      this->queueFurther(number, further);
     }
   }
 
-  void queueFurther(Index number)
+  void queueFurther(Index number, LabelSets::Further& further)
   {
-    LabelSets::Further& further = this->Sets.further(number);
     if (!further.mark.isQueued())
     {
       further.mark.setQueued(true);
@@ -260,10 +280,8 @@ private:
   }
 
   /** A further value of the current label and the best one change places. */
-  void makeBest(Index number)
+  void makeBest(Index vertex, Index number, LabelSets::Further& further)
   {
-    LabelSets::Further& further = this->Sets.further(number);
-    const Index vertex = this->Sets.vertexOf(number);
     const double value = further.value;
     ValueMark& mark = this->mark(vertex);
     further.value = this->context().field.distance(vertex) - this->Fronts[mark.label()].seedValue;
@@ -272,7 +290,7 @@ private:
     if (further.mark.isQueued())
     {
       further.mark.setQueued(false);
-      this->queueFurther(number);
+      this->queueFurther(number, further);
     }
     mark.setQueued(false);
     this->setBest(vertex, value);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -150,6 +151,20 @@ GEODESIC_INLINED Quad root(Quad x)
   return Quad{ std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3]) };
 }
 
+/** To and from where numbers are one after the other. */
+template <class Real>
+GEODESIC_INLINED void store(const Real& numbers, double* to)
+{
+  std::memcpy(to, &numbers, sizeof numbers);
+}
+template <class Real>
+GEODESIC_INLINED Real load(const double* from)
+{
+  Real numbers;
+  std::memcpy(&numbers, from, sizeof numbers);
+  return numbers;
+}
+
 /** The numbers that @p numberAt gives for 0, 1 and so on. */
 template <class Real, class NumberAt>
 GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
@@ -207,6 +222,13 @@ template <class Real>
 GEODESIC_INLINED TestOf<Real> widened(const BitsTestOf<Real>& test)
 {
   return __builtin_convertvector(test, TestOf<Real>);
+}
+
+/** Which of bits 0, 1 and so on are set. */
+template <class Real>
+GEODESIC_INLINED TestOf<Real> whereSet(unsigned bits)
+{
+  return widened<Real>((bitsWith<Real>([](int lane) { return 1u << lane; }) & bits) != 0);
 }
 
 /** Whether the highest of the bits is set, in bits 0, 1 and so on; of a test, its results. */

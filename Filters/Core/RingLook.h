@@ -195,20 +195,6 @@ private:
     return isOpen;
   }
 
-  template <class Real>
-  GEODESIC_INLINED static void store(const Real& numbers, double* to)
-  {
-    std::memcpy(to, &numbers, sizeof numbers);
-  }
-
-  template <class Real>
-  GEODESIC_INLINED static Real load(const double* from)
-  {
-    Real numbers;
-    std::memcpy(&numbers, from, sizeof numbers);
-    return numbers;
-  }
-
   const TriangleMesh& Mesh;
   const ClosedFans& Closed;
   const Cost& TriangleCost;

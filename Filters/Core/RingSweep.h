@@ -122,7 +122,7 @@ private:
   {
     if constexpr (Values::hasOthers)
     {
-      this->lookAtOthers();
+      this->template lookAtOthers<Real>();
     }
     this->Along.clear();
     for (std::size_t number = 0; number < this->Windows.Count; ++number)
@@ -147,24 +147,46 @@ private:
   }
 
   /** Looks up what labels have at neighbours whose best value is of another one. */
+  template <class Real>
   void lookAtOthers()
   {
+    constexpr Mask all = (Mask(1) << lanes<Real>)-1;
+    constexpr Mask everyFirst = ~Mask(0) / all;
     this->Others.clear();
     for (std::size_t number = 0; number < this->Windows.Count; ++number)
     {
-      this->Others.add(this->Windows.Windows[number].areOther,
+      const Mask areOther = this->Windows.Windows[number].areOther;
+      Mask areAny = areOther;
+      for (std::size_t lane = 1; lane < lanes<Real>; ++lane)
+      {
+        areAny |= areOther >> lane;
+      }
+      this->Others.add(areAny & everyFirst,
         [&](int slot) { return static_cast<Slot>(number * RingWindows::Size + slot); });
     }
     for (std::size_t i = 0; i < this->Others.size(); ++i)
     {
-      const Slot slot = this->Others[i];
-      Window& window = this->Windows.at(slot);
-      const KnownValue known = this->FrontValues.other(
-        this->Windows.Neighbours[slot], window.label, this->Windows.Values[slot]);
-      this->Windows.Values[slot] = known.value;
-      this->Windows.Ceilings[slot] = known.ceiling;
-      window.isQueued |= bit(known.isQueued, slot % RingWindows::Size);
+      this->template lookAtOthers<Real>(this->Others[i]);
     }
+  }
+
+  /** As many as a Real has numbers, from a slot on. */
+  template <class Real>
+  void lookAtOthers(Slot first)
+  {
+    constexpr Mask all = (Mask(1) << lanes<Real>)-1;
+    Window& window = this->Windows.at(first);
+    const std::size_t place = first % RingWindows::Size;
+    const Mask areOther = window.areOther >> place & all;
+    Indices<Real> neighbours;
+    std::copy_n(&this->Windows.Neighbours[first], lanes<Real>, neighbours.begin());
+    const Real best = load<Real>(&this->Windows.Values[first]);
+    const KnownValues<Real> known =
+      this->FrontValues.template others<Real>(neighbours, areOther, window.label, best);
+    const TestOf<Real> isOther = whereSet<Real>(areOther);
+    store(select(isOther, known.values, best), &this->Windows.Values[first]);
+    store(select(isOther, known.ceilings, best), &this->Windows.Ceilings[first]);
+    window.isQueued |= (known.areQueued & areOther) << place;
   }
 
   void noteWaysAlong(std::size_t number)
@@ -305,7 +327,8 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   Values& FrontValues;
-  BitList<Slot, RingWindows::Slots, 4> Others;
+  /** The first ones of as many as are looked up at once. */
+  BitList<Slot, RingWindows::Slots, 2> Others;
   BitList<Slot, RingWindows::Slots, 3> Along;
   /** By the front's shape. */
   std::array<BitList<WayOver, 2 * RingWindows::Slots, 4>, 2> Over;
