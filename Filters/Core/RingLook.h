@@ -92,7 +92,7 @@ public:
     Mask along = 0;
     Mask first = 0;
     Mask second = 0;
-    Index thinBits = 0;
+    Mask isThin = 0;
     // Of the neighbours before those that are looked at.
     Index lastNeighbour = window.vertex;
     Real lastValues = Real();
@@ -104,11 +104,10 @@ public:
       for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
       {
         neighbours[lane] = windows.Neighbours[base + i + lane];
-        thinBits |= entries[i + lane].thinBit();
       }
-      const Real values = load<Real>(&windows.Values[base + i]);
-      const Real held = load<Real>(&windows.Ceilings[base + i]);
-      const Real squares = load<Real>(&windows.SquaredLengths[base + i]);
+      const Real values = geodesic::load<Real>(&windows.Values[base + i]);
+      const Real held = geodesic::load<Real>(&windows.Ceilings[base + i]);
+      const Real squares = geodesic::load<Real>(&windows.SquaredLengths[base + i]);
       const Real rises = largest(held - own, Real());
       along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
 
@@ -119,6 +118,7 @@ public:
       const Real ceilings = 2.0 * held;
       first |= bitsOf(bounds + values < shiftedIn(lastCeilings, ceilings)) << i;
       second |= bitsOf(bounds + shiftedIn(lastValues, values) < ceilings) << i;
+      isThin |= thinOf<Real>(entries + i) << i;
       lastNeighbour = neighbours.back();
       lastValues = values;
       lastCeilings = ceilings;
@@ -129,7 +129,7 @@ public:
     const Mask triangles = (Mask(1) << window.size >> 1) - 1;
     window.last = isRound ? static_cast<Mask>(last) : 0;
     window.isOpen = this->openTriangles(window.vertex, window.firstEntry, last) & triangles;
-    window.isThin = thinBits != 0 ? thinTriangles({ entries, window.size }) : 0;
+    window.isThin = isThin & triangles;
     window.along = along & (isRound ? triangles : triangles << 1 | 1);
     window.first = first >> 1;
     window.second = second >> 1;
@@ -138,7 +138,8 @@ public:
 private:
   using Mask = RingWindows::Mask;
 
-  /** Those of as many entries as a Real has numbers. */
+  // Of as many entries as a Real has numbers:
+
   template <class Real>
   GEODESIC_INLINED static Real slacksOf(const RingEntry* entries)
   {
@@ -149,13 +150,37 @@ private:
     else
     {
       using Floats = float __attribute__((vector_size(16)));
-      static_assert(sizeof(Floats) == 2 * sizeof(RingEntry));
-      Floats first;
-      Floats second;
-      std::memcpy(&first, entries, sizeof first);
-      std::memcpy(&second, entries + 2, sizeof second);
-      return __builtin_convertvector(__builtin_shufflevector(first, second, 1, 3, 5, 7), Real);
+      return __builtin_convertvector(
+        __builtin_shufflevector(load<Floats>(entries), load<Floats>(entries + 2), 1, 3, 5, 7),
+        Real);
     }
+  }
+
+  /** Which are thin. */
+  template <class Real>
+  GEODESIC_INLINED static Mask thinOf(const RingEntry* entries)
+  {
+    if constexpr (lanes<Real> == 2)
+    {
+      return Mask(entries[0].isThin()) | Mask(entries[1].isThin()) << 1;
+    }
+    else
+    {
+      using Bits = BitsOf<Real>;
+      const Bits bits =
+        __builtin_shufflevector(load<Bits>(entries), load<Bits>(entries + 2), 0, 2, 4, 6);
+      return highestBits<Real>(bits << (31 - RingEntry::ThinBitPlace));
+    }
+  }
+
+  /** A vector that takes the room of two entries. */
+  template <class Vector>
+  GEODESIC_INLINED static Vector load(const RingEntry* entries)
+  {
+    static_assert(sizeof(Vector) == 2 * sizeof(RingEntry));
+    Vector vector;
+    std::memcpy(&vector, entries, sizeof vector);
+    return vector;
   }
 
   /** Of the triangles of a vertex between each neighbour and the one before. */
@@ -168,16 +193,6 @@ private:
         return this->TriangleCost.ofTriangle(
           vertex, lane > 0 ? neighbours[lane - 1] : last, neighbours[lane]);
       });
-  }
-
-  static Mask thinTriangles(std::span<const RingEntry> ring)
-  {
-    Mask isThin = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-      isThin |= Mask(ring[i].isThin()) << i;
-    }
-    return isThin;
   }
 
   /** Those that may be crossed, @p count of them; or just all, where nothing is closed. */

@@ -142,10 +142,10 @@ public:
     {
       for (std::size_t i = 0; i < Usual; ++i)
       {
-        // Of no bits the number is any.
+        // Of no bits the number is any, and they count 0; any others count 1, without a branch.
         constexpr RingWindows::Mask stop = 1u << 31;
         this->Items[count] = itemOf(std::countr_zero(bits | stop));
-        count += bits != 0 ? 1 : 0;
+        count += (bits | (0u - bits)) >> 31;
         bits &= bits - 1;
       }
     } while (bits != 0);
