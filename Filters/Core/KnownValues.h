@@ -27,7 +27,7 @@ struct SeenValues
   /** +infinity where there is none. */
   Real values;
   /** The value is of another label than the one that is swept: what that one has is to be asked
-   * for one by one. */
+   * for apart. */
   unsigned areOther;
   /** As in KnownValue; not of others. */
   unsigned areQueued;

@@ -56,7 +56,6 @@ public:
   }
 
   /** The further value that has a place at the vertex. */
-  Further& second(Index vertex) { return this->Seconds[vertex]; }
   const Further& second(Index vertex) const { return this->Seconds[vertex]; }
 
   /** The further value of a vertex for a label, NoIndex where there is none. */

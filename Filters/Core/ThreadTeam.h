@@ -23,6 +23,12 @@ public:
   {
   }
 
+  /** The same with at most so many threads, for what takes memory for each. */
+  ThreadTeam atMost(unsigned threads) const
+  {
+    return ThreadTeam(static_cast<unsigned>(std::min<std::size_t>(threads, this->Threads)));
+  }
+
   /** Into how many ranges a loop of @p count steps is cut; small ones stay whole. */
   std::size_t numberOfRanges(std::size_t count) const
   {

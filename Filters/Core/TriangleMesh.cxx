@@ -171,9 +171,11 @@ void TriangleMesh::orderTriangles(
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
   // A counting sort: each thread counts and places some of the triangles, before those of the next.
+  // Its counts are 4 bytes a vertex, so there are not too many.
+  const ThreadTeam counters = team.atMost(8);
   const std::size_t vertices = this->numberOfVertices();
-  std::vector<std::vector<Index>> places(team.numberOfRanges(triangles.size()));
-  team.run(triangles.size(),
+  std::vector<std::vector<Index>> places(counters.numberOfRanges(triangles.size()));
+  counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       std::vector<Index>& counts = places[range];
@@ -219,7 +221,7 @@ void TriangleMesh::orderTriangles(
         }
       }
     });
-  team.run(triangles.size(),
+  counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       for (std::size_t t = first; t < last; ++t)
