@@ -1,6 +1,7 @@
 #ifndef geodesic_DistanceField_h
 #define geodesic_DistanceField_h
 
+#include "BulkVector.h"
 #include "Index.h"
 
 #include <limits>
@@ -72,8 +73,8 @@ public:
   void finish(double limit, StopReason reason);
 
 private:
-  std::vector<double> Distances;
-  std::vector<Index> NearestSeeds;
+  BulkVector<double> Distances;
+  BulkVector<Index> NearestSeeds;
   std::vector<Index> Reached;
   double LargestDistance = 0.0;
   StopReason Reason = StopReason::Exhausted;

@@ -34,7 +34,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   : DistanceSolver(std::move(mesh))
   , MayUseQuads(mayUseQuads)
 {
-  this->Marks.resize(this->mesh().numberOfVertices());
+  this->Marks.resize(this->mesh().numberOfVertices(), ValueMark());
 }
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
@@ -73,9 +73,7 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
     return this->run(cost, values, starts, request, limit, control, field);
   }
   LabelValues<Cost> values(context, request.front.labels, this->Labels);
-  const bool finished = this->run(cost, values, starts, request, limit, control, field);
-  this->Labels.finish();
-  return finished;
+  return this->run(cost, values, starts, request, limit, control, field);
 }
 
 template <class Cost, class Values>
@@ -85,8 +83,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   RingSweep<Cost, Values> ringSweep(this->mesh(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
-    values.setCurrent(start.label);
-    values.start(start.vertex, start.value, start.isFinal);
+    values.start(values.label(start.label), start.vertex, start.value, start.isFinal);
   }
   QueuedFront front(this->Queue, control, values.firstDistance(), values,
     [&](std::uint64_t end)
@@ -108,11 +105,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
     });
   const bool finished = request.partition.march(front, limit);
   field.orderReached();
-  for (Index vertex : field.reached())
-  {
-    field.setNearestSeed(vertex, values.nearestSeed(vertex));
-    values.clear(vertex);
-  }
+  values.finish();
   return finished;
 }
 

@@ -2,6 +2,7 @@
 #define geodesic_FastMarchingSolver_h
 
 #include "BucketQueue.h"
+#include "BulkVector.h"
 #include "CostedStart.h"
 #include "DistanceSolver.h"
 #include "LabelSets.h"
@@ -52,7 +53,7 @@ private:
 
   bool MayUseQuads;
   BucketQueue Queue;
-  std::vector<ValueMark> Marks;
+  BulkVector<ValueMark> Marks;
   LabelSets Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */
   std::unique_ptr<FastMarchingSolver> UnitSolver;

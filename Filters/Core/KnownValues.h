@@ -46,11 +46,14 @@ struct KnownValues
 template <class Real>
 using Indices = std::array<Index, lanes<Real>>;
 
+struct MarchedLabel;
+
 /** A value that was taken from the queue. */
 struct TakenValue
 {
   /** NoIndex where it is no longer of interest. */
   Index vertex;
+  const MarchedLabel* label;
   double value;
 };
 

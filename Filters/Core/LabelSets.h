@@ -1,6 +1,7 @@
 #ifndef geodesic_LabelSets_h
 #define geodesic_LabelSets_h
 
+#include "BulkVector.h"
 #include "Index.h"
 #include "ValueMark.h"
 
@@ -45,9 +46,15 @@ public:
   };
 
   /** To be called before each use. Memory 16 bytes a vertex. */
-  void start(Index numberOfVertices) { this->Seconds.resize(numberOfVertices); }
+  void start(Index numberOfVertices)
+  {
+    this->Seconds.resize(numberOfVertices, Further());
+    this->FirstOther = numberOfVertices;
+  }
 
-  /** Forgets a vertex; to be called for all that have a value, and finish() after. */
+  /** Whether a vertex has further values. */
+  bool hasFurther(Index vertex) const { return this->Seconds[vertex].mark.hasLabel(); }
+  /** Forgets a vertex; to be called for all that have further values, and finish() after. */
   void clear(Index vertex) { this->Seconds[vertex] = {}; }
   void finish()
   {
@@ -76,8 +83,8 @@ public:
 
   Further& further(Index number)
   {
-    return number < this->Seconds.size() ? this->Seconds[number]
-                                         : this->Others[number - this->Seconds.size()];
+    return number < this->FirstOther ? this->Seconds[number]
+                                     : this->Others[number - this->FirstOther];
   }
   const Further& further(Index number) const
   {
@@ -85,8 +92,7 @@ public:
   }
   Index vertexOf(Index number) const
   {
-    return number < this->Seconds.size() ? number
-                                         : this->VerticesOfOthers[number - this->Seconds.size()];
+    return number < this->FirstOther ? number : this->VerticesOfOthers[number - this->FirstOther];
   }
 
   /** The further value of a vertex for a label, a new one where there is none. */
@@ -106,7 +112,7 @@ public:
   template <class Visit>
   void visitFurther(Index vertex, Visit&& visit) const
   {
-    if (!this->Seconds[vertex].mark.hasLabel())
+    if (!this->hasFurther(vertex))
     {
       return;
     }
@@ -118,20 +124,22 @@ public:
 
 private:
   /** Behind a second. */
-  const Further& other(Index number) const { return this->Others[number - this->Seconds.size()]; }
+  const Further& other(Index number) const { return this->Others[number - this->FirstOther]; }
 
   Index add(Index vertex, Index label)
   {
     Further other;
     other.mark.setLabel(label);
     other.Next = std::exchange(
-      this->Seconds[vertex].Next, static_cast<Index>(this->Seconds.size() + this->Others.size()));
+      this->Seconds[vertex].Next, this->FirstOther + static_cast<Index>(this->Others.size()));
     this->Others.push_back(other);
     this->VerticesOfOthers.push_back(vertex);
     return this->Seconds[vertex].Next;
   }
 
-  std::vector<Further> Seconds;
+  BulkVector<Further> Seconds;
+  /** The number of the first further value that is not a second. */
+  Index FirstOther = 0;
   std::vector<Further> Others;
   std::vector<Index> VerticesOfOthers;
 };

@@ -15,7 +15,7 @@ namespace geodesic
 {
 
 /**
- * The values of one of several labels, the current one. The field holds a vertex's best value,
+ * The values of several labels. The field holds a vertex's best value,
  * LabelSets what else the vertex keeps. In the queue are vertices for their best values, and behind
  * their numbers those of further values. When a further value becomes the best, the two change
  * places; what the queue then holds of either is passed over.
@@ -34,30 +34,40 @@ public:
     this->Fronts.reserve(labels.size());
     for (const Label& label : labels)
     {
-      this->Fronts.push_back({ label.value, StraightLineBound(label, context.cost.smallest()),
-        ValueMark::bitsOf(static_cast<Index>(this->Fronts.size())), label.shape });
+      const Index bits = ValueMark::bitsOf(static_cast<Index>(this->Fronts.size()));
+      this->Fronts.emplace_back(label, bits, context.cost.smallest());
     }
-    this->setCurrent(0);
   }
 
   static constexpr bool hasOthers = true;
-  Index current() const { return ValueMark::labelOf(this->labelBits()); }
-  FrontShape shape() const { return this->Current->shape; }
-  void setCurrent(Index label)
-  {
-    this->Current = &this->Fronts[label];
-    FieldValues<Cost>::setCurrent(this->Current->labelBits, this->Current->seedValue);
-  }
+  const MarchedLabel& label(Index number) const { return this->Fronts[number]; }
 
-  template <class Real>
-  GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+  class Sight
   {
-    constexpr unsigned all = (1u << lanes<Real>)-1;
-    const BitsOf<Real> marks = this->template marks<Real>(vertices);
-    const BitsOf<Real> labels = marks & ValueMark::LabelBits;
-    const unsigned areOwn = highestBits<Real>((labels == 0) | (labels == this->labelBits()));
-    return { this->template values<Real>(vertices), areOwn ^ all,
-      areOwn & highestBits<Real>(marks) };
+  public:
+    Sight(const FieldSight& field, Index labelBits)
+      : Field(field)
+      , LabelBits(labelBits)
+    {
+    }
+    template <class Real>
+    GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+    {
+      constexpr unsigned all = (1u << lanes<Real>)-1;
+      const BitsOf<Real> marks = this->Field.template marks<Real>(vertices);
+      const BitsOf<Real> labels = marks & ValueMark::LabelBits;
+      const unsigned areOwn = highestBits<Real>((labels == 0) | (labels == this->LabelBits));
+      return { this->Field.template values<Real>(vertices), areOwn ^ all,
+        areOwn & highestBits<Real>(marks) };
+    }
+
+  private:
+    FieldSight Field;
+    Index LabelBits;
+  };
+  Sight sight(const MarchedLabel& label) const
+  {
+    return { this->fieldSight(label), label.labelBits };
   }
 
   /**
@@ -66,13 +76,13 @@ public:
    * @param best      their best values, less the one of the label's seed
    */
   template <class Real>
-  GEODESIC_INLINED KnownValues<Real> others(
-    const Indices<Real>& vertices, unsigned areOther, Index label, const Real& best) const
+  GEODESIC_INLINED KnownValues<Real> others(const Indices<Real>& vertices, unsigned areOther,
+    const MarchedLabel& label, const Real& best) const
   {
     const auto second = [&](int lane) -> const LabelSets::Further&
     { return this->Sets.second(vertices[lane]); };
     const BitsOf<Real> marks = bitsWith<Real>([&](int lane) { return second(lane).mark.bits(); });
-    const BitsTestOf<Real> areSecond = (marks & ValueMark::LabelBits) == ValueMark::bitsOf(label);
+    const BitsTestOf<Real> areSecond = (marks & ValueMark::LabelBits) == label.labelBits;
     const BitsTestOf<Real> areLast =
       bitsWith<Real>([&](int lane) { return second(lane).next(); }) == NoIndex;
     const Real values =
@@ -87,7 +97,7 @@ public:
     {
       const int lane = std::countr_zero(inChain);
       const KnownValue further =
-        this->knownFurther(this->Sets.findInChain(vertices[lane], label), keptUpTo[lane]);
+        this->knownFurther(this->Sets.findInChain(vertices[lane], label.number()), keptUpTo[lane]);
       known.values[lane] = further.value;
       known.ceilings[lane] = further.ceiling;
       known.areQueued |= static_cast<unsigned>(further.isQueued) << lane;
@@ -95,25 +105,29 @@ public:
     return known;
   }
 
-  KnownValue propose(Index vertex, double value)
+  KnownValue propose(const MarchedLabel& label, Index vertex, double value)
   {
-    value = this->Current->leastOf.raised(value, this->position(vertex));
-    if (this->isOther(vertex)) [[unlikely]]
+    value = label.leastOf.raised(value, this->position(vertex));
+    if (this->mark(vertex).isQueuedFor(label.labelBits))
     {
-      return this->proposeFurther(vertex, value);
+      return this->lower(label, vertex, value);
     }
-    return this->offer(vertex, value);
+    if (this->mark(vertex).hasOtherLabel(label.labelBits)) [[unlikely]]
+    {
+      return this->proposeFurther(label, vertex, value);
+    }
+    return this->offer(label, vertex, value);
   }
 
-  void start(Index vertex, double value, bool isFinal)
+  void start(const MarchedLabel& label, Index vertex, double value, bool isFinal)
   {
-    if (!this->isOther(vertex))
+    if (!this->mark(vertex).hasOtherLabel(label.labelBits))
     {
-      this->setBest(vertex, value);
+      this->setBest(label, vertex, value);
       this->mark(vertex).setPinned(isFinal);
       return;
     }
-    const Index number = this->Sets.findOrAdd(vertex, this->current());
+    const Index number = this->Sets.findOrAdd(vertex, label.number());
     this->Sets.further(number).mark.setPinned(isFinal);
     this->setFurther(vertex, number, value);
   }
@@ -124,7 +138,6 @@ public:
                                           : this->Sets.vertexOf(taken - this->NumberOfVertices);
   }
 
-  /** Makes the label of what was taken from the queue the current one. */
   TakenValue take(Index taken)
   {
     return taken < this->NumberOfVertices ? this->takeBest(taken)
@@ -138,60 +151,44 @@ public:
     {
       return;
     }
-    this->setCurrent(this->mark(vertex).label());
-    visit(this->current(), this->value(vertex));
+    const MarchedLabel& best = this->labelOf(this->mark(vertex));
+    visit(best.number(), this->value(best, vertex));
     this->Sets.visitFurther(vertex,
       [&](const LabelSets::Further& further)
       {
-        this->setCurrent(further.mark.label());
-        if (further.value <= this->keptUpTo(vertex))
+        const MarchedLabel& label = this->labelOf(further.mark);
+        if (further.value <= this->keptUpTo(label, vertex))
         {
-          visit(this->current(), further.value);
+          visit(label.number(), further.value);
         }
       });
   }
 
-  /** The smallest seed among those whose value equals the vertex's best one, rounding aside. */
-  Index nearestSeed(Index vertex) const
+  /** Tells the field the nearest seeds, and forgets all values. */
+  void finish()
   {
-    constexpr double rounding = 1.0 + 1e-10;
-    const double most = this->context().field.distance(vertex) * rounding;
-    Index seed = this->Labels[this->mark(vertex).label()].seed;
-    this->Sets.visitFurther(vertex,
-      [&](const LabelSets::Further& further)
+    DistanceField& field = this->context().field;
+    for (Index vertex : field.reached())
+    {
+      ValueMark& mark = this->mark(vertex);
+      field.setNearestSeed(vertex, this->Labels[mark.label()].seed);
+      if (this->Sets.hasFurther(vertex))
       {
-        const Label& label = this->Labels[further.mark.label()];
-        if (further.value + label.value <= most)
-        {
-          seed = std::min(seed, label.seed);
-        }
-      });
-    return seed;
-  }
-
-  void clear(Index vertex)
-  {
-    this->mark(vertex) = {};
-    this->Sets.clear(vertex);
+        field.setNearestSeed(vertex, this->nearestOfFurther(vertex, field.nearestSeed(vertex)));
+        this->Sets.clear(vertex);
+      }
+      mark = {};
+    }
+    this->Sets.finish();
   }
 
 private:
-  /** One of the labels, with what the march asks for most. */
-  struct Front
-  {
-    double seedValue;
-    StraightLineBound leastOf;
-    Index labelBits;
-    FrontShape shape;
-  };
+  const MarchedLabel& labelOf(const ValueMark& mark) const { return this->Fronts[mark.label()]; }
 
-  /** Whether the best value of a vertex is of another label than the current one. */
-  bool isOther(Index vertex) const { return this->mark(vertex).hasOtherLabel(this->labelBits()); }
-
-  /** The largest value of the current label that a vertex keeps beside its best one. */
-  double keptUpTo(Index vertex) const
+  /** The largest value of a label that a vertex keeps beside its best one. */
+  double keptUpTo(const MarchedLabel& label, Index vertex) const
   {
-    return this->value(vertex) + this->context().cost.margin(vertex);
+    return this->value(label, vertex) + this->context().cost.margin(vertex);
   }
 
   TakenValue takeBest(Index vertex)
@@ -199,11 +196,11 @@ private:
     ValueMark& mark = this->mark(vertex);
     if (!mark.isQueued())
     {
-      return { NoIndex, 0.0 };
+      return { NoIndex, nullptr, 0.0 };
     }
     mark.setQueued(false);
-    this->setCurrent(mark.label());
-    return { vertex, this->value(vertex) };
+    const MarchedLabel& label = this->labelOf(mark);
+    return { vertex, &label, this->value(label, vertex) };
   }
 
   TakenValue takeFurther(Index number)
@@ -211,12 +208,13 @@ private:
     LabelSets::Further& further = this->Sets.further(number);
     if (!further.mark.isQueued())
     {
-      return { NoIndex, 0.0 };
+      return { NoIndex, nullptr, 0.0 };
     }
     further.mark.setQueued(false);
-    this->setCurrent(further.mark.label());
+    const MarchedLabel& label = this->labelOf(further.mark);
     const Index vertex = this->Sets.vertexOf(number);
-    return { further.value <= this->keptUpTo(vertex) ? vertex : NoIndex, further.value };
+    const bool isKept = further.value <= this->keptUpTo(label, vertex);
+    return { isKept ? vertex : NoIndex, &label, further.value };
   }
 
   /** @param number  of a further value or NoIndex */
@@ -230,16 +228,16 @@ private:
     return { further.value, std::min(further.value, keptUpTo), further.mark.isQueued() };
   }
 
-  KnownValue proposeFurther(Index vertex, double value)
+  KnownValue proposeFurther(const MarchedLabel& label, Index vertex, double value)
   {
     const KnownValue known =
-      this->knownFurther(this->Sets.find(vertex, this->current()), this->keptUpTo(vertex));
-    if (!(value < this->ceiling(vertex, known.ceiling)) ||
+      this->knownFurther(this->Sets.find(vertex, label.number()), this->keptUpTo(label, vertex));
+    if (!(value < this->ceiling(label, vertex, known.ceiling)) ||
       this->context().options.isExcluded(vertex))
     {
       return known;
     }
-    const Index number = this->Sets.findOrAdd(vertex, this->current());
+    const Index number = this->Sets.findOrAdd(vertex, label.number());
     if (this->Sets.further(number).mark.isPinned())
     {
       return known;
@@ -248,18 +246,36 @@ private:
     return { value, value, true };
   }
 
-  void setBest(Index vertex, double value)
+  /** The smallest seed among those whose value equals the best one of a vertex, rounding aside.
+   * @param seed  that of the best one */
+  Index nearestOfFurther(Index vertex, Index seed) const
   {
-    this->mark(vertex).setLabel(this->current());
-    this->set(vertex, value);
+    constexpr double rounding = 1.0 + 1e-10;
+    const double most = this->context().field.distance(vertex) * rounding;
+    this->Sets.visitFurther(vertex,
+      [&](const LabelSets::Further& further)
+      {
+        const Label& label = this->Labels[further.mark.label()];
+        if (further.value + label.value <= most)
+        {
+          seed = std::min(seed, label.seed);
+        }
+      });
+    return seed;
   }
 
-  /** @param number  of a further value of the vertex, which is of the current label */
+  void setBest(const MarchedLabel& label, Index vertex, double value)
+  {
+    this->mark(vertex).setLabel(label.number());
+    this->set(label, vertex, value);
+  }
+
+  /** @param number  of a further value of the vertex */
   void setFurther(Index vertex, Index number, double value)
   {
     LabelSets::Further& further = this->Sets.further(number);
     further.value = value;
-    if (value < this->value(vertex))
+    if (value < this->value(this->labelOf(further.mark), vertex))
     {
       this->makeBest(vertex, number, further);
     }
@@ -274,17 +290,17 @@ private:
     if (!further.mark.isQueued())
     {
       further.mark.setQueued(true);
-      this->context().queue.push(this->NumberOfVertices + number,
-        further.value + this->Fronts[further.mark.label()].seedValue - this->firstDistance());
+      this->queue(
+        this->Fronts[further.mark.label()], this->NumberOfVertices + number, further.value);
     }
   }
 
-  /** A further value of the current label and the best one change places. */
+  /** A further value and the best one change places. */
   void makeBest(Index vertex, Index number, LabelSets::Further& further)
   {
     const double value = further.value;
     ValueMark& mark = this->mark(vertex);
-    further.value = this->context().field.distance(vertex) - this->Fronts[mark.label()].seedValue;
+    further.value = this->value(this->labelOf(mark), vertex);
     std::swap(mark, further.mark);
     // Wherever the queue has them, they go to it again under their new numbers.
     if (further.mark.isQueued())
@@ -293,7 +309,7 @@ private:
       this->queueFurther(number, further);
     }
     mark.setQueued(false);
-    this->setBest(vertex, value);
+    this->setBest(this->labelOf(mark), vertex, value);
   }
 
   static double smallestOf(std::span<const Label> labels)
@@ -306,8 +322,8 @@ private:
   std::span<const Label> Labels;
   LabelSets& Sets;
   Index NumberOfVertices;
-  std::vector<Front> Fronts;
-  const Front* Current = nullptr;
+  /** By the number of the label. */
+  std::vector<MarchedLabel> Fronts;
 };
 
 }

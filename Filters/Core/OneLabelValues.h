@@ -14,33 +14,43 @@ class OneLabelValues : public FieldValues<Cost>
 public:
   OneLabelValues(const MarchContext<Cost>& context, const Label& label)
     : FieldValues<Cost>(context, label.value)
-    , LeastOf(label, context.cost.smallest())
+    , Only(label, 0, context.cost.smallest())
     , Seed(label.seed)
-    , Shape(label.shape)
   {
-    FieldValues<Cost>::setCurrent(0, label.value);
   }
 
   static constexpr bool hasOthers = false;
-  Index current() const { return 0; }
-  void setCurrent(Index) {}
-  FrontShape shape() const { return this->Shape; }
+  const MarchedLabel& label(Index) const { return this->Only; }
 
-  template <class Real>
-  GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+  class Sight
   {
-    return { this->template values<Real>(vertices), 0,
-      highestBits<Real>(this->template marks<Real>(vertices)) };
+  public:
+    explicit Sight(const FieldSight& field)
+      : Field(field)
+    {
+    }
+    template <class Real>
+    GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+    {
+      return { this->Field.template values<Real>(vertices), 0,
+        highestBits<Real>(this->Field.template marks<Real>(vertices)) };
+    }
+
+  private:
+    FieldSight Field;
+  };
+  Sight sight(const MarchedLabel&) const { return Sight(this->fieldSight(this->Only)); }
+
+  KnownValue propose(const MarchedLabel&, Index vertex, double value)
+  {
+    value = this->Only.leastOf.raised(value, this->position(vertex));
+    return this->mark(vertex).isQueuedFor(0) ? this->lower(this->Only, vertex, value)
+                                             : this->offer(this->Only, vertex, value);
   }
 
-  KnownValue propose(Index vertex, double value)
+  void start(const MarchedLabel&, Index vertex, double value, bool isFinal)
   {
-    return this->offer(vertex, this->LeastOf.raised(value, this->position(vertex)));
-  }
-
-  void start(Index vertex, double value, bool isFinal)
-  {
-    this->set(vertex, value);
+    this->set(this->Only, vertex, value);
     this->mark(vertex).setPinned(isFinal);
   }
 
@@ -48,24 +58,30 @@ public:
   TakenValue take(Index vertex)
   {
     this->mark(vertex).setQueued(false);
-    return { vertex, this->value(vertex) };
+    return { vertex, &this->Only, this->value(this->Only, vertex) };
   }
 
   void visit(Index vertex, const MarchingFront::Visit& visit) const
   {
     if (this->context().field.isReached(vertex))
     {
-      visit(0, this->value(vertex));
+      visit(0, this->value(this->Only, vertex));
     }
   }
 
-  Index nearestSeed(Index) const { return this->Seed; }
-  void clear(Index vertex) { this->mark(vertex) = {}; }
+  /** Tells the field the nearest seed, and forgets all values. */
+  void finish()
+  {
+    for (Index vertex : this->context().field.reached())
+    {
+      this->context().field.setNearestSeed(vertex, this->Seed);
+      this->mark(vertex) = {};
+    }
+  }
 
 private:
-  StraightLineBound LeastOf;
+  MarchedLabel Only;
   Index Seed;
-  FrontShape Shape;
 };
 
 }

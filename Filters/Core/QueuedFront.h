@@ -54,9 +54,9 @@ public:
 
   void lower(Index vertex, Index label, double value) override
   {
-    this->FrontValues.setCurrent(label);
-    this->Queue.goBackTo(this->FrontValues.keyOf(value));
-    this->FrontValues.propose(vertex, value);
+    const auto& marched = this->FrontValues.label(label);
+    this->Queue.goBackTo(marched.distance(value) - this->FirstDistance);
+    this->FrontValues.propose(marched, vertex, value);
   }
 
 private:

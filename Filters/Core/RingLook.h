@@ -46,7 +46,8 @@ public:
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
-    Mask areOther = 0;
+    const typename Values::Sight sight = this->FrontValues.sight(*taken.label);
+    std::size_t others = windows.OthersCount;
     Mask isQueued = 0;
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
@@ -57,7 +58,7 @@ public:
         neighbours[lane] = entries[i + lane].neighbour();
         windows.Neighbours[base + i + lane] = neighbours[lane];
       }
-      const SeenValues<Real> seen = this->FrontValues.template look<Real>(neighbours);
+      const SeenValues<Real> seen = sight.template look<Real>(neighbours);
       const Vector3Of<Real> offset =
         sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
         origin;
@@ -67,17 +68,20 @@ public:
       store(offset.y, &windows.Y[base + i]);
       store(offset.z, &windows.Z[base + i]);
       store(dot(offset, offset), &windows.SquaredLengths[base + i]);
-      areOther |= seen.areOther << i;
       isQueued |= seen.areQueued << i;
+      if constexpr (Values::hasOthers)
+      {
+        windows.OthersSeen[others] = { base + i, seen.areOther };
+        others += seen.areOther != 0;
+      }
     }
+    windows.OthersCount = others;
     windows.OwnValues[number] = taken.value;
     RingWindows::Window& window = windows.Windows[number];
     window.vertex = taken.vertex;
-    window.label = this->FrontValues.current();
-    window.shape = this->FrontValues.shape();
+    window.label = taken.label;
     window.firstEntry = static_cast<Index>(firstEntry);
     window.size = static_cast<Index>(size);
-    window.areOther = areOther & ((Mask(1) << size) - 1);
     window.isQueued = isQueued;
   }
 

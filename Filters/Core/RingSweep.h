@@ -5,6 +5,7 @@
 #include "EikonalUpdate.h"
 #include "KnownValues.h"
 #include "Lanes.h"
+#include "MarchedLabel.h"
 #include "RingLook.h"
 #include "RingWindows.h"
 #include "SeedFront.h"
@@ -36,14 +37,15 @@ namespace geodesic
  * found are proposed.
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
- * @tparam Values  of the front that is swept:
- *                 take(Index) -> TakenValue of what was in the queue, and makes its label the
- *                 current one; current(), shape(), setCurrent(Index) tell and change which that is;
- *                 look<Real>(const Indices<Real>&) -> SeenValues<Real> of its values;
+ * @tparam Values  of the labels of the march:
+ *                 label(Index) -> MarchedLabel;
+ *                 take(Index) -> TakenValue of what was in the queue;
+ *                 sight(MarchedLabel), to look<Real>(const Indices<Real>&) at vertices ->
+ *                 SeenValues<Real>;
  *                 hasOthers, whether any of those can be of another label, then also
- *                 other(Index, Index, double) -> KnownValue of one of them, see LabelValues;
- *                 propose(Index, double) -> KnownValue, queues the vertex with the value if that
- *                 counts, and returns what then holds
+ *                 others<Real>(...) -> KnownValues<Real> of them, see LabelValues;
+ *                 propose(MarchedLabel, Index, double) -> KnownValue: to a vertex, queues it with
+ *                 the value if that counts, and returns what then holds
  */
 template <class Cost, class Values>
 class RingSweep
@@ -106,9 +108,7 @@ private:
       {
         if (this->Windows.Count == RingWindows::Most)
         {
-          const Index current = this->FrontValues.current();
           doNoted();
-          this->FrontValues.setCurrent(current);
         }
         this->Look.template note<Real>(taken, ring, first, this->Windows);
       }
@@ -122,7 +122,10 @@ private:
   {
     if constexpr (Values::hasOthers)
     {
-      this->template lookAtOthers<Real>();
+      for (std::size_t i = 0; i < this->Windows.OthersCount; ++i)
+      {
+        this->template lookAtOthers<Real>(this->Windows.OthersSeen[i]);
+      }
     }
     this->Along.clear();
     for (std::size_t number = 0; number < this->Windows.Count; ++number)
@@ -144,49 +147,25 @@ private:
     this->goOver<Real, FrontShape::Straight>();
     this->propose();
     this->Windows.Count = 0;
+    this->Windows.OthersCount = 0;
   }
 
-  /** Looks up what labels have at neighbours whose best value is of another one. */
+  /** Looks up what a label has at neighbours whose best value is of another one. */
   template <class Real>
-  void lookAtOthers()
+  void lookAtOthers(RingWindows::Others others)
   {
-    constexpr Mask all = (Mask(1) << lanes<Real>)-1;
-    constexpr Mask everyFirst = ~Mask(0) / all;
-    this->Others.clear();
-    for (std::size_t number = 0; number < this->Windows.Count; ++number)
-    {
-      const Mask areOther = this->Windows.Windows[number].areOther;
-      Mask areAny = areOther;
-      for (std::size_t lane = 1; lane < lanes<Real>; ++lane)
-      {
-        areAny |= areOther >> lane;
-      }
-      this->Others.add(areAny & everyFirst,
-        [&](int slot) { return static_cast<Slot>(number * RingWindows::Size + slot); });
-    }
-    for (std::size_t i = 0; i < this->Others.size(); ++i)
-    {
-      this->template lookAtOthers<Real>(this->Others[i]);
-    }
-  }
-
-  /** As many as a Real has numbers, from a slot on. */
-  template <class Real>
-  void lookAtOthers(Slot first)
-  {
-    constexpr Mask all = (Mask(1) << lanes<Real>)-1;
+    const Slot first = others.first();
+    const unsigned areOther = others.which();
     Window& window = this->Windows.at(first);
-    const std::size_t place = first % RingWindows::Size;
-    const Mask areOther = window.areOther >> place & all;
     Indices<Real> neighbours;
     std::copy_n(&this->Windows.Neighbours[first], lanes<Real>, neighbours.begin());
     const Real best = load<Real>(&this->Windows.Values[first]);
     const KnownValues<Real> known =
-      this->FrontValues.template others<Real>(neighbours, areOther, window.label, best);
+      this->FrontValues.template others<Real>(neighbours, areOther, *window.label, best);
     const TestOf<Real> isOther = whereSet<Real>(areOther);
     store(select(isOther, known.values, best), &this->Windows.Values[first]);
     store(select(isOther, known.ceilings, best), &this->Windows.Ceilings[first]);
-    window.isQueued |= (known.areQueued & areOther) << place;
+    window.isQueued |= (known.areQueued & areOther) << first % RingWindows::Size;
   }
 
   void noteWaysAlong(std::size_t number)
@@ -206,8 +185,8 @@ private:
       this->Windows.OwnValues[RingWindows::windowOf(slot)] + this->edgeCost(slot) * length;
     if (value < this->Windows.Ceilings[slot])
     {
-      this->FrontValues.setCurrent(window.label);
-      const KnownValue held = this->FrontValues.propose(this->Windows.Neighbours[slot], value);
+      const KnownValue held =
+        this->FrontValues.propose(*window.label, this->Windows.Neighbours[slot], value);
       this->Windows.Values[slot] = held.value;
       this->Windows.Ceilings[slot] = held.ceiling;
       window.isQueued |= bit(held.isQueued, slot % RingWindows::Size);
@@ -255,7 +234,8 @@ private:
       (window.isThin | ~(isQueued >> 1));
     const Mask second =
       (window.second | (window.isThin & along)) & window.isOpen & (window.isThin | ~isQueued);
-    this->Over[static_cast<std::size_t>(window.shape)].add(first | second << RingWindows::Size,
+    this->Over[static_cast<std::size_t>(window.label->shape)].add(
+      first | second << RingWindows::Size,
       [&](int way) { return WayOver(base, base) + waysOver[way]; });
   }
 
@@ -310,8 +290,8 @@ private:
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
     {
       const Proposal& proposal = this->Proposals[i];
-      this->FrontValues.setCurrent(this->Windows.at(proposal.target).label);
-      this->FrontValues.propose(this->Windows.Neighbours[proposal.target], proposal.value);
+      this->FrontValues.propose(*this->Windows.at(proposal.target).label,
+        this->Windows.Neighbours[proposal.target], proposal.value);
     }
     this->NumberOfProposals = 0;
   }
@@ -327,8 +307,6 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   Values& FrontValues;
-  /** The first ones of as many as are looked up at once. */
-  BitList<Slot, RingWindows::Slots, 2> Others;
   BitList<Slot, RingWindows::Slots, 3> Along;
   /** By the front's shape. */
   std::array<BitList<WayOver, 2 * RingWindows::Slots, 4>, 2> Over;

@@ -2,8 +2,8 @@
 #define geodesic_RingWindows_h
 
 #include "Index.h"
+#include "KnownValues.h"
 #include "Lanes.h"
-#include "SeedFront.h"
 
 #include <algorithm>
 #include <array>
@@ -42,16 +42,13 @@ struct RingWindows
   {
     Index vertex;
     /** That is swept for it. */
-    Index label;
-    FrontShape shape;
+    const MarchedLabel* label;
     /** Where in the vertex's ring the window begins. */
     Index firstEntry;
     /** Slots in use. */
     Index size;
     /** The slot in which the first neighbour comes again, where the window closes; else 0. */
     Mask last;
-    /** Neighbours whose best value is of another label. */
-    Mask areOther;
     /** Neighbours that wait to be swept with their values. */
     Mask isQueued;
     /** Triangles that may be crossed. */
@@ -65,12 +62,34 @@ struct RingWindows
     Mask second;
   };
 
+  /** Neighbours side by side, some of which have a best value of another label than the one that
+   * is swept. */
+  class Others
+  {
+  public:
+    Others() = default;
+    Others(std::size_t first, unsigned which)
+      : Both(static_cast<std::uint32_t>(first | which << Bits))
+    {
+    }
+    Slot first() const { return static_cast<Slot>(this->Both); }
+    /** From the first on. */
+    unsigned which() const { return this->Both >> Bits; }
+
+  private:
+    static constexpr int Bits = 16;
+    /** In one number, which is written at once. */
+    std::uint32_t Both = 0;
+  };
+
   static std::size_t windowOf(Slot slot) { return slot / Size; }
   Window& at(Slot slot) { return this->Windows[windowOf(slot)]; }
   const Window& at(Slot slot) const { return this->Windows[windowOf(slot)]; }
 
   std::size_t Count = 0;
   std::array<Window, Most> Windows;
+  std::size_t OthersCount = 0;
+  std::array<Others, Slots / lanes<Pair> + 1> OthersSeen;
   /** Of the windows' vertices. */
   std::array<double, Most> OwnValues;
 

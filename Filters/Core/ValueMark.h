@@ -36,6 +36,8 @@ public:
   {
     this->Bits = isQueued ? this->Bits | Queued : this->Bits & ~Queued;
   }
+  /** It waits, for the label of @p labelBits, and is not pinned. */
+  bool isQueuedFor(Index labelBits) const { return this->Bits == (Queued | labelBits); }
   /** The same as setQueued(true), and notes the label of @p labelBits, where no other one is. */
   void queueFor(Index labelBits) { this->Bits |= Queued | labelBits; }
   /** It stays, whatever is proposed. */
