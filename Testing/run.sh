@@ -65,8 +65,10 @@ cmake --preset dev -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build --preset dev
 check_core_with_clang_tidy
 check_labels
+# Side by side but for those with ranks or windows, which ask for the whole machine.
+run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
 if (($#)); then
-  ctest --test-dir "$build" --output-on-failure -L "^($(IFS='|'; echo "${labels[*]}"))$"
+  "${run_tests[@]}" -L "^($(IFS='|'; echo "${labels[*]}"))$"
 else
-  ctest --test-dir "$build" --output-on-failure
+  "${run_tests[@]}"
 fi
