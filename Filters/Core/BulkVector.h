@@ -12,9 +12,8 @@ namespace geodesic
 
 /**
  * Has the system hand out memory that is soon to be written as a whole. It comes in pages as they
- * are first touched; to ask for many at once costs half as much, and where there is much of it,
- * huge pages cost less still and are found faster later. Memory that is there already stays as it
- * is, and where the system cannot be asked nothing happens.
+ * are first touched; to ask for many at once costs half as much. Memory that is there already stays
+ * as it is, and where the system cannot be asked nothing happens.
  */
 void askForPages(void* memory, std::size_t bytes) noexcept;
 

@@ -1,7 +1,6 @@
 #ifndef geodesic_DistanceField_h
 #define geodesic_DistanceField_h
 
-#include "BulkVector.h"
 #include "Index.h"
 
 #include <limits>
@@ -73,8 +72,8 @@ public:
   void finish(double limit, StopReason reason);
 
 private:
-  BulkVector<double> Distances;
-  BulkVector<Index> NearestSeeds;
+  std::vector<double> Distances;
+  std::vector<Index> NearestSeeds;
   std::vector<Index> Reached;
   double LargestDistance = 0.0;
   StopReason Reason = StopReason::Exhausted;

@@ -34,7 +34,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   : DistanceSolver(std::move(mesh))
   , MayUseQuads(mayUseQuads)
 {
-  this->Marks.resize(this->mesh().numberOfVertices(), ValueMark());
+  this->Marks.resize(this->mesh().numberOfVertices());
 }
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)

@@ -2,7 +2,6 @@
 #define geodesic_FastMarchingSolver_h
 
 #include "BucketQueue.h"
-#include "BulkVector.h"
 #include "CostedStart.h"
 #include "DistanceSolver.h"
 #include "LabelSets.h"
@@ -53,7 +52,7 @@ private:
 
   bool MayUseQuads;
   BucketQueue Queue;
-  BulkVector<ValueMark> Marks;
+  std::vector<ValueMark> Marks;
   LabelSets Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */
   std::unique_ptr<FastMarchingSolver> UnitSolver;

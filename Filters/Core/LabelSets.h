@@ -1,7 +1,6 @@
 #ifndef geodesic_LabelSets_h
 #define geodesic_LabelSets_h
 
-#include "BulkVector.h"
 #include "Index.h"
 #include "ValueMark.h"
 
@@ -48,7 +47,7 @@ public:
   /** To be called before each use. Memory 16 bytes a vertex. */
   void start(Index numberOfVertices)
   {
-    this->Seconds.resize(numberOfVertices, Further());
+    this->Seconds.resize(numberOfVertices);
     this->FirstOther = numberOfVertices;
   }
 
@@ -137,7 +136,7 @@ private:
     return this->Seconds[vertex].Next;
   }
 
-  BulkVector<Further> Seconds;
+  std::vector<Further> Seconds;
   /** The number of the first further value that is not a second. */
   Index FirstOther = 0;
   std::vector<Further> Others;

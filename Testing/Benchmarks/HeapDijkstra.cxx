@@ -83,7 +83,7 @@ HeapDijkstra::Trial HeapDijkstra::takeFirst()
   return first;
 }
 
-std::span<const double> HeapDijkstra::solve(Index source)
+const std::vector<double>& HeapDijkstra::solve(Index source)
 {
   std::fill(
     this->Distances.begin(), this->Distances.end(), std::numeric_limits<double>::infinity());

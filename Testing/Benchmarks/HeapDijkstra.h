@@ -1,10 +1,8 @@
 #ifndef geodesic_testing_HeapDijkstra_h
 #define geodesic_testing_HeapDijkstra_h
 
-#include "BulkVector.h"
 #include "Index.h"
 
-#include <span>
 #include <vector>
 
 namespace geodesic
@@ -28,7 +26,7 @@ public:
 
   /** Distances from a vertex to all others, valid until the next call; +infinity where unreached.
    */
-  std::span<const double> solve(Index source);
+  const std::vector<double>& solve(Index source);
 
 private:
   struct Edge
@@ -51,13 +49,12 @@ private:
   void lower(Index vertex, double distance);
   Trial takeFirst();
 
-  // In huge pages where there are any, as the mesh.
-  BulkVector<Index> Starts;
-  BulkVector<Edge> Edges;
-  BulkVector<double> Distances;
+  std::vector<Index> Starts;
+  std::vector<Edge> Edges;
+  std::vector<double> Distances;
   std::vector<Trial> Heap;
   /** Of each vertex in the heap; NoIndex outside. */
-  BulkVector<Index> Places;
+  std::vector<Index> Places;
 };
 
 }
