@@ -105,8 +105,8 @@ protected:
           counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue);
   }
 
-  /** Lowers the value of a vertex that waits, if that counts; returns what then holds. Whether it
-   * does is not to be guessed, so there is no branch on it. */
+  /** Lowers the value of a vertex that waits, as no excluded one does, if that counts; returns what
+   * then holds. Whether it counts is not to be guessed, so there is no branch on it. */
   KnownValue lower(const MarchedLabel& label, Index vertex, double value)
   {
     const double ceiling = this->ceiling(label, vertex, this->value(label, vertex));

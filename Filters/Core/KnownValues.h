@@ -53,6 +53,7 @@ struct TakenValue
 {
   /** NoIndex where it is no longer of interest. */
   Index vertex;
+  /** Of the value, where that is of interest. */
   const MarchedLabel* label;
   double value;
 };

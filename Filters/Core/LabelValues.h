@@ -15,10 +15,10 @@ namespace geodesic
 {
 
 /**
- * The values of several labels. The field holds a vertex's best value,
- * LabelSets what else the vertex keeps. In the queue are vertices for their best values, and behind
- * their numbers those of further values. When a further value becomes the best, the two change
- * places; what the queue then holds of either is passed over.
+ * The values of several labels. The field holds a vertex's best value, LabelSets what else the
+ * vertex keeps. In the queue are vertices for their best values, and behind their numbers those of
+ * further values. When a further value becomes the best, the two change places; what the queue then
+ * holds of either is passed over.
  */
 template <class Cost>
 class LabelValues : public FieldValues<Cost>
@@ -290,8 +290,7 @@ private:
     if (!further.mark.isQueued())
     {
       further.mark.setQueued(true);
-      this->queue(
-        this->Fronts[further.mark.label()], this->NumberOfVertices + number, further.value);
+      this->queue(this->labelOf(further.mark), this->NumberOfVertices + number, further.value);
     }
   }
 

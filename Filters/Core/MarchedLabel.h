@@ -49,8 +49,8 @@ struct MarchedLabel
   {
   }
 
-  /** Among the labels of the march; 0 where there is only one. */
-  Index number() const { return this->labelBits != 0 ? ValueMark::labelOf(this->labelBits) : 0; }
+  /** Among the labels of the march, where there are several. */
+  Index number() const { return ValueMark::labelOf(this->labelBits); }
   /** A value of the label as a distance. */
   double distance(double value) const { return value + this->seedValue; }
 

@@ -41,7 +41,7 @@ struct RingWindows
   struct Window
   {
     Index vertex;
-    /** That is swept for it. */
+    /** That the vertex is swept for. */
     const MarchedLabel* label;
     /** Where in the vertex's ring the window begins. */
     Index firstEntry;
