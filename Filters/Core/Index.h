@@ -1,6 +1,7 @@
 #ifndef geodesic_Index_h
 #define geodesic_Index_h
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -15,6 +16,11 @@ inline constexpr Index NoIndex = 0xffffffffu;
 
 /** Three corners, as point ids of the input or as vertices of a TriangleMesh. */
 using Triangle = std::array<Index, 3>;
+
+inline Index lowestCorner(const Triangle& t)
+{
+  return std::min(std::min(t[0], t[1]), t[2]);
+}
 
 }
 

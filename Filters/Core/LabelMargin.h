@@ -18,10 +18,10 @@ namespace geodesic
  * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.5 of
  * it leave at most 2e-8 of a distance at single points of icospheres, tori and regular grids, as 5
  * longest sides do, which are enough for thinner triangles.
- * @tparam Real  double, or Pair for two triangles at once
+ * @tparam Real  double, or Pair or Quad for several triangles at once
  */
 template <class Real>
-inline Real labelMargin(Real longestSide, Real leastHeight)
+GEODESIC_INLINED Real labelMargin(Real longestSide, Real leastHeight)
 {
   constexpr double perSpread = 2.5;
   constexpr double mostSides = 5.0;

@@ -165,6 +165,26 @@ GEODESIC_INLINED Real load(const double* from)
   return numbers;
 }
 
+/** As many floats as there are numbers. */
+template <class Real>
+struct FloatsBeside;
+template <>
+struct FloatsBeside<Pair>
+{
+  using Type = float __attribute__((vector_size(8)));
+};
+template <>
+struct FloatsBeside<Quad>
+{
+  using Type = float __attribute__((vector_size(16)));
+};
+template <class Real>
+GEODESIC_INLINED void storeFloats(const Real& numbers, float* to)
+{
+  const auto floats = __builtin_convertvector(numbers, typename FloatsBeside<Real>::Type);
+  std::memcpy(to, &floats, sizeof floats);
+}
+
 /** The numbers that @p numberAt gives for 0, 1 and so on. */
 template <class Real, class NumberAt>
 GEODESIC_INLINED Real lanesOf(NumberAt numberAt)

@@ -1,12 +1,12 @@
 #ifndef geodesic_TriangleMeasure_h
 #define geodesic_TriangleMeasure_h
 
-#include "LabelMargin.h"
-#include "Lanes.h"
+#include "Index.h"
 #include "Vector3.h"
 
 #include <array>
-#include <limits>
+#include <cstddef>
+#include <span>
 
 namespace geodesic
 {
@@ -25,38 +25,40 @@ struct TriangleMeasure
   float margin;
 };
 
-/** The measures of two triangles at once, of corners @p a, @p b and @p c. */
-inline std::array<TriangleMeasure, 2> measuresOf(
-  const Vector3Of<Pair>& a, const Vector3Of<Pair>& b, const Vector3Of<Pair>& c)
+/** Measures some triangles, several at a time. */
+class TriangleMeasurer
 {
-  // More than what rounding to a float changes.
-  constexpr double relative = std::numeric_limits<float>::epsilon();
-  constexpr double absolute = std::numeric_limits<float>::denorm_min();
-  const auto roundedUp = [](Pair x) { return x * (1.0 + relative) + absolute; };
+public:
+  /** How many triangles it takes. */
+  static constexpr std::size_t Most = 64;
 
-  const Vector3Of<Pair> ab = b - a;
-  const Vector3Of<Pair> ac = c - a;
-  const Pair squareB = dot(ab, ab);
-  const Pair squareC = dot(ac, ac);
-  const Pair product = dot(ab, ac);
-  const Pair squareA = squareB + squareC - 2.0 * product;
-  const Pair longest = root(largest(squareA, largest(squareB, squareC)));
-  const Pair doubleArea = root(largest(squareB * squareC - product * product, Pair()));
-  // A triangle whose longest side is 0 has no height.
-  const Pair leastHeight =
-    doubleArea / largest(longest, Pair() + std::numeric_limits<double>::min());
-  // A height near 0 is off by up to 3e-8 of the side, by the rounding of the squares.
-  const Pair slack = 2.0 * leastHeight - longest * (1.0 + 1.5 * relative) - absolute;
-  const Pair slackDown = least(slack, Pair() + std::numeric_limits<float>::max());
-  const Pair longestUp = roundedUp(longest);
-  const Pair marginUp = roundedUp(labelMargin(longest, leastHeight));
-  const auto ofNumber = [&](int i) -> TriangleMeasure
+  /** @param mayUseQuads whether four are measured at once where the processor can; the measures are
+   * the same either way */
+  explicit TriangleMeasurer(bool mayUseQuads = true)
+    : UsesQuads(mayUseQuads && hasQuads())
   {
-    return { static_cast<float>(slackDown[i]), static_cast<float>(longestUp[i]),
-      static_cast<float>(marginUp[i]) };
-  };
-  return { ofNumber(0), ofNumber(1) };
-}
+  }
+
+  /** Measures at most Most triangles with corners at some of @p positions. */
+  void measure(std::span<const Triangle> triangles, std::span<const Vector3> positions);
+
+  /** The measure of one of the triangles. */
+  TriangleMeasure operator[](std::size_t i) const
+  {
+    return { this->Slacks[i], this->LongestSides[i], this->Margins[i] };
+  }
+
+private:
+  template <class Real>
+  void measureAll(std::span<const Triangle> triangles, std::span<const Vector3> positions);
+  void measureByFour(std::span<const Triangle> triangles, std::span<const Vector3> positions);
+  void measureByTwo(std::span<const Triangle> triangles, std::span<const Vector3> positions);
+
+  bool UsesQuads;
+  std::array<float, Most> Slacks;
+  std::array<float, Most> LongestSides;
+  std::array<float, Most> Margins;
+};
 
 }
 

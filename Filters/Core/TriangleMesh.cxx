@@ -33,17 +33,19 @@ std::vector<std::uint8_t> usedPoints(
   team.run(triangles.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
+      const auto use = [flags = used.data()](Index point)
+      { std::atomic_ref(flags[point]).store(1, std::memory_order_relaxed); };
       for (std::size_t t = first; t < last; ++t)
       {
-        const auto [a, b, c] = triangles[t];
-        if (const Index highest = std::max({ a, b, c }); highest >= points.size())
+        const Index a = triangles[t][0];
+        const Index b = triangles[t][1];
+        const Index c = triangles[t][2];
+        if (const Index highest = std::max(std::max(a, b), c); highest >= points.size())
         {
           throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
             std::to_string(highest) + ", but the surface has " + std::to_string(points.size()) +
             " points. Clean the surface.");
         }
-        const auto use = [&](Index point)
-        { std::atomic_ref(used[point]).store(1, std::memory_order_relaxed); };
         use(a);
         use(b);
         use(c);
@@ -67,14 +69,17 @@ std::vector<std::uint8_t> usedPoints(
   return used;
 }
 
-Index lowestCorner(const Triangle& t)
+/** How often some triangles have a vertex as a corner. */
+struct CornerCounts
 {
-  return std::min({ t[0], t[1], t[2] });
-}
+  /** As the lowest one. */
+  Index lowest = 0;
+  Index all = 0;
+};
 
 bool repeatsCorner(const Triangle& t)
 {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  return (t[0] == t[1]) | (t[1] == t[2]) | (t[2] == t[0]);
 }
 
 }
@@ -117,8 +122,8 @@ void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& 
 {
   // Memory costs most where it is first touched, so two steps share it.
   BulkVector<Index> room(3 * triangles.size());
-  this->orderTriangles(triangles, room, team);
-  this->Rings = VertexRings(this->numberOfVertices(), this->Triangles, this->Positions, room, team);
+  std::vector<std::uint32_t> cornersAt = this->orderTriangles(triangles, room, team);
+  this->Rings = VertexRings(std::move(cornersAt), this->Triangles, this->Positions, room, team);
   this->measureEdges();
   if (this->Triangles.size() < triangles.size())
   {
@@ -167,44 +172,52 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
     });
 }
 
-void TriangleMesh::orderTriangles(
+std::vector<std::uint32_t> TriangleMesh::orderTriangles(
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
   // A counting sort: each thread counts and places some of the triangles, before those of the next.
-  // Its counts are 4 bytes a vertex, so there are not too many.
+  // Its counts are 8 bytes a vertex, so there are not too many.
   const ThreadTeam counters = team.atMost(8);
   const std::size_t vertices = this->numberOfVertices();
-  std::vector<std::vector<Index>> places(counters.numberOfRanges(triangles.size()));
+  std::vector<std::vector<CornerCounts>> countsOfRange(counters.numberOfRanges(triangles.size()));
   counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      std::vector<Index>& counts = places[range];
-      counts.assign(vertices, 0);
+      countsOfRange[range].resize(vertices);
+      const std::span<CornerCounts> counts = countsOfRange[range];
+      const std::span<const Index> vertexOf = this->VertexOfPoint;
       for (std::size_t t = first; t < last; ++t)
       {
         const Triangle& input = triangles[t];
-        const Triangle ours{ this->VertexOfPoint[input[0]], this->VertexOfPoint[input[1]],
-          this->VertexOfPoint[input[2]] };
-        std::copy(ours.begin(), ours.end(), &corners[3 * t]);
-        if (repeatsCorner(ours))
+        const Triangle ours{ vertexOf[input[0]], vertexOf[input[1]], vertexOf[input[2]] };
+        const bool isLeftOut = repeatsCorner(ours);
+        corners[3 * t] = isLeftOut ? NoIndex : ours[0];
+        corners[3 * t + 1] = ours[1];
+        corners[3 * t + 2] = ours[2];
+        if (!isLeftOut)
         {
-          corners[3 * t] = NoIndex;
-        }
-        else
-        {
-          ++counts[lowestCorner(ours)];
+          ++counts[lowestCorner(ours)].lowest;
+          ++counts[ours[0]].all;
+          ++counts[ours[1]].all;
+          ++counts[ours[2]].all;
         }
       }
     });
+  std::vector<std::uint32_t> cornersAt(vertices + 1);
   std::vector<std::size_t> starts(team.numberOfRanges(vertices));
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      for (const std::vector<Index>& counts : places)
+      std::size_t lowest = 0;
+      for (std::size_t v = first; v < last; ++v)
       {
-        starts[range] =
-          std::accumulate(counts.begin() + first, counts.begin() + last, starts[range]);
+        for (const std::vector<CornerCounts>& counts : countsOfRange)
+        {
+          lowest += counts[v].lowest;
+          cornersAt[v] += counts[v].all;
+        }
       }
+      starts[range] = lowest;
     });
   const std::size_t total = startsOf(starts);
   this->Triangles.resize(total);
@@ -215,26 +228,28 @@ void TriangleMesh::orderTriangles(
       Index next = static_cast<Index>(starts[range]);
       for (std::size_t v = first; v < last; ++v)
       {
-        for (std::vector<Index>& counts : places)
+        for (std::vector<CornerCounts>& counts : countsOfRange)
         {
-          next += std::exchange(counts[v], next);
+          next += std::exchange(counts[v].lowest, next);
         }
       }
     });
   counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
+      const std::span<CornerCounts> places = countsOfRange[range];
       for (std::size_t t = first; t < last; ++t)
       {
         const Triangle ours{ corners[3 * t], corners[3 * t + 1], corners[3 * t + 2] };
         if (ours[0] != NoIndex)
         {
-          const Index place = places[range][lowestCorner(ours)]++;
+          const Index place = places[lowestCorner(ours)].lowest++;
           this->Triangles[place] = ours;
           this->SourceOfTriangle[place] = static_cast<Index>(t);
         }
       }
     });
+  return cornersAt;
 }
 
 void TriangleMesh::forgetBareVertices()

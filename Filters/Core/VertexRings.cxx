@@ -260,7 +260,6 @@ public:
   {
   }
   bool has(Index i) const { return i - this->First < this->Size; }
-  bool hasAny(const Triangle& t) const { return has(t[0]) || has(t[1]) || has(t[2]); }
 
 private:
   Index First;
@@ -269,11 +268,12 @@ private:
 
 }
 
-VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
+VertexRings::VertexRings(std::vector<std::uint32_t> corners, std::span<const Triangle> triangles,
   std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team)
-  : Starts(std::size_t{ numberOfVertices } + 1)
-  , Sizes(numberOfVertices)
+  : Starts(std::move(corners))
+  , Sizes(positions.size())
 {
+  const std::size_t numberOfVertices = positions.size();
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
   {
@@ -283,8 +283,9 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   }
   std::vector<std::size_t> starts(team.numberOfRanges(numberOfVertices));
   team.run(numberOfVertices,
-    [&](std::size_t range, std::size_t first, std::size_t last)
-    { starts[range] = this->countCorners(first, last, triangles); });
+    [&](std::size_t range, std::size_t first, std::size_t last) {
+      starts[range] = std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
+    });
   // Room for one fan a vertex.
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
   this->Entries.resize(this->Starts.back() + Overrun);
@@ -306,23 +307,6 @@ VertexRings::VertexRings(Index numberOfVertices, std::span<const Triangle> trian
   }
 }
 
-std::size_t VertexRings::countCorners(
-  std::size_t first, std::size_t last, std::span<const Triangle> triangles)
-{
-  const IndexRange range(first, last);
-  for (const Triangle& t : triangles)
-  {
-    for (Index v : t)
-    {
-      if (range.has(v))
-      {
-        ++this->Starts[v];
-      }
-    }
-  }
-  return std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
-}
-
 void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t start,
   std::span<const Triangle> triangles, std::span<const Vector3> positions, std::span<Index> seconds)
 {
@@ -332,40 +316,48 @@ void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t s
     this->Sizes[v] = {};
   }
   const IndexRange range(first, last);
+  TriangleMeasurer measures;
   const auto fill = [&, starts = this->Starts.data(), entries = this->Entries.data(),
-                      sizes = this->Sizes.data()](Triangle t, TriangleMeasure measure)
+                      sizes = this->Sizes.data()](std::span<const Triangle> some)
   {
-    const RingEntry opening(0, measure.slack, measure.isThin());
-    const VertexSize size{ measure.longestSide, measure.margin };
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < some.size(); ++i)
     {
-      const Index v = t[c];
-      if (range.has(v))
+      const std::size_t number = i % TriangleMeasurer::Most;
+      if (number == 0)
       {
-        // Moves the start of the ring to its end.
-        const std::uint32_t place = starts[v]++;
-        entries[place] = opening.at(t[(c + 1) % 3]);
-        seconds[place - v] = t[(c + 2) % 3];
-        sizes[v] = largest(sizes[v], size);
+        measures.measure(
+          some.subspan(i, std::min(TriangleMeasurer::Most, some.size() - i)), positions);
+      }
+      const Triangle& t = some[i];
+      const TriangleMeasure measure = measures[number];
+      const RingEntry opening(0, measure.slack, measure.isThin());
+      const VertexSize size{ measure.longestSide, measure.margin };
+      for (int c = 0; c < 3; ++c)
+      {
+        const Index v = t[c];
+        if (range.has(v))
+        {
+          // Moves the start of the ring to its end.
+          const std::uint32_t place = starts[v]++;
+          entries[place] = opening.at(t[(c + 1) % 3]);
+          seconds[place - v] = t[(c + 2) % 3];
+          sizes[v] = largest(sizes[v], size);
+        }
       }
     }
   };
-  for (std::size_t i = 0; i < triangles.size(); i += 2)
+  const auto firstFrom = [&](std::size_t vertex)
   {
-    // The last one alone is measured twice.
-    const Triangle& t = triangles[i];
-    const Triangle& u = triangles[std::min(i + 1, triangles.size() - 1)];
-    if (range.hasAny(t) || range.hasAny(u))
-    {
-      const auto corners = [&](int c) { return pairOf(positions[t[c]], positions[u[c]]); };
-      const auto measures = measuresOf(corners(0), corners(1), corners(2));
-      fill(t, measures[0]);
-      if (i + 1 < triangles.size())
-      {
-        fill(u, measures[1]);
-      }
-    }
-  }
+    return std::partition_point(triangles.begin(), triangles.end(),
+      [&](const Triangle& t) { return lowestCorner(t) < vertex; });
+  };
+  const auto own = firstFrom(first);
+  // Of the triangles before its own some reach into the range.
+  std::vector<Triangle> others;
+  std::copy_if(triangles.begin(), own, std::back_inserter(others),
+    [&](const Triangle& t) { return range.has(t[0]) || range.has(t[1]) || range.has(t[2]); });
+  fill(others);
+  fill({ own, firstFrom(last) });
 }
 
 std::vector<VertexRings::Ring> VertexRings::chainCorners(

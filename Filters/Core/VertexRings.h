@@ -90,13 +90,14 @@ class VertexRings
 public:
   VertexRings() = default;
   /**
-   * @param triangles  three different ones of @p numberOfVertices vertices each
+   * @param corners    how many corners of the triangles there are at each vertex, and 0
+   * @param triangles  three different vertices each
    * @param positions  of the vertices
    * @param room       to work in, three numbers a triangle
    * @param team       threads to work on; the rings do not depend on their number
    * Time O(n).
    */
-  VertexRings(Index numberOfVertices, std::span<const Triangle> triangles,
+  VertexRings(std::vector<std::uint32_t> corners, std::span<const Triangle> triangles,
     std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team);
 
   /** How many entries after the end of a ring may be read. */
@@ -133,9 +134,6 @@ private:
   };
   // The making of the rings of some vertices, step by step.
 
-  /** Counts the corners at each vertex to Starts; returns their sum. */
-  std::size_t countCorners(
-    std::size_t first, std::size_t last, std::span<const Triangle> triangles);
   /** Puts what opens the triangles at each vertex to where its ring will be, the first one's from
    * @p start, in no order; and the other ends of the sides opposite to @p seconds. Leaves the ends
    * of what was put in Starts. */

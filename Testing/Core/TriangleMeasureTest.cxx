@@ -1,5 +1,6 @@
 // Sizes of triangles that are known, and what is made of them, which has to be on the safe side.
 
+#include "LabelMargin.h"
 #include "TriangleMeasure.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +25,42 @@ const std::vector<Corners> Triangles{
   { { { 0.0, 3.0, 0.0 }, { 0.0, 3.0, 0.0 }, { 0.0, 3.0, 0.0 } } }
 };
 
-std::array<TriangleMeasure, 2> measuresOf(const Corners& t, const Corners& u)
+std::vector<TriangleMeasure> measuresOf(const std::vector<Corners>& all, bool mayUseQuads = true)
 {
-  return geodesic::measuresOf(pairOf(t[0], u[0]), pairOf(t[1], u[1]), pairOf(t[2], u[2]));
+  std::vector<Vector3> positions;
+  std::vector<Triangle> triangles;
+  for (const Corners& t : all)
+  {
+    const Index first = static_cast<Index>(positions.size());
+    positions.insert(positions.end(), t.begin(), t.end());
+    triangles.push_back({ first, first + 1, first + 2 });
+  }
+  TriangleMeasurer measurer(mayUseQuads);
+  measurer.measure(triangles, positions);
+  std::vector<TriangleMeasure> measures;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    measures.push_back(measurer[i]);
+  }
+  return measures;
 }
 
 TriangleMeasure measureOf(const Corners& t)
 {
-  return measuresOf(t, t)[0];
+  return measuresOf({ t })[0];
+}
+
+/** A triangle of about a size, of which two corners may be far nearer. */
+Corners randomTriangle(double width, int i, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return size * Vector3{ number(random), number(random), number(random) };
+  };
+  Corners t{ vector(1.0), vector(1.0), {} };
+  t[2] = t[0] + (i % 2) * 0.4 * (t[1] - t[0]) + vector(width);
+  std::rotate(t.begin(), t.begin() + i % 3, t.end());
+  return t;
 }
 
 }
@@ -57,16 +86,9 @@ TEST(TriangleMeasure, IsRoundedToTheSafeSide)
 TEST(TriangleMeasure, IsOnTheSafeSideForNeedles)
 {
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const auto vector = [&](double size) {
-    return size * Vector3{ number(random), number(random), number(random) };
-  };
   for (int i = 0; i < 20000; ++i)
   {
-    const double width = std::pow(10.0, -i % 13);
-    Corners t{ vector(1.0), vector(1.0), {} };
-    t[2] = t[0] + (i % 2) * 0.4 * (t[1] - t[0]) + vector(width);
-    std::rotate(t.begin(), t.begin() + i % 3, t.end());
+    const Corners t = randomTriangle(std::pow(10.0, -i % 13), i, random);
     const double longest = std::max({ norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2]) });
     const double height = norm(cross(t[1] - t[0], t[2] - t[0])) / longest;
     const TriangleMeasure measure = measureOf(t);
@@ -94,23 +116,36 @@ TEST(TriangleMeasure, ThinIsLessThanAQuarterOfTheLongestSideHigh)
   const auto flat = [](double height) -> Corners {
     return { { { 0.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 1.0, height, 0.0 } } };
   };
-  const std::array<TriangleMeasure, 2> two = measuresOf(flat(1.01), flat(0.99));
+  const std::vector<TriangleMeasure> two = measuresOf({ flat(1.01), flat(0.99) });
   EXPECT_FALSE(two[0].isThin());
   EXPECT_TRUE(two[1].isThin());
 }
 
-TEST(TriangleMeasure, IsTheSameBesideAnyOther)
+// However many there are, wherever one is among them, by two or by four at once.
+TEST(TriangleMeasure, IsTheSameAmongOthers)
 {
-  for (const Corners& t : Triangles)
+  std::mt19937 random(2);
+  std::vector<Corners> all = Triangles;
+  for (int i = 0; all.size() < TriangleMeasurer::Most; ++i)
   {
-    const TriangleMeasure alone = measureOf(t);
-    for (const Corners& u : Triangles)
+    all.push_back(randomTriangle(std::pow(10.0, -i % 13), i, random));
+  }
+  std::vector<TriangleMeasure> alone;
+  for (const Corners& t : all)
+  {
+    alone.push_back(measureOf(t));
+  }
+  for (const bool mayUseQuads : { false, true })
+  {
+    for (std::size_t count = 1; count <= all.size(); ++count)
     {
-      for (const TriangleMeasure& measure : { measuresOf(t, u)[0], measuresOf(u, t)[1] })
+      const std::vector<TriangleMeasure> measures =
+        measuresOf({ all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count) }, mayUseQuads);
+      for (std::size_t t = 0; t < count; ++t)
       {
-        EXPECT_EQ(measure.slack, alone.slack);
-        EXPECT_EQ(measure.longestSide, alone.longestSide);
-        EXPECT_EQ(measure.margin, alone.margin);
+        ASSERT_EQ(measures[t].slack, alone[t].slack);
+        ASSERT_EQ(measures[t].longestSide, alone[t].longestSide);
+        ASSERT_EQ(measures[t].margin, alone[t].margin);
       }
     }
   }
