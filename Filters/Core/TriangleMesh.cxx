@@ -69,14 +69,6 @@ std::vector<std::uint8_t> usedPoints(
   return used;
 }
 
-/** How often some triangles have a vertex as a corner. */
-struct CornerCounts
-{
-  /** As the lowest one. */
-  Index lowest = 0;
-  Index all = 0;
-};
-
 bool repeatsCorner(const Triangle& t)
 {
   return (t[0] == t[1]) | (t[1] == t[2]) | (t[2] == t[0]);
@@ -122,8 +114,8 @@ void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& 
 {
   // Memory costs most where it is first touched, so two steps share it.
   BulkVector<Index> room(3 * triangles.size());
-  std::vector<std::uint32_t> cornersAt = this->orderTriangles(triangles, room, team);
-  this->Rings = VertexRings(std::move(cornersAt), this->Triangles, this->Positions, room, team);
+  this->orderTriangles(triangles, room, team);
+  this->Rings = VertexRings(this->Triangles, this->Positions, room, team);
   this->measureEdges();
   if (this->Triangles.size() < triangles.size())
   {
@@ -172,52 +164,44 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
     });
 }
 
-std::vector<std::uint32_t> TriangleMesh::orderTriangles(
+void TriangleMesh::orderTriangles(
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
   // A counting sort: each thread counts and places some of the triangles, before those of the next.
-  // Its counts are 8 bytes a vertex, so there are not too many.
+  // Its counts are 4 bytes a vertex, so there are not too many.
   const ThreadTeam counters = team.atMost(8);
   const std::size_t vertices = this->numberOfVertices();
-  std::vector<std::vector<CornerCounts>> countsOfRange(counters.numberOfRanges(triangles.size()));
+  std::vector<std::vector<Index>> places(counters.numberOfRanges(triangles.size()));
   counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      countsOfRange[range].resize(vertices);
-      const std::span<CornerCounts> counts = countsOfRange[range];
+      places[range].resize(vertices);
+      const std::span<Index> counts = places[range];
       const std::span<const Index> vertexOf = this->VertexOfPoint;
       for (std::size_t t = first; t < last; ++t)
       {
         const Triangle& input = triangles[t];
         const Triangle ours{ vertexOf[input[0]], vertexOf[input[1]], vertexOf[input[2]] };
-        const bool isLeftOut = repeatsCorner(ours);
-        corners[3 * t] = isLeftOut ? NoIndex : ours[0];
-        corners[3 * t + 1] = ours[1];
-        corners[3 * t + 2] = ours[2];
-        if (!isLeftOut)
+        std::copy(ours.begin(), ours.end(), &corners[3 * t]);
+        if (repeatsCorner(ours))
         {
-          ++counts[lowestCorner(ours)].lowest;
-          ++counts[ours[0]].all;
-          ++counts[ours[1]].all;
-          ++counts[ours[2]].all;
+          corners[3 * t] = NoIndex;
+        }
+        else
+        {
+          ++counts[lowestCorner(ours)];
         }
       }
     });
-  std::vector<std::uint32_t> cornersAt(vertices + 1);
   std::vector<std::size_t> starts(team.numberOfRanges(vertices));
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      std::size_t lowest = 0;
-      for (std::size_t v = first; v < last; ++v)
+      for (const std::vector<Index>& counts : places)
       {
-        for (const std::vector<CornerCounts>& counts : countsOfRange)
-        {
-          lowest += counts[v].lowest;
-          cornersAt[v] += counts[v].all;
-        }
+        starts[range] =
+          std::accumulate(counts.begin() + first, counts.begin() + last, starts[range]);
       }
-      starts[range] = lowest;
     });
   const std::size_t total = startsOf(starts);
   this->Triangles.resize(total);
@@ -228,28 +212,53 @@ std::vector<std::uint32_t> TriangleMesh::orderTriangles(
       Index next = static_cast<Index>(starts[range]);
       for (std::size_t v = first; v < last; ++v)
       {
-        for (std::vector<CornerCounts>& counts : countsOfRange)
+        for (std::vector<Index>& counts : places)
         {
-          next += std::exchange(counts[v].lowest, next);
+          next += std::exchange(counts[v], next);
         }
       }
     });
   counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      const std::span<CornerCounts> places = countsOfRange[range];
+      const std::span<Index> next = places[range];
+      const std::span<Triangle> ordered = this->Triangles;
+      const std::span<Index> sources = this->SourceOfTriangle;
+      const auto cornersOf = [&](std::size_t t) -> Triangle {
+        return { corners[3 * t], corners[3 * t + 1], corners[3 * t + 2] };
+      };
+      // Where a triangle goes may be anywhere in memory, so that is fetched some time before.
+      constexpr std::size_t ahead = 24;
+      std::array<Index, 32> placeOf;
+      const auto put = [&](std::size_t t)
+      {
+        if (const Index place = placeOf[t % placeOf.size()]; place != NoIndex)
+        {
+          ordered[place] = cornersOf(t);
+          sources[place] = static_cast<Index>(t);
+        }
+      };
       for (std::size_t t = first; t < last; ++t)
       {
-        const Triangle ours{ corners[3 * t], corners[3 * t + 1], corners[3 * t + 2] };
+        const Triangle ours = cornersOf(t);
+        Index place = NoIndex;
         if (ours[0] != NoIndex)
         {
-          const Index place = places[lowestCorner(ours)].lowest++;
-          this->Triangles[place] = ours;
-          this->SourceOfTriangle[place] = static_cast<Index>(t);
+          place = next[lowestCorner(ours)]++;
+          __builtin_prefetch(&ordered[place], 1);
+          __builtin_prefetch(&sources[place], 1);
+        }
+        placeOf[t % placeOf.size()] = place;
+        if (t >= first + ahead)
+        {
+          put(t - ahead);
         }
       }
+      for (std::size_t t = std::max(first + ahead, last) - ahead; t < last; ++t)
+      {
+        put(t);
+      }
     });
-  return cornersAt;
 }
 
 void TriangleMesh::forgetBareVertices()

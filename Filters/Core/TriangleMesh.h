@@ -101,9 +101,8 @@ private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
   void build(std::span<const Triangle> triangles, const ThreadTeam& team);
-  /** @param corners room to work in, three numbers a triangle
-   * @return how many corners of triangles there are at each vertex, and 0 */
-  std::vector<std::uint32_t> orderTriangles(
+  /** @param corners room to work in, three numbers a triangle */
+  void orderTriangles(
     std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
   /** Points that only triangles without an area use are not on the surface. */
   void forgetBareVertices();

@@ -1,5 +1,6 @@
 #include "VertexRings.h"
 
+#include "FanChainer.h"
 #include "TriangleMeasure.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <bit>
 #include <iterator>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,230 +17,6 @@ namespace geodesic
 {
 namespace
 {
-
-/** The side of a triangle that faces the vertex whose ring is built. */
-struct OppositeSide
-{
-  /** That of the side's first end, where it opens the triangle. */
-  RingEntry opening;
-  Index second;
-
-  Index first() const { return this->opening.neighbour(); }
-};
-
-/** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
-class FanChainer
-{
-public:
-  /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
-  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
-  {
-    this->Sides = sides;
-    this->Left = sides.size();
-    if (this->isIndexed())
-    {
-      this->indexSides();
-    }
-    this->Fan.resize(2 * sides.size() + 2);
-    while (this->Left > 0)
-    {
-      // The fan grows from the middle, to its end and then, unless it closed, to its front.
-      std::size_t front = sides.size();
-      std::size_t back = front + 1;
-      const OppositeSide side = this->takeAny();
-      this->Fan[front] = side.opening;
-      this->Fan[back] = RingEntry(side.second);
-      bool isClosed = false;
-      while (!isClosed)
-      {
-        const Index end = this->Fan[back].neighbour();
-        const std::size_t place = this->find(end);
-        if (place == None)
-        {
-          break;
-        }
-        const OppositeSide next = this->take(place);
-        const Index other = otherEnd(next, end);
-        this->Fan[back] = next.opening.at(end);
-        this->Fan[++back] = RingEntry(other);
-        isClosed = other == this->Fan[front].neighbour();
-      }
-      while (!isClosed)
-      {
-        const Index end = this->Fan[front].neighbour();
-        const std::size_t place = this->find(end);
-        if (place == None)
-        {
-          break;
-        }
-        const OppositeSide next = this->take(place);
-        this->Fan[--front] = next.opening.at(otherEnd(next, end));
-        isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
-      }
-      entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
-    }
-  }
-
-private:
-  static constexpr std::size_t None = static_cast<std::size_t>(-1);
-  using Mask = std::uint32_t;
-  /** Above this many triangles round a vertex a linear look-up would be quadratic. */
-  static constexpr std::size_t LinearLimit = 32;
-
-  bool isIndexed() const { return this->Sides.size() > LinearLimit; }
-
-  static Index otherEnd(const OppositeSide& side, Index end)
-  {
-    return side.first() ^ side.second ^ end;
-  }
-
-  void indexSides()
-  {
-    this->Ends.clear();
-    this->Taken.assign(this->Sides.size(), 0);
-    this->NextStart = 0;
-    for (std::size_t i = 0; i < this->Sides.size(); ++i)
-    {
-      this->Ends.emplace_back(this->Sides[i].first(), i);
-      this->Ends.emplace_back(this->Sides[i].second, i);
-    }
-    std::sort(this->Ends.begin(), this->Ends.end());
-    this->Cursors.resize(this->Ends.size());
-    for (std::size_t i = 0; i < this->Ends.size(); ++i)
-    {
-      this->Cursors[i] = i;
-    }
-  }
-
-  OppositeSide takeAny()
-  {
-    if (!this->isIndexed())
-    {
-      return this->take(0);
-    }
-    while (this->Taken[this->NextStart])
-    {
-      ++this->NextStart;
-    }
-    return this->take(this->NextStart);
-  }
-
-  /** Takes the side at a place; the places of others may change. */
-  OppositeSide take(std::size_t place)
-  {
-    --this->Left;
-    if (this->isIndexed())
-    {
-      this->Taken[place] = 1;
-      return this->Sides[place];
-    }
-    return std::exchange(this->Sides[place], this->Sides[this->Left]);
-  }
-
-  /** The place of a side left that ends in @p vertex, None if there is none. */
-  std::size_t find(Index vertex)
-  {
-    return this->isIndexed() ? this->findIndexed(vertex) : this->findLinear(vertex);
-  }
-
-  std::size_t findLinear(Index vertex) const
-  {
-    // No branch on what is found: which side follows is not to be guessed.
-    Mask found = 0;
-    for (std::size_t i = 0; i < this->Left; ++i)
-    {
-      const OppositeSide& side = this->Sides[i];
-      found |= static_cast<Mask>((side.first() == vertex) | (side.second == vertex)) << i;
-    }
-    return found == 0 ? None : std::countr_zero(found);
-  }
-
-  std::size_t findIndexed(Index vertex)
-  {
-    const auto first = std::lower_bound(
-      this->Ends.begin(), this->Ends.end(), std::pair<Index, std::size_t>{ vertex, 0 });
-    if (first == this->Ends.end() || first->first != vertex)
-    {
-      return None;
-    }
-    // The first end of a run remembers how far its run is used up.
-    std::size_t& cursor = this->Cursors[first - this->Ends.begin()];
-    for (; cursor < this->Ends.size() && this->Ends[cursor].first == vertex; ++cursor)
-    {
-      const std::size_t side = this->Ends[cursor].second;
-      if (!this->Taken[side])
-      {
-        return side;
-      }
-    }
-    return None;
-  }
-
-  std::span<OppositeSide> Sides;
-  std::size_t Left = 0;
-  std::vector<RingEntry> Fan;
-  std::vector<std::pair<Index, std::size_t>> Ends;
-  std::vector<std::size_t> Cursors;
-  std::vector<std::uint8_t> Taken;
-  std::size_t NextStart = 0;
-};
-
-/** Chains the sides opposite to a vertex where that is easy, as it is at most vertices. */
-class ClosedFanChainer
-{
-public:
-  explicit ClosedFanChainer(Index numberOfVertices)
-    : PlaceOf(numberOfVertices)
-  {
-  }
-
-  /**
-   * Where all sides follow each other, first end to second end, as one fan that closes, brings them
-   * into that order; leaves them as they are and returns false elsewhere.
-   * @param seconds  the other ends of the sides
-   * @param fan      what opens them, and room for one entry more
-   */
-  bool chain(std::span<const Index> seconds, std::span<RingEntry> fan)
-  {
-    const std::size_t size = seconds.size();
-    if (size == 0 || size > std::numeric_limits<Place>::max())
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const RingEntry side = fan[i];
-      this->Sides[i] = side;
-      this->PlaceOf[side.neighbour()] = static_cast<Place>(i);
-    }
-    std::size_t place = 0;
-    std::size_t chained = 0;
-    bool isFound = false;
-    do
-    {
-      fan[chained++] = this->Sides[place];
-      const Index end = seconds[place];
-      place = this->PlaceOf[end];
-      // The place of a vertex where no side begins is one from another ring.
-      isFound = place < size && this->Sides[place].neighbour() == end;
-    } while (isFound && place != 0 && chained < size);
-    const bool isWhole = isFound && place == 0 && chained == size;
-    if (isWhole)
-    {
-      fan[size] = RingEntry(this->Sides[0].neighbour());
-    }
-    else
-    {
-      std::copy_n(this->Sides.begin(), chained, fan.begin());
-    }
-    return isWhole;
-  }
-
-private:
-  using Place = std::uint8_t;
-  std::vector<Place> PlaceOf;
-  std::array<RingEntry, std::numeric_limits<Place>::max()> Sides;
-};
 
 VertexSize largest(const VertexSize& a, const VertexSize& b)
 {
@@ -250,15 +27,17 @@ VertexSize largest(const VertexSize& a, const VertexSize& b)
   return std::bit_cast<VertexSize>(x > y ? x : y);
 }
 
-/** Tells the numbers from a first to before a last one. */
+/** Numbers that follow each other. */
 class IndexRange
 {
 public:
-  IndexRange(std::size_t first, std::size_t last)
-    : First(static_cast<Index>(first))
-    , Size(static_cast<Index>(last - first))
+  IndexRange(Index first, Index size)
+    : First(first)
+    , Size(size)
   {
   }
+  Index first() const { return this->First; }
+  Index last() const { return this->First + this->Size; }
   bool has(Index i) const { return i - this->First < this->Size; }
 
 private:
@@ -268,12 +47,46 @@ private:
 
 }
 
-VertexRings::VertexRings(std::vector<std::uint32_t> corners, std::span<const Triangle> triangles,
-  std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team)
-  : Starts(std::move(corners))
+/** Some vertices that follow each other, and the triangles that have a corner among them. */
+class VertexRings::Range
+{
+public:
+  /** @param triangles in the order of their lowest corners */
+  Range(std::size_t first, std::size_t last, std::span<const Triangle> triangles)
+    : Vertices(static_cast<Index>(first), static_cast<Index>(last - first))
+  {
+    const auto firstFrom = [&](std::size_t vertex)
+    {
+      return std::partition_point(triangles.begin(), triangles.end(),
+        [&](const Triangle& t) { return lowestCorner(t) < vertex; });
+    };
+    const auto own = firstFrom(first);
+    std::copy_if(triangles.begin(), own, std::back_inserter(this->ReachIn),
+      [vertices = this->Vertices](const Triangle& t)
+      { return vertices.has(t[0]) || vertices.has(t[1]) || vertices.has(t[2]); });
+    this->BeginHere = { own, firstFrom(last) };
+  }
+
+  IndexRange vertices() const { return this->Vertices; }
+  /** Of both parts in turn: those with a lowest corner before the range, and those with one in it.
+   */
+  std::array<std::span<const Triangle>, 2> triangles() const
+  {
+    return { this->ReachIn, this->BeginHere };
+  }
+
+private:
+  IndexRange Vertices;
+  std::vector<Triangle> ReachIn;
+  std::span<const Triangle> BeginHere;
+};
+
+VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
+  std::span<Index> room, const ThreadTeam& team)
+  : Starts(positions.size() + 1)
   , Sizes(positions.size())
 {
-  const std::size_t numberOfVertices = positions.size();
+  const std::size_t vertices = positions.size();
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
   if (triangles.size() > maximumTriangles)
   {
@@ -281,21 +94,24 @@ VertexRings::VertexRings(std::vector<std::uint32_t> corners, std::span<const Tri
       " triangles; one process holds at most " + std::to_string(maximumTriangles) +
       ". Spread it over more ranks.");
   }
-  std::vector<std::size_t> starts(team.numberOfRanges(numberOfVertices));
-  team.run(numberOfVertices,
-    [&](std::size_t range, std::size_t first, std::size_t last) {
-      starts[range] = std::accumulate(&this->Starts[first], &this->Starts[last], std::size_t{ 0 });
-    });
-  // Room for one fan a vertex.
-  this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + numberOfVertices);
-  this->Entries.resize(this->Starts.back() + Overrun);
-  std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
-  std::vector<std::vector<Ring>> others(starts.size());
-  team.run(numberOfVertices,
+  std::vector<std::optional<Range>> ranges(team.numberOfRanges(vertices));
+  std::vector<std::size_t> starts(ranges.size());
+  team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      this->fillCorners(first, last, starts[range] + first, triangles, positions, room);
-      others[range] = this->chainCorners(first, last, starts[range] + first, room);
+      ranges[range].emplace(first, last, triangles);
+      starts[range] = this->countCorners(*ranges[range]);
+    });
+  // Room for one fan a vertex.
+  this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
+  this->Entries.resize(this->Starts.back() + Overrun);
+  std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
+  std::vector<std::vector<Ring>> others(ranges.size());
+  team.run(vertices,
+    [&](std::size_t range, std::size_t first, std::size_t)
+    {
+      this->fillCorners(*ranges[range], starts[range] + first, positions, room);
+      others[range] = this->chainCorners(*ranges[range], starts[range] + first, room);
     });
   for (std::size_t range = 1; range < others.size(); ++range)
   {
@@ -307,18 +123,38 @@ VertexRings::VertexRings(std::vector<std::uint32_t> corners, std::span<const Tri
   }
 }
 
-void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t start,
-  std::span<const Triangle> triangles, std::span<const Vector3> positions, std::span<Index> seconds)
+std::size_t VertexRings::countCorners(const Range& range)
 {
-  for (std::size_t v = first; v < last; ++v)
+  const IndexRange vertices = range.vertices();
+  std::size_t sum = 0;
+  for (const std::span<const Triangle> some : range.triangles())
+  {
+    for (const Triangle& t : some)
+    {
+      for (Index v : t)
+      {
+        if (vertices.has(v))
+        {
+          ++this->Starts[v];
+          ++sum;
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+void VertexRings::fillCorners(const Range& range, std::size_t start,
+  std::span<const Vector3> positions, std::span<Index> seconds)
+{
+  const IndexRange vertices = range.vertices();
+  for (Index v = vertices.first(); v < vertices.last(); ++v)
   {
     start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
     this->Sizes[v] = {};
   }
-  const IndexRange range(first, last);
   TriangleMeasurer measures;
-  const auto fill = [&, starts = this->Starts.data(), entries = this->Entries.data(),
-                      sizes = this->Sizes.data()](std::span<const Triangle> some)
+  for (const std::span<const Triangle> some : range.triangles())
   {
     for (std::size_t i = 0; i < some.size(); ++i)
     {
@@ -335,40 +171,29 @@ void VertexRings::fillCorners(std::size_t first, std::size_t last, std::size_t s
       for (int c = 0; c < 3; ++c)
       {
         const Index v = t[c];
-        if (range.has(v))
+        if (vertices.has(v))
         {
           // Moves the start of the ring to its end.
-          const std::uint32_t place = starts[v]++;
-          entries[place] = opening.at(t[(c + 1) % 3]);
+          const std::uint32_t place = this->Starts[v]++;
+          this->Entries[place] = opening.at(t[(c + 1) % 3]);
           seconds[place - v] = t[(c + 2) % 3];
-          sizes[v] = largest(sizes[v], size);
+          this->Sizes[v] = largest(this->Sizes[v], size);
         }
       }
     }
-  };
-  const auto firstFrom = [&](std::size_t vertex)
-  {
-    return std::partition_point(triangles.begin(), triangles.end(),
-      [&](const Triangle& t) { return lowestCorner(t) < vertex; });
-  };
-  const auto own = firstFrom(first);
-  // Of the triangles before its own some reach into the range.
-  std::vector<Triangle> others;
-  std::copy_if(triangles.begin(), own, std::back_inserter(others),
-    [&](const Triangle& t) { return range.has(t[0]) || range.has(t[1]) || range.has(t[2]); });
-  fill(others);
-  fill({ own, firstFrom(last) });
+  }
 }
 
 std::vector<VertexRings::Ring> VertexRings::chainCorners(
-  std::size_t first, std::size_t last, std::size_t start, std::span<const Index> seconds)
+  const Range& range, std::size_t start, std::span<const Index> seconds)
 {
   ClosedFanChainer closedFan(static_cast<Index>(this->Starts.size() - 1));
   FanChainer anyFans;
   std::vector<OppositeSide> sides;
   std::vector<RingEntry> fans;
   std::vector<Ring> others;
-  for (std::size_t v = first; v < last; ++v)
+  const IndexRange vertices = range.vertices();
+  for (Index v = vertices.first(); v < vertices.last(); ++v)
   {
     const std::size_t size =
       std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
@@ -390,7 +215,7 @@ std::vector<VertexRings::Ring> VertexRings::chainCorners(
       }
       else
       {
-        others.push_back({ static_cast<Index>(v), fans });
+        others.push_back({ v, fans });
       }
     }
   }

@@ -90,15 +90,14 @@ class VertexRings
 public:
   VertexRings() = default;
   /**
-   * @param corners    how many corners of the triangles there are at each vertex, and 0
-   * @param triangles  three different vertices each
+   * @param triangles  three different vertices each, in the order of the lowest ones
    * @param positions  of the vertices
    * @param room       to work in, three numbers a triangle
    * @param team       threads to work on; the rings do not depend on their number
    * Time O(n).
    */
-  VertexRings(std::vector<std::uint32_t> corners, std::span<const Triangle> triangles,
-    std::span<const Vector3> positions, std::span<Index> room, const ThreadTeam& team);
+  VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
+    std::span<Index> room, const ThreadTeam& team);
 
   /** How many entries after the end of a ring may be read. */
   static constexpr std::size_t Overrun = 3;
@@ -132,17 +131,19 @@ private:
     Index vertex;
     std::vector<RingEntry> entries;
   };
-  // The making of the rings of some vertices, step by step.
+  class Range;
+  // The making of the rings of a range of vertices, step by step.
 
+  /** Counts the corners at each vertex to Starts; returns their sum. */
+  std::size_t countCorners(const Range& range);
   /** Puts what opens the triangles at each vertex to where its ring will be, the first one's from
    * @p start, in no order; and the other ends of the sides opposite to @p seconds. Leaves the ends
    * of what was put in Starts. */
-  void fillCorners(std::size_t first, std::size_t last, std::size_t start,
-    std::span<const Triangle> triangles, std::span<const Vector3> positions,
+  void fillCorners(const Range& range, std::size_t start, std::span<const Vector3> positions,
     std::span<Index> seconds);
   /** Brings them into order. Returns the rings of more than one fan, for which there is no room. */
   std::vector<Ring> chainCorners(
-    std::size_t first, std::size_t last, std::size_t start, std::span<const Index> seconds);
+    const Range& range, std::size_t start, std::span<const Index> seconds);
   /** Replaces rings, which are sorted by vertex, by others of other sizes. */
   void replace(std::span<const Ring> others);
 
