@@ -220,7 +220,7 @@ void SeedPanel::showHint()
   }
   else if (this->Model->rowCount() == 0)
   {
-    this->Hint->setText(tr("No %1 yet: press <b>Pick %2</b>, then click on the surface.")
+    this->Hint->setText(tr("No %1 picked yet: press <b>Pick %2</b>, then click on the surface.")
                           .arg(this->Role.name, this->Role.plural()));
   }
   else
