@@ -46,7 +46,6 @@ public:
     this->Count = 0;
   }
 
-  double width() const { return 1.0 / this->PerWidth; }
   bool isEmpty() const { return this->Count == 0; }
 
   /** A key beyond the last bucket, or before the current one, joins the nearest there is. */

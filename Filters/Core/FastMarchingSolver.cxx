@@ -2,6 +2,7 @@
 
 #include "ClosedFans.h"
 #include "FieldValues.h"
+#include "LabelMargin.h"
 #include "LabelValues.h"
 #include "MarchControl.h"
 #include "OneLabelValues.h"
@@ -23,6 +24,13 @@ namespace
 /** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
  * another. Meanwhile the mesh round the next ones is fetched. */
 constexpr std::size_t Handful = 12;
+
+/**
+ * Width of the queue's buckets, in heights of triangles: a front gains about as much by each
+ * triangle that it passes. In wider ones more waits at a time, so that more of it is near each
+ * other in memory; but more is also swept too early.
+ */
+constexpr double BucketWidthInHeights = 0.46;
 
 /** Many small fronts spread over more memory than the processor has near. So what waits in a bucket
  * is swept by blocks of so many vertices, whose numbers go with their places. */
@@ -59,7 +67,9 @@ template <class Cost>
 bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  const double width = BucketWidthInEdges * this->mesh().meanLongestEdge() * cost.mean();
+  const double edge = this->mesh().meanLongestEdge();
+  const double height = heightOfMargin(edge, this->mesh().meanMargin());
+  const double width = BucketWidthInHeights * height * cost.mean();
   // A piece without triangles has no edges.
   const bool isOneFront = request.front.labels.size() == 1;
   this->Queue.start(width > 0.0 ? width : 1.0,
@@ -85,7 +95,8 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   {
     values.start(values.label(start.label), start.vertex, start.value, start.isFinal);
   }
-  QueuedFront front(this->Queue, control, values.firstDistance(), values,
+  QueuedFront front(this->Queue, control, this->mesh().meanLongestEdge() * cost.mean(),
+    values.firstDistance(), values,
     [&](std::uint64_t end)
     {
       std::array<Index, Handful> room;

@@ -6,6 +6,9 @@
 namespace geodesic
 {
 
+/** See labelMargin(). */
+constexpr double LabelMarginPerSpread = 2.5;
+
 /**
  * How much more than a vertex's best value a value of another label may be there to be kept, as far
  * as a triangle round the vertex asks for it; see LabelSets.
@@ -23,9 +26,14 @@ namespace geodesic
 template <class Real>
 GEODESIC_INLINED Real labelMargin(Real longestSide, Real leastHeight)
 {
-  constexpr double perSpread = 2.5;
   constexpr double mostSides = 5.0;
-  return longestSide * least(perSpread * longestSide / leastHeight, Real() + mostSides);
+  return longestSide * least(LabelMarginPerSpread * longestSide / leastHeight, Real() + mostSides);
+}
+
+/** The least height of which labelMargin() tells; half of the longest side where it is less. */
+inline double heightOfMargin(double longestSide, double margin)
+{
+  return margin > 0.0 ? LabelMarginPerSpread * longestSide * longestSide / margin : 0.0;
 }
 
 }

@@ -12,20 +12,18 @@
 namespace geodesic
 {
 
-/** Width of the queue's buckets, in edges of TriangleMesh::meanLongestEdge(); 0.1 to 0.5 serve
- * about equally well. */
-constexpr double BucketWidthInEdges = 0.25;
-
 /** A march as a Partition sees it; @p Values and @p advance are the march. */
 template <class Values, class Advance>
 class QueuedFront final : public MarchingFront
 {
 public:
-  /** @param firstDistance the distance of the queue's key 0 */
-  QueuedFront(BucketQueue& queue, const MarchControl& control, double firstDistance, Values& values,
-    Advance advance)
+  /** @param meanLongestEdge as below
+   * @param firstDistance the distance of the queue's key 0 */
+  QueuedFront(BucketQueue& queue, const MarchControl& control, double meanLongestEdge,
+    double firstDistance, Values& values, Advance advance)
     : Queue(queue)
     , Control(control)
+    , MeanLongestEdge(meanLongestEdge)
     , FirstDistance(firstDistance)
     , FrontValues(values)
     , AdvanceBefore(std::move(advance))
@@ -43,7 +41,7 @@ public:
                                  : this->FirstDistance + this->Queue.nextKey();
   }
 
-  double meanLongestEdge() const override { return this->Queue.width() / BucketWidthInEdges; }
+  double meanLongestEdge() const override { return this->MeanLongestEdge; }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   bool isCancelled() const override { return this->Control.isCancelled(); }
 
@@ -62,6 +60,7 @@ public:
 private:
   BucketQueue& Queue;
   const MarchControl& Control;
+  double MeanLongestEdge;
   double FirstDistance;
   Values& FrontValues;
   Advance AdvanceBefore;

@@ -272,14 +272,18 @@ void TriangleMesh::forgetBareVertices()
 void TriangleMesh::measureEdges()
 {
   const std::span<const VertexSize> sizes = this->Rings.sizes();
-  double sum = 0.0;
+  double sides = 0.0;
+  double margins = 0.0;
   float longest = 0.0f;
   for (const VertexSize& size : sizes)
   {
-    sum += size.longestSide;
+    sides += size.longestSide;
+    margins += size.margin;
     longest = std::max(longest, size.longestSide);
   }
-  this->MeanLongestEdge = sizes.empty() ? 0.0 : sum / static_cast<double>(sizes.size());
+  const double count = std::max(1.0, static_cast<double>(sizes.size()));
+  this->MeanLongestEdge = sides / count;
+  this->MeanMargin = margins / count;
   this->LongestEdgeLength = longest;
 }
 

@@ -92,6 +92,10 @@ public:
 
   /** Mean over all vertices of longestEdgeAround(); 0 without any. */
   double meanLongestEdge() const { return this->MeanLongestEdge; }
+  /** Mean over all vertices of the largest labelMargin() of the triangles round each; 0 without
+   * any.
+   */
+  double meanMargin() const { return this->MeanMargin; }
   /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
@@ -115,6 +119,7 @@ private:
   BulkVector<Index> VertexOfPoint;
   BulkVector<Index> PointOfVertex;
   double MeanLongestEdge = 0.0;
+  double MeanMargin = 0.0;
   double LongestEdgeLength = 0.0;
 };
 

@@ -66,7 +66,13 @@ KnownSurface sphere(int levels)
   return spherical(icosphere(AreTiny ? levels / 3 : levels));
 }
 
-KnownSurface shuffledSphere()
+KnownSurface sphereWithPointsShuffled()
+{
+  std::vector<Index> newId;
+  return spherical(withPointsShuffled(icosphere(AreTiny ? 2 : 8), 1, newId));
+}
+
+KnownSurface sphereWithAllShuffled()
 {
   std::vector<Index> newId;
   return spherical(shuffled(icosphere(AreTiny ? 2 : 8), 1, newId));
@@ -117,7 +123,8 @@ const std::vector<std::pair<std::string, Maker>> Makers{
   { "rounded tube 66k", roundedTube },
   { "torus 250k", untoldTorus },
   { "icosphere 650k", [] { return sphere(8); } },
-  { "shuffled icosphere 650k", shuffledSphere },
+  { "shuffled points 650k", sphereWithPointsShuffled },
+  { "all shuffled 650k", sphereWithAllShuffled },
   { "icosphere 2.6M", [] { return sphere(9); } },
 };
 

@@ -16,7 +16,8 @@ TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "benchmarks.
 FILTER_MESH = "icosphere 650k"
 MIXED = "rounded tube 66k"
 SMOOTH = ["icosphere 10k", "icosphere 160k", "torus 250k", "icosphere 650k",
-          "shuffled icosphere 650k", "icosphere 2.6M"]
+          "shuffled points 650k", "all shuffled 650k", "icosphere 2.6M"]
+ALL_SHUFFLED = "all shuffled 650k"
 
 
 class Medians:
@@ -76,13 +77,16 @@ def worst(medians, what, meshes):
 
 def rows_of_solve(medians):
     ratio, note = worst(medians, "Solve", SMOOTH)
-    yield row("Solve, Dijkstra times: smooth, the worst of six", ratio, 1.2, 0.9, note=note)
+    yield row(f"Solve, Dijkstra times: smooth, the worst of {len(SMOOTH)}", ratio, 1.2, 0.9, note=note)
     for mesh, at_least, aim in (
             ("Bunny 35k", 1.8, 1.2), ("Delaunay plane 160k", 2.2, 1.4), ("thin grid 160k", 10, 5)):
         yield row(f"Solve, Dijkstra times: {mesh}", medians("Solve", mesh), at_least, aim)
     yield row_without_bounds(f"Solve, Dijkstra times: {MIXED}, edges 1:1000", medians("Solve", MIXED))
-    ratio, note = worst(medians, "Setup", medians.meshes("Setup"))
-    yield row("Setup, Dijkstra times: the worst of all", ratio, 1.5, 1.0, note=note)
+    asked = [mesh for mesh in medians.meshes("Setup") if mesh != ALL_SHUFFLED]
+    ratio, note = worst(medians, "Setup", asked)
+    yield row("Setup, Dijkstra times: the worst of all but the next", ratio, 1.5, 1.0, note=note)
+    yield row_without_bounds("Setup, Dijkstra times: triangles shuffled as well as points",
+                             medians("Setup", ALL_SHUFFLED))
 
 
 def rows_of_filter(rounds):

@@ -1,5 +1,6 @@
 // What the mesh keeps of its input.
 
+#include "LabelMargin.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -170,6 +171,14 @@ TEST(TriangleMesh, EdgeLengthsAreMeasured)
   EXPECT_FLOAT_EQ(mesh->longestEdgeLength(), 5.0);
   EXPECT_GE(mesh->longestEdgeLength(), 5.0);
   EXPECT_GE(mesh->longestEdgeAround(mesh->vertexOfPoint(0)), 5.0);
+  EXPECT_NEAR(mesh->meanMargin(), labelMargin(5.0, 2.4), 1e-5);
+}
+
+TEST(TriangleMesh, MarginTellsOfTheHeight)
+{
+  EXPECT_DOUBLE_EQ(heightOfMargin(5.0, labelMargin(5.0, 2.6)), 2.6);
+  EXPECT_DOUBLE_EQ(heightOfMargin(5.0, labelMargin(5.0, 0.1)), 2.5);
+  EXPECT_EQ(heightOfMargin(0.0, 0.0), 0.0);
 }
 
 // What is found side by side must not depend on where the work was cut: 1, 2, 3 and 9 threads,
@@ -191,6 +200,7 @@ TEST(TriangleMesh, ThreadsChangeNothing)
       ASSERT_EQ(other.numberOfVertices(), one.numberOfVertices());
       ASSERT_EQ(other.numberOfTriangles(), one.numberOfTriangles());
       EXPECT_EQ(other.meanLongestEdge(), one.meanLongestEdge());
+      EXPECT_EQ(other.meanMargin(), one.meanMargin());
       EXPECT_EQ(other.longestEdgeLength(), one.longestEdgeLength());
       for (Index i = 0; i < one.numberOfPoints(); ++i)
       {

@@ -196,7 +196,7 @@ Surface joined(const Surface& a, const Surface& b)
   return both;
 }
 
-Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId)
+Surface withPointsShuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId)
 {
   std::mt19937 random(seed);
   newId.resize(surface.points.size());
@@ -210,9 +210,18 @@ Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newI
   }
   for (const Triangle& t : surface.triangles)
   {
-    Triangle renamed{ newId[t[0]], newId[t[1]], newId[t[2]] };
-    std::rotate(renamed.begin(), renamed.begin() + random() % 3, renamed.end());
-    result.triangles.push_back(renamed);
+    result.triangles.push_back({ newId[t[0]], newId[t[1]], newId[t[2]] });
+  }
+  return result;
+}
+
+Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId)
+{
+  Surface result = withPointsShuffled(surface, seed, newId);
+  std::mt19937 random(seed);
+  for (Triangle& t : result.triangles)
+  {
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
   }
   std::shuffle(result.triangles.begin(), result.triangles.end(), random);
   return result;

@@ -36,7 +36,9 @@ Surface cone(Index around, Index along, double radius, double slope);
 void addRingCells(Surface& surface, Index first, Index around, Index rings);
 /** Several surfaces as one, not connected. */
 Surface joined(const Surface& a, const Surface& b);
-/** The same surface with points and triangles in random order; newId[i] is point i's new id. */
+/** The same surface with its points in random order; newId[i] is point i's new id. */
+Surface withPointsShuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId);
+/** The same with points, triangles and the corners of these in random order. */
 Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId);
 /** The surface of an OFF file of triangles; throws std::runtime_error. */
 Surface readOff(const std::string& file);
