@@ -68,7 +68,11 @@ public:
   }
   double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
   double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }
-  double mean() const { return this->Sum / static_cast<double>(this->Cost.size()); }
+  /** 1 on a piece without vertices. */
+  double mean() const
+  {
+    return this->Cost.empty() ? 1.0 : this->Sum / static_cast<double>(this->Cost.size());
+  }
   /** On all pieces of the surface; the mean and the largest are those of this one. */
   double smallest() const { return this->Smallest; }
   double largest() const { return this->Largest; }
