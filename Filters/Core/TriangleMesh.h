@@ -92,9 +92,7 @@ public:
 
   /** Mean over all vertices of longestEdgeAround(); 0 without any. */
   double meanLongestEdge() const { return this->MeanLongestEdge; }
-  /** Mean over all vertices of the largest labelMargin() of the triangles round each; 0 without
-   * any.
-   */
+  /** Mean over all vertices of the largest labelMargin() round them; 0 without any. */
   double meanMargin() const { return this->MeanMargin; }
   /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
