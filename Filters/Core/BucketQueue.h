@@ -24,7 +24,8 @@ class BucketQueue
 public:
   /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
    * popped one; @param blockBits if not 0, what waits in a bucket when its turn comes is handed out
-   * block by block of 2^blockBits items, in ascending order; for who goes by items through memory.
+   * block by block of 2^blockBits items, in ascending and in the next bucket in descending order;
+   * for who goes by items through memory, where what was read last is still near.
    */
   void start(double width, double span, int blockBits = 0)
   {
@@ -178,15 +179,21 @@ private:
       return;
     }
     this->Places.assign(blocks + 1, 0);
+    const bool isDescending = this->Current % 2 == 1;
+    const auto blockOf = [&](Index item)
+    {
+      const std::size_t block = item >> this->BlockBits;
+      return isDescending ? blocks - 1 - block : block;
+    };
     for (Index item : items)
     {
-      ++this->Places[(item >> this->BlockBits) + 1];
+      ++this->Places[blockOf(item) + 1];
     }
     std::partial_sum(this->Places.begin(), this->Places.end(), this->Places.begin());
     this->Ordered.resize(items.size());
     for (Index item : items)
     {
-      this->Ordered[this->Places[item >> this->BlockBits]++] = item;
+      this->Ordered[this->Places[blockOf(item)]++] = item;
     }
     items.swap(this->Ordered);
   }

@@ -13,6 +13,7 @@
 #include "TriangleCost.h"
 #include "TriangleMesh.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,7 +23,8 @@ namespace
 {
 
 /** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
- * another. Meanwhile the mesh round the next ones is fetched. */
+ * another. Meanwhile the mesh round the next ones is fetched, and where it is for those after the
+ * next. */
 constexpr std::size_t Handful = 12;
 
 /**
@@ -107,9 +109,14 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
         {
           break;
         }
-        for (Index next : this->Queue.next(Handful))
+        const std::span<const Index> soon = this->Queue.next(3 * Handful);
+        for (Index next : soon.first(std::min(soon.size(), Handful)))
         {
-          this->mesh().prefetch(values.vertexOf(next));
+          values.prefetch(next);
+        }
+        for (Index next : soon.subspan(std::min(soon.size(), 2 * Handful)))
+        {
+          this->mesh().prefetchRingStart(values.vertexOf(next));
         }
         ringSweep.sweep(handful);
       }

@@ -64,6 +64,12 @@ public:
   /** The further value that has a place at the vertex. */
   const Further& second(Index vertex) const { return this->Seconds[vertex]; }
 
+  /** Has the processor fetch it, as it is soon to be read. */
+  [[gnu::always_inline]] void prefetchSecond(Index vertex) const
+  {
+    __builtin_prefetch(&this->Seconds[vertex]);
+  }
+
   /** The further value of a vertex for a label, NoIndex where there is none. */
   Index find(Index vertex, Index label) const
   {
@@ -94,17 +100,27 @@ public:
     return number < this->FirstOther ? number : this->VerticesOfOthers[number - this->FirstOther];
   }
 
+  /** Makes room for a further value of a vertex, for a label that it has none of. */
+  Index add(Index vertex, Index label)
+  {
+    if (!this->hasFurther(vertex))
+    {
+      this->Seconds[vertex].mark.setLabel(label);
+      return vertex;
+    }
+    Further other;
+    other.mark.setLabel(label);
+    other.Next = std::exchange(
+      this->Seconds[vertex].Next, this->FirstOther + static_cast<Index>(this->Others.size()));
+    this->Others.push_back(other);
+    this->VerticesOfOthers.push_back(vertex);
+    return this->Seconds[vertex].Next;
+  }
   /** The further value of a vertex for a label, a new one where there is none. */
   Index findOrAdd(Index vertex, Index label)
   {
-    Further& second = this->Seconds[vertex];
-    if (second.mark.hasOtherLabel(ValueMark::bitsOf(label))) [[unlikely]]
-    {
-      const Index number = this->findInChain(vertex, label);
-      return number != NoIndex ? number : this->add(vertex, label);
-    }
-    second.mark.setLabel(label);
-    return vertex;
+    const Index number = this->find(vertex, label);
+    return number != NoIndex ? number : this->add(vertex, label);
   }
 
   /** Calls @p visit with each further value of a vertex. */
@@ -124,17 +140,6 @@ public:
 private:
   /** Behind a second. */
   const Further& other(Index number) const { return this->Others[number - this->FirstOther]; }
-
-  Index add(Index vertex, Index label)
-  {
-    Further other;
-    other.mark.setLabel(label);
-    other.Next = std::exchange(
-      this->Seconds[vertex].Next, this->FirstOther + static_cast<Index>(this->Others.size()));
-    this->Others.push_back(other);
-    this->VerticesOfOthers.push_back(vertex);
-    return this->Seconds[vertex].Next;
-  }
 
   std::vector<Further> Seconds;
   /** The number of the first further value that is not a second. */

@@ -70,6 +70,13 @@ public:
     return { this->fieldSight(label), label.labelBits };
   }
 
+  /** Has the processor fetch what others() reads of a vertex. */
+  [[gnu::always_inline]] void prefetchOther(Index vertex) const
+  {
+    this->Sets.prefetchSecond(vertex);
+    this->context().cost.prefetchMargin(vertex);
+  }
+
   /**
    * What is known for a label of vertices, of which some have a best value of another one.
    * @param areOther  which do; only of those something is told
@@ -129,13 +136,23 @@ public:
     }
     const Index number = this->Sets.findOrAdd(vertex, label.number());
     this->Sets.further(number).mark.setPinned(isFinal);
-    this->setFurther(vertex, number, value);
+    this->setFurther(label, vertex, number, value);
   }
 
   Index vertexOf(Index taken) const
   {
     return taken < this->NumberOfVertices ? taken
                                           : this->Sets.vertexOf(taken - this->NumberOfVertices);
+  }
+
+  /** Has the processor fetch what take() of it and a look round it read. GCC drops the call unless
+   * it is inlined. */
+  [[gnu::always_inline]] void prefetch(Index taken) const
+  {
+    const Index vertex = this->vertexOf(taken);
+    this->context().mesh.prefetch(vertex);
+    __builtin_prefetch(&this->mark(vertex));
+    this->Sets.prefetchSecond(vertex);
   }
 
   TakenValue take(Index taken)
@@ -230,19 +247,22 @@ private:
 
   KnownValue proposeFurther(const MarchedLabel& label, Index vertex, double value)
   {
-    const KnownValue known =
-      this->knownFurther(this->Sets.find(vertex, label.number()), this->keptUpTo(label, vertex));
+    Index number = this->Sets.find(vertex, label.number());
+    const KnownValue known = this->knownFurther(number, this->keptUpTo(label, vertex));
     if (!(value < this->ceiling(label, vertex, known.ceiling)) ||
       this->context().options.isExcluded(vertex))
     {
       return known;
     }
-    const Index number = this->Sets.findOrAdd(vertex, label.number());
-    if (this->Sets.further(number).mark.isPinned())
+    if (number == NoIndex)
+    {
+      number = this->Sets.add(vertex, label.number());
+    }
+    else if (this->Sets.further(number).mark.isPinned())
     {
       return known;
     }
-    this->setFurther(vertex, number, value);
+    this->setFurther(label, vertex, number, value);
     return { value, value, true };
   }
 
@@ -270,45 +290,46 @@ private:
     this->set(label, vertex, value);
   }
 
-  /** @param number  of a further value of the vertex */
-  void setFurther(Index vertex, Index number, double value)
+  /** @param number  of the label's value among the further ones of the vertex */
+  void setFurther(const MarchedLabel& label, Index vertex, Index number, double value)
   {
     LabelSets::Further& further = this->Sets.further(number);
     further.value = value;
-    if (value < this->value(this->labelOf(further.mark), vertex))
+    if (value < this->value(label, vertex))
     {
-      this->makeBest(vertex, number, further);
+      this->makeBest(label, vertex, number, further);
     }
     else
     {
-      this->queueFurther(number, further);
+      this->queueFurther(label, number, further);
     }
   }
 
-  void queueFurther(Index number, LabelSets::Further& further)
+  void queueFurther(const MarchedLabel& label, Index number, LabelSets::Further& further)
   {
     if (!further.mark.isQueued())
     {
       further.mark.setQueued(true);
-      this->queue(this->labelOf(further.mark), this->NumberOfVertices + number, further.value);
+      this->queue(label, this->NumberOfVertices + number, further.value);
     }
   }
 
-  /** A further value and the best one change places. */
-  void makeBest(Index vertex, Index number, LabelSets::Further& further)
+  /** A further value, of @p label, and the best one change places. */
+  void makeBest(const MarchedLabel& label, Index vertex, Index number, LabelSets::Further& further)
   {
     const double value = further.value;
     ValueMark& mark = this->mark(vertex);
-    further.value = this->value(this->labelOf(mark), vertex);
+    const MarchedLabel& before = this->labelOf(mark);
+    further.value = this->value(before, vertex);
     std::swap(mark, further.mark);
     // Wherever the queue has them, they go to it again under their new numbers.
     if (further.mark.isQueued())
     {
       further.mark.setQueued(false);
-      this->queueFurther(number, further);
+      this->queueFurther(before, number, further);
     }
     mark.setQueued(false);
-    this->setBest(this->labelOf(mark), vertex, value);
+    this->setBest(label, vertex, value);
   }
 
   static double smallestOf(std::span<const Label> labels)

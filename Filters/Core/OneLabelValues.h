@@ -55,6 +55,7 @@ public:
   }
 
   Index vertexOf(Index taken) const { return taken; }
+  [[gnu::always_inline]] void prefetch(Index taken) const { this->context().mesh.prefetch(taken); }
   TakenValue take(Index vertex)
   {
     this->mark(vertex).setQueued(false);

@@ -43,7 +43,8 @@ namespace geodesic
  *                 sight(MarchedLabel), to look<Real>(const Indices<Real>&) at vertices ->
  *                 SeenValues<Real>;
  *                 hasOthers, whether any of those can be of another label, then also
- *                 others<Real>(...) -> KnownValues<Real> of them, see LabelValues;
+ *                 others<Real>(...) -> KnownValues<Real> of them, see LabelValues, and
+ *                 prefetchOther(Index), to be called before;
  *                 propose(MarchedLabel, Index, double) -> KnownValue: to a vertex, queues it with
  *                 the value if that counts, and returns what then holds
  */
@@ -124,6 +125,10 @@ private:
     {
       for (std::size_t i = 0; i < this->Windows.OthersCount; ++i)
       {
+        this->template prefetchOthers<Real>(this->Windows.OthersSeen[i]);
+      }
+      for (std::size_t i = 0; i < this->Windows.OthersCount; ++i)
+      {
         this->template lookAtOthers<Real>(this->Windows.OthersSeen[i]);
       }
     }
@@ -148,6 +153,16 @@ private:
     this->propose();
     this->Windows.Count = 0;
     this->Windows.OthersCount = 0;
+  }
+
+  /** All of them are fetched before the first is looked up, as many may be far in memory. */
+  template <class Real>
+  void prefetchOthers(RingWindows::Others others) const
+  {
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+    {
+      this->FrontValues.prefetchOther(this->Windows.Neighbours[others.first() + lane]);
+    }
   }
 
   /** Looks up what a label has at neighbours whose best value is of another one. */

@@ -76,11 +76,16 @@ public:
   /** The triangles round a vertex. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
   const VertexRings& rings() const { return this->Rings; }
-  /** Has the processor fetch a vertex's position and ring, which are soon to be read. */
+  /** Has the processor fetch a vertex's position and ring, which are soon to be read; best some
+   * time after prefetchRingStart(), which fetches where the ring is. */
   [[gnu::always_inline]] void prefetch(Index vertex) const
   {
     this->Rings.prefetch(vertex);
     __builtin_prefetch(&this->Positions[vertex]);
+  }
+  [[gnu::always_inline]] void prefetchRingStart(Index vertex) const
+  {
+    this->Rings.prefetchStart(vertex);
   }
 
   /** The vertex as a point of the surface. Time O(log n). */

@@ -57,6 +57,7 @@ std::vector<Index> pushAtRandom(BucketQueue& queue, Index numberOfItems)
 
 }
 
+// And backwards in every second bucket, so that the next one begins where one ended.
 TEST(BucketQueue, ABucketIsHandedOutBlockByBlock)
 {
   BucketQueue queue;
@@ -66,7 +67,11 @@ TEST(BucketQueue, ABucketIsHandedOutBlockByBlock)
   ASSERT_EQ(items.size(), buckets.size());
   for (std::size_t i = 1; i < items.size(); ++i)
   {
-    const auto placeOf = [&](Index item) { return std::pair(buckets[item], item >> BlockBits); };
+    const auto placeOf = [&](Index item)
+    {
+      const int block = static_cast<int>(item >> BlockBits);
+      return std::pair(buckets[item], buckets[item] % 2 == 0 ? block : -block);
+    };
     EXPECT_LE(placeOf(items[i - 1]), placeOf(items[i]));
   }
 }
