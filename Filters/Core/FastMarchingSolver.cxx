@@ -102,6 +102,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
     [&](std::uint64_t end)
     {
       std::array<Index, Handful> room;
+      std::array<Index, Handful> roomOfNext;
       while (this->Queue.hasBefore(end))
       {
         const std::span<const Index> handful = this->Queue.take(room);
@@ -110,15 +111,13 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
           break;
         }
         const std::span<const Index> soon = this->Queue.next(3 * Handful);
-        for (Index next : soon.first(std::min(soon.size(), Handful)))
+        for (Index later : soon.subspan(std::min(soon.size(), 2 * Handful)))
         {
-          values.prefetch(next);
+          this->mesh().prefetchRingStart(values.vertexOf(later));
         }
-        for (Index next : soon.subspan(std::min(soon.size(), 2 * Handful)))
-        {
-          this->mesh().prefetchRingStart(values.vertexOf(next));
-        }
-        ringSweep.sweep(handful);
+        const auto next = soon.first(std::min(soon.size(), Handful));
+        std::copy(next.begin(), next.end(), roomOfNext.begin());
+        ringSweep.sweep(handful, std::span(roomOfNext).first(next.size()));
       }
     });
   const bool finished = request.partition.march(front, limit);

@@ -40,6 +40,7 @@ namespace geodesic
  * @tparam Values  of the labels of the march:
  *                 label(Index) -> MarchedLabel;
  *                 take(Index) -> TakenValue of what was in the queue;
+ *                 prefetch(Index), some time before that;
  *                 sight(MarchedLabel), to look<Real>(const Indices<Real>&) at vertices ->
  *                 SeenValues<Real>;
  *                 hasOthers, whether any of those can be of another label, then also
@@ -64,16 +65,17 @@ public:
   {
   }
 
-  /** Sweeps over the triangles round the vertices of @p waiting, which were in the queue. */
-  void sweep(std::span<const Index> waiting)
+  /** Sweeps over the triangles round the vertices of @p waiting, which were in the queue; has the
+   * processor fetch what that takes for @p next, which are to be swept after them. */
+  void sweep(std::span<const Index> waiting, std::span<const Index> next)
   {
     if (this->UsesQuads)
     {
-      this->sweepByFour(waiting);
+      this->sweepByFour(waiting, next);
     }
     else
     {
-      this->sweepByTwo(waiting);
+      this->sweepByTwo(waiting, next);
     }
   }
 
@@ -84,25 +86,32 @@ private:
 
   // Flat: what is called from these and not inlined would not be compiled for AVX2.
 
-  [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void sweepByFour(std::span<const Index> waiting)
+  [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void sweepByFour(
+    std::span<const Index> waiting, std::span<const Index> next)
   {
-    this->lookRound<Quad>(waiting, [&] { this->finishByFour(); });
+    this->lookRound<Quad>(waiting, next, [&] { this->finishByFour(); });
   }
   [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void finishByFour() { this->finish<Quad>(); }
-  [[gnu::flatten, gnu::noinline]] void sweepByTwo(std::span<const Index> waiting)
+  [[gnu::flatten, gnu::noinline]] void sweepByTwo(
+    std::span<const Index> waiting, std::span<const Index> next)
   {
-    this->lookRound<Pair>(waiting, [&] { this->finishByTwo(); });
+    this->lookRound<Pair>(waiting, next, [&] { this->finishByTwo(); });
   }
   [[gnu::flatten, gnu::noinline]] void finishByTwo() { this->finish<Pair>(); }
 
   /** @param doNoted  does what was noted in all windows */
   template <class Real, class DoNoted>
-  void lookRound(std::span<const Index> waiting, DoNoted doNoted)
+  void lookRound(std::span<const Index> waiting, std::span<const Index> next, DoNoted doNoted)
   {
     constexpr std::size_t step = RingWindows::Size - 1;
-    for (Index next : waiting)
+    for (std::size_t i = 0; i < waiting.size(); ++i)
     {
-      const TakenValue taken = this->FrontValues.take(next);
+      // Little by little: a processor waits when it is to fetch too much at a time.
+      if (i < next.size())
+      {
+        this->FrontValues.prefetch(next[i]);
+      }
+      const TakenValue taken = this->FrontValues.take(waiting[i]);
       const std::span<const RingEntry> ring =
         taken.vertex != NoIndex ? this->Mesh.ring(taken.vertex) : std::span<const RingEntry>();
       for (std::size_t first = 0; first + 1 < ring.size(); first += step)
