@@ -159,14 +159,15 @@ public:
     std::size_t count = this->Count;
     do
     {
+      const auto found = static_cast<std::size_t>(std::popcount(bits));
       for (std::size_t i = 0; i < Usual; ++i)
       {
-        // Of no bits the number is any, and they count 0; any others count 1, without a branch.
+        // Of no bits the number is any, and they are not counted.
         constexpr RingWindows::Mask stop = 1u << 31;
-        this->Items[count] = itemOf(std::countr_zero(bits | stop));
-        count += (bits | (0u - bits)) >> 31;
+        this->Items[count + i] = itemOf(std::countr_zero(bits | stop));
         bits &= bits - 1;
       }
+      count += std::min(found, Usual);
     } while (bits != 0);
     this->Count = count;
   }
