@@ -33,8 +33,8 @@ namespace geodesic
  * waits. So some vertices are swept together, step by step, and each step is one loop over all of
  * them: first the rings are looked at, several neighbours at a time; where a neighbour's best value
  * is of another label, its own of this one is looked up; what is worth more is noted in the bits of
- * masks; then fronts go along edges; then over edges, several at a time; last the values that were
- * found are proposed.
+ * masks; then fronts go along edges, and over edges several at a time, whose values are proposed
+ * last. Of several labels those over edges come first.
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the labels of the march:
@@ -142,26 +142,40 @@ private:
       }
     }
     this->Along.clear();
-    for (std::size_t number = 0; number < this->Windows.Count; ++number)
-    {
-      this->Look.template judge<Real>(number, this->Windows);
-      this->noteWaysAlong(number);
-    }
-    for (std::size_t i = 0; i < this->Along.size(); ++i)
-    {
-      this->goAlong(this->Along[i]);
-    }
     this->Over[0].clear();
     this->Over[1].clear();
-    for (std::size_t number = 0; number < this->Windows.Count; ++number)
+    const auto judge = [&](std::size_t number)
+    { this->Look.template judge<Real>(number, this->Windows); };
+    const auto noteWaysAlong = [&](std::size_t number) { this->noteWaysAlong(number); };
+    const auto noteWaysOver = [&](std::size_t number) { this->noteWaysOver(number); };
+    if constexpr (Values::hasOthers)
     {
-      this->noteWaysOver(number);
+      // A value of one of several labels has to be found before it can be lowered. So along edges
+      // goes only what is lower still than what came over edges.
+      this->inAllWindows(judge, noteWaysOver);
+      this->goOver<Real>();
+      this->inAllWindows(noteWaysAlong);
+      this->goAlong();
     }
-    this->goOver<Real, FrontShape::Round>();
-    this->goOver<Real, FrontShape::Straight>();
-    this->propose();
+    else
+    {
+      this->inAllWindows(judge, noteWaysAlong);
+      this->goAlong();
+      this->inAllWindows(noteWaysOver);
+      this->goOver<Real>();
+    }
     this->Windows.Count = 0;
     this->Windows.OthersCount = 0;
+  }
+
+  /** Calls each of @p works with the number of every window, window by window. */
+  template <class... Works>
+  void inAllWindows(const Works&... works)
+  {
+    for (std::size_t number = 0; number < this->Windows.Count; ++number)
+    {
+      (works(number), ...);
+    }
   }
 
   /** All of them are fetched before the first is looked up, as many may be far in memory. */
@@ -195,10 +209,25 @@ private:
   void noteWaysAlong(std::size_t number)
   {
     const Window& window = this->Windows.Windows[number];
+    const std::size_t base = number * RingWindows::Size;
+    if constexpr (Values::hasOthers)
+    {
+      // What came over an edge to the last neighbour came to the first, where that is the same.
+      this->Windows.Ceilings[base] =
+        std::min(this->Windows.Ceilings[base], this->Windows.Ceilings[base + window.last]);
+    }
     const Mask beforeFirst = window.last > 0 ? window.isOpen >> (window.last - 1) : 0;
     const Mask isOpenEdge = window.isOpen | window.isOpen << 1 | beforeFirst;
-    this->Along.add(window.along & isOpenEdge,
-      [&](int slot) { return static_cast<Slot>(number * RingWindows::Size + slot); });
+    this->Along.add(
+      window.along & isOpenEdge, [&](int slot) { return static_cast<Slot>(base + slot); });
+  }
+
+  void goAlong()
+  {
+    for (std::size_t i = 0; i < this->Along.size(); ++i)
+    {
+      this->goAlong(this->Along[i]);
+    }
   }
 
   void goAlong(Slot slot)
@@ -211,9 +240,12 @@ private:
     {
       const KnownValue held =
         this->FrontValues.propose(*window.label, this->Windows.Neighbours[slot], value);
-      this->Windows.Values[slot] = held.value;
-      this->Windows.Ceilings[slot] = held.ceiling;
-      window.isQueued |= bit(held.isQueued, slot % RingWindows::Size);
+      if constexpr (!Values::hasOthers)
+      {
+        this->Windows.Values[slot] = held.value;
+        this->Windows.Ceilings[slot] = held.ceiling;
+        window.isQueued |= bit(held.isQueued, slot % RingWindows::Size);
+      }
     }
   }
 
@@ -246,9 +278,12 @@ private:
   {
     const Window& window = this->Windows.Windows[number];
     const std::size_t base = number * RingWindows::Size;
-    // What holds for the first neighbour holds for the last, where that is the same.
-    this->Windows.Values[base + window.last] = this->Windows.Values[base];
-    this->Windows.Ceilings[base + window.last] = this->Windows.Ceilings[base];
+    if constexpr (!Values::hasOthers)
+    {
+      // What came along the edge to the first neighbour came to the last, where that is the same.
+      this->Windows.Values[base + window.last] = this->Windows.Values[base];
+      this->Windows.Ceilings[base + window.last] = this->Windows.Ceilings[base];
+    }
     const auto rounded = [&](Mask mask) { return mask | (mask & 1) << window.last; };
     const Mask isQueued = rounded(window.isQueued);
     const Mask along = rounded(window.along);
@@ -261,6 +296,14 @@ private:
     this->Over[static_cast<std::size_t>(window.label->shape)].add(
       first | second << RingWindows::Size,
       [&](int way) { return WayOver(base, base) + waysOver[way]; });
+  }
+
+  template <class Real>
+  void goOver()
+  {
+    this->goOver<Real, FrontShape::Round>();
+    this->goOver<Real, FrontShape::Straight>();
+    this->propose();
   }
 
   template <class Real, FrontShape Shape>
@@ -314,8 +357,12 @@ private:
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
     {
       const Proposal& proposal = this->Proposals[i];
-      this->FrontValues.propose(*this->Windows.at(proposal.target).label,
+      const KnownValue held = this->FrontValues.propose(*this->Windows.at(proposal.target).label,
         this->Windows.Neighbours[proposal.target], proposal.value);
+      if constexpr (Values::hasOthers)
+      {
+        this->Windows.Ceilings[proposal.target] = held.ceiling;
+      }
     }
     this->NumberOfProposals = 0;
   }
