@@ -152,8 +152,8 @@ GEODESIC_INLINED Quad root(Quad x)
 }
 
 /** To and from where numbers are one after the other. */
-template <class Real>
-GEODESIC_INLINED void store(const Real& numbers, double* to)
+template <class Several, class Number>
+GEODESIC_INLINED void store(const Several& numbers, Number* to)
 {
   std::memcpy(to, &numbers, sizeof numbers);
 }
@@ -163,6 +163,20 @@ GEODESIC_INLINED Real load(const double* from)
   Real numbers;
   std::memcpy(&numbers, from, sizeof numbers);
   return numbers;
+}
+
+/** Of the same number. */
+template <class Real>
+GEODESIC_INLINED Real sameOf(double number)
+{
+  if constexpr (lanes<Real> == 2)
+  {
+    return Real{ number, number };
+  }
+  else
+  {
+    return Real{ number, number, number, number };
+  }
 }
 
 /** As many floats as there are numbers. */
@@ -230,6 +244,33 @@ GEODESIC_INLINED BitsOf<Real> bitsWith(BitsAt bitsAt)
   else
   {
     return BitsOf<Real>{ bitsAt(0), bitsAt(1), bitsAt(2), bitsAt(3) };
+  }
+}
+
+/** Every second one of the bits of @p a, then of @p b, from the first on. */
+template <class Bits>
+GEODESIC_INLINED Bits evens(const Bits& a, const Bits& b)
+{
+  if constexpr (sizeof(Bits) == sizeof(BitsOf<Pair>))
+  {
+    return __builtin_shufflevector(a, b, 0, 2);
+  }
+  else
+  {
+    return __builtin_shufflevector(a, b, 0, 2, 4, 6);
+  }
+}
+/** The same from the second on. */
+template <class Bits>
+GEODESIC_INLINED Bits odds(const Bits& a, const Bits& b)
+{
+  if constexpr (sizeof(Bits) == sizeof(BitsOf<Pair>))
+  {
+    return __builtin_shufflevector(a, b, 1, 3);
+  }
+  else
+  {
+    return __builtin_shufflevector(a, b, 1, 3, 5, 7);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -28,13 +29,14 @@ public:
     const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, const Values& values)
     : Mesh(mesh)
     , Closed(closed)
+    , IsAllOpen(Cost::isUnit && closed.isEmpty())
     , TriangleCost(cost)
     , FrontValues(values)
   {
   }
 
   /** Looks at a window of the ring of what was taken, from @p firstEntry on, and adds it to
-   * @p windows, which are not full. */
+   * @p windows, which are not full. Judges it where what other labels have plays no part. */
   template <class Real>
   void note(const TakenValue& taken, std::span<const RingEntry> ring, std::size_t firstEntry,
     RingWindows& windows) const
@@ -45,177 +47,200 @@ public:
     const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
-    const Vector3Of<Real> origin{ Real() + centre.x, Real() + centre.y, Real() + centre.z };
+    const Vector3Of<Real> origin{ sameOf<Real>(centre.x), sameOf<Real>(centre.y),
+      sameOf<Real>(centre.z) };
     const typename Values::Sight sight = this->FrontValues.sight(*taken.label);
+    Judgement<Real> judgement(taken.vertex, taken.value);
     std::size_t others = windows.OthersCount;
-    Mask isQueued = 0;
+    unsigned isQueued = 0;
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
       // After the last neighbour come any others, with which nothing is done.
+      const Entries<Real> some(entries + i);
+      store(some.neighbours(), &windows.Neighbours[base + i]);
       Indices<Real> neighbours;
       for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
       {
         neighbours[lane] = entries[i + lane].neighbour();
-        windows.Neighbours[base + i + lane] = neighbours[lane];
       }
       const SeenValues<Real> seen = sight.template look<Real>(neighbours);
       const Vector3Of<Real> offset =
         sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
         origin;
+      const Real squares = dot(offset, offset);
       store(seen.values, &windows.Values[base + i]);
-      store(seen.values, &windows.Ceilings[base + i]);
       store(offset.x, &windows.X[base + i]);
       store(offset.y, &windows.Y[base + i]);
       store(offset.z, &windows.Z[base + i]);
-      store(dot(offset, offset), &windows.SquaredLengths[base + i]);
+      store(squares, &windows.SquaredLengths[base + i]);
       isQueued |= seen.areQueued << i;
       if constexpr (Values::hasOthers)
       {
+        store(seen.values, &windows.Ceilings[base + i]);
         windows.OthersSeen[others] = { base + i, seen.areOther };
         others += seen.areOther != 0;
       }
+      else
+      {
+        judgement.add(i, some, neighbours, squares, seen.values, seen.values, this->TriangleCost);
+      }
     }
-    windows.OthersCount = others;
-    windows.OwnValues[number] = taken.value;
+    const std::size_t last = size - 1;
+    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
+    const auto end = static_cast<Mask>(1u << last);
     RingWindows::Window& window = windows.Windows[number];
     window.vertex = taken.vertex;
-    window.label = taken.label;
     window.firstEntry = static_cast<Index>(firstEntry);
+    window.label = taken.label;
     window.size = static_cast<Index>(size);
-    window.isQueued = isQueued;
+    window.last = isRound ? static_cast<Index>(last) : 0;
+    windows.OwnValues[number] = taken.value;
+    windows.end[number] = end;
+    windows.again[number] = isRound ? end : Mask(0);
+    windows.isQueued[number] = static_cast<Mask>(isQueued);
+    if (!this->IsAllOpen)
+    {
+      windows.isOpen[number] = this->openTriangles(taken.vertex, firstEntry, last);
+    }
+    if constexpr (Values::hasOthers)
+    {
+      windows.OthersCount = others;
+      windows.isStraight[number] = WindowMasks::allIf(taken.label->shape == FrontShape::Straight);
+    }
+    else
+    {
+      judgement.put(number, windows);
+    }
   }
 
   /** Notes in the masks of a window what is worth a closer look. */
   template <class Real>
   void judge(std::size_t number, RingWindows& windows) const
   {
-    RingWindows::Window& window = windows.Windows[number];
+    const RingWindows::Window& window = windows.Windows[number];
     const std::size_t base = number * RingWindows::Size;
     const RingEntry* const entries = &this->Mesh.ring(window.vertex)[window.firstEntry];
-    const double own = windows.OwnValues[number];
-    Mask along = 0;
-    Mask first = 0;
-    Mask second = 0;
-    Mask isThin = 0;
-    // Of the neighbours before those that are looked at.
-    Index lastNeighbour = window.vertex;
-    Real lastValues = Real();
-    Real lastCeilings = Real();
-    Real lastSlacks = Real() + std::numeric_limits<double>::infinity();
+    Judgement<Real> judgement(window.vertex, windows.OwnValues[number]);
     for (std::size_t i = 0; i < window.size; i += lanes<Real>)
     {
       Indices<Real> neighbours;
-      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-      {
-        neighbours[lane] = windows.Neighbours[base + i + lane];
-      }
-      const Real values = geodesic::load<Real>(&windows.Values[base + i]);
-      const Real held = geodesic::load<Real>(&windows.Ceilings[base + i]);
-      const Real squares = geodesic::load<Real>(&windows.SquaredLengths[base + i]);
-      const Real rises = largest(held - own, Real());
-      along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
-
-      // The triangles that end here, each opened by the neighbour before.
-      const Real slacks = slacksOf<Real>(entries + i);
-      const Real costs = this->costsBefore<Real>(window.vertex, lastNeighbour, neighbours);
-      const Real bounds = own + costs * shiftedIn(lastSlacks, slacks);
-      const Real ceilings = 2.0 * held;
-      first |= bitsOf(bounds + values < shiftedIn(lastCeilings, ceilings)) << i;
-      second |= bitsOf(bounds + shiftedIn(lastValues, values) < ceilings) << i;
-      isThin |= thinOf<Real>(entries + i) << i;
-      lastNeighbour = neighbours.back();
-      lastValues = values;
-      lastCeilings = ceilings;
-      lastSlacks = slacks;
+      std::copy_n(&windows.Neighbours[base + i], lanes<Real>, neighbours.begin());
+      judgement.add(i, Entries<Real>(entries + i), neighbours,
+        load<Real>(&windows.SquaredLengths[base + i]), load<Real>(&windows.Values[base + i]),
+        load<Real>(&windows.Ceilings[base + i]), this->TriangleCost);
     }
-    const std::size_t last = window.size - 1;
-    const bool isRound = windows.Neighbours[base] == windows.Neighbours[base + last];
-    const Mask triangles = (Mask(1) << window.size >> 1) - 1;
-    window.last = isRound ? static_cast<Mask>(last) : 0;
-    window.isOpen = this->openTriangles(window.vertex, window.firstEntry, last) & triangles;
-    window.isThin = isThin & triangles;
-    window.along = along & (isRound ? triangles : triangles << 1 | 1);
-    window.first = first >> 1;
-    window.second = second >> 1;
+    judgement.put(number, windows);
   }
 
 private:
-  using Mask = RingWindows::Mask;
+  using Mask = WindowMasks::Mask;
 
-  // Of as many entries as a Real has numbers:
-
+  /** As many entries of a ring as a Real has numbers. */
   template <class Real>
-  GEODESIC_INLINED static Real slacksOf(const RingEntry* entries)
+  class Entries
   {
-    if constexpr (lanes<Real> == 2)
+  public:
+    GEODESIC_INLINED explicit Entries(const RingEntry* entries)
     {
-      return Real{ entries[0].slack(), entries[1].slack() };
+      std::memcpy(&this->First, entries, sizeof this->First);
+      std::memcpy(&this->Second, entries + lanes<Real> / 2, sizeof this->Second);
     }
-    else
+    GEODESIC_INLINED BitsOf<Real> neighbours() const { return evens(this->First, this->Second); }
+    GEODESIC_INLINED Real slacks() const
     {
-      using Floats = float __attribute__((vector_size(16)));
-      return __builtin_convertvector(
-        __builtin_shufflevector(load<Floats>(entries), load<Floats>(entries + 2), 1, 3, 5, 7),
-        Real);
+      using Floats = typename FloatsBeside<Real>::Type;
+      return __builtin_convertvector(std::bit_cast<Floats>(this->slackBits()), Real);
     }
-  }
+    /** Which are thin. */
+    GEODESIC_INLINED unsigned areThin() const
+    {
+      static_assert(RingEntry::ThinBit == 1);
+      return highestBits<Real>(this->slackBits() << 31);
+    }
 
-  /** Which are thin. */
+  private:
+    GEODESIC_INLINED BitsOf<Real> slackBits() const { return odds(this->First, this->Second); }
+
+    // Half of the entries each.
+    BitsOf<Real> First;
+    BitsOf<Real> Second;
+  };
+
+  /** What is worth a closer look in a window, found for some neighbours after the other. */
   template <class Real>
-  GEODESIC_INLINED static Mask thinOf(const RingEntry* entries)
+  class Judgement
   {
-    if constexpr (lanes<Real> == 2)
+  public:
+    Judgement(Index vertex, double own)
+      : Vertex(vertex)
+      , Own(own)
+      , LastNeighbour(vertex)
     {
-      return Mask(entries[0].isThin()) | Mask(entries[1].isThin()) << 1;
     }
-    else
+
+    /** @param held  nothing at or above it is of interest at the neighbours */
+    GEODESIC_INLINED void add(std::size_t i, const Entries<Real>& entries,
+      const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
+      const Cost& cost)
     {
-      using Bits = BitsOf<Real>;
-      const Bits bits =
-        __builtin_shufflevector(load<Bits>(entries), load<Bits>(entries + 2), 0, 2, 4, 6);
-      return highestBits<Real>(bits << (31 - RingEntry::ThinBitPlace));
+      const Real rises = largest(held - this->Own, Real());
+      this->Along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
+
+      // The triangles that end here, each opened by the neighbour before.
+      const Real slacks = entries.slacks();
+      const Real costs = lanesOf<Real>(
+        [&](std::size_t lane)
+        {
+          return cost.ofTriangle(
+            this->Vertex, lane > 0 ? neighbours[lane - 1] : this->LastNeighbour, neighbours[lane]);
+        });
+      const Real bounds = this->Own + costs * shiftedIn(this->LastSlacks, slacks);
+      this->First |= bitsOf(bounds + values < 2.0 * shiftedIn(this->LastHeld, held)) << i;
+      this->Second |= bitsOf(bounds + shiftedIn(this->LastValues, values) < 2.0 * held) << i;
+      this->IsThin |= entries.areThin() << i;
+      this->LastNeighbour = neighbours.back();
+      this->LastValues = values;
+      this->LastHeld = held;
+      this->LastSlacks = slacks;
     }
-  }
 
-  /** A vector that takes the room of two entries. */
-  template <class Vector>
-  GEODESIC_INLINED static Vector load(const RingEntry* entries)
-  {
-    static_assert(sizeof(Vector) == 2 * sizeof(RingEntry));
-    Vector vector;
-    std::memcpy(&vector, entries, sizeof vector);
-    return vector;
-  }
+    void put(std::size_t number, RingWindows& windows) const
+    {
+      windows.along[number] = static_cast<Mask>(this->Along);
+      windows.first[number] = static_cast<Mask>(this->First >> 1);
+      windows.second[number] = static_cast<Mask>(this->Second >> 1);
+      windows.isThin[number] = static_cast<Mask>(this->IsThin);
+    }
 
-  /** Of the triangles of a vertex between each neighbour and the one before. */
-  template <class Real>
-  GEODESIC_INLINED Real costsBefore(Index vertex, Index last, const Indices<Real>& neighbours) const
-  {
-    return lanesOf<Real>(
-      [&](std::size_t lane)
-      {
-        return this->TriangleCost.ofTriangle(
-          vertex, lane > 0 ? neighbours[lane - 1] : last, neighbours[lane]);
-      });
-  }
+  private:
+    Index Vertex;
+    double Own;
+    unsigned Along = 0;
+    unsigned First = 0;
+    unsigned Second = 0;
+    unsigned IsThin = 0;
+    // Of the neighbours before those that are looked at.
+    Index LastNeighbour;
+    Real LastValues = Real();
+    Real LastHeld = Real();
+    Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
+  };
 
-  /** Those that may be crossed, @p count of them; or just all, where nothing is closed. */
+  /** Those that may be crossed, @p count of them. */
   Mask openTriangles(Index vertex, std::size_t firstEntry, std::size_t count) const
   {
-    if (Cost::isUnit && this->Closed.isEmpty())
-    {
-      return ~Mask(0);
-    }
-    Mask isOpen = 0;
+    unsigned isOpen = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      isOpen |= Mask(this->Closed.isOpen(vertex, firstEntry + i)) << i;
+      isOpen |= static_cast<unsigned>(this->Closed.isOpen(vertex, firstEntry + i)) << i;
     }
-    return isOpen;
+    return static_cast<Mask>(isOpen);
   }
 
   const TriangleMesh& Mesh;
   const ClosedFans& Closed;
+  /** Then also what opens no triangle counts as open: it has no slack, and an edge no cost. */
+  bool IsAllOpen;
   const Cost& TriangleCost;
   const Values& FrontValues;
 };

@@ -63,6 +63,11 @@ public:
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
   {
+    if constexpr (!Values::hasOthers)
+    {
+      this->Windows.isStraight =
+        WindowMasks(WindowMasks::allIf(values.label(0).shape == FrontShape::Straight));
+    }
   }
 
   /** Sweeps over the triangles round the vertices of @p waiting, which were in the queue; has the
@@ -80,9 +85,9 @@ public:
   }
 
 private:
-  using Mask = RingWindows::Mask;
+  using Mask = WindowMasks::Mask;
+  using Masks = WindowMasks::All;
   using Window = RingWindows::Window;
-  static Mask bit(bool isSet, std::size_t i) { return static_cast<Mask>(isSet) << i; }
 
   // Flat: what is called from these and not inlined would not be compiled for AVX2.
 
@@ -141,41 +146,27 @@ private:
         this->template lookAtOthers<Real>(this->Windows.OthersSeen[i]);
       }
     }
-    this->Along.clear();
-    this->Over[0].clear();
-    this->Over[1].clear();
-    const auto judge = [&](std::size_t number)
-    { this->Look.template judge<Real>(number, this->Windows); };
-    const auto noteWaysAlong = [&](std::size_t number) { this->noteWaysAlong(number); };
-    const auto noteWaysOver = [&](std::size_t number) { this->noteWaysOver(number); };
     if constexpr (Values::hasOthers)
     {
+      for (std::size_t number = 0; number < this->Windows.Count; ++number)
+      {
+        this->Look.template judge<Real>(number, this->Windows);
+      }
       // A value of one of several labels has to be found before it can be lowered. So along edges
       // goes only what is lower still than what came over edges.
-      this->inAllWindows(judge, noteWaysOver);
+      this->noteWaysOver();
       this->goOver<Real>();
-      this->inAllWindows(noteWaysAlong);
+      this->noteWaysAlong();
       this->goAlong();
     }
     else
     {
-      this->inAllWindows(judge, noteWaysAlong);
+      this->noteWaysAlong();
       this->goAlong();
-      this->inAllWindows(noteWaysOver);
+      this->noteWaysOver();
       this->goOver<Real>();
     }
-    this->Windows.Count = 0;
-    this->Windows.OthersCount = 0;
-  }
-
-  /** Calls each of @p works with the number of every window, window by window. */
-  template <class... Works>
-  void inAllWindows(const Works&... works)
-  {
-    for (std::size_t number = 0; number < this->Windows.Count; ++number)
-    {
-      (works(number), ...);
-    }
+    this->Windows.clear();
   }
 
   /** All of them are fetched before the first is looked up, as many may be far in memory. */
@@ -194,7 +185,7 @@ private:
   {
     const Slot first = others.first();
     const unsigned areOther = others.which();
-    Window& window = this->Windows.at(first);
+    const Window& window = this->Windows.at(first);
     Indices<Real> neighbours;
     std::copy_n(&this->Windows.Neighbours[first], lanes<Real>, neighbours.begin());
     const Real best = load<Real>(&this->Windows.Values[first]);
@@ -203,23 +194,54 @@ private:
     const TestOf<Real> isOther = whereSet<Real>(areOther);
     store(select(isOther, known.values, best), &this->Windows.Values[first]);
     store(select(isOther, known.ceilings, best), &this->Windows.Ceilings[first]);
-    window.isQueued |= (known.areQueued & areOther) << first % RingWindows::Size;
+    this->Windows.isQueued[RingWindows::windowOf(first)] |=
+      static_cast<Mask>((known.areQueued & areOther) << first % RingWindows::Size);
   }
 
-  void noteWaysAlong(std::size_t number)
+  /** In all windows at once. */
+  void noteWaysAlong()
   {
-    const Window& window = this->Windows.Windows[number];
-    const std::size_t base = number * RingWindows::Size;
     if constexpr (Values::hasOthers)
     {
       // What came over an edge to the last neighbour came to the first, where that is the same.
-      this->Windows.Ceilings[base] =
-        std::min(this->Windows.Ceilings[base], this->Windows.Ceilings[base + window.last]);
+      for (std::size_t number = 0; number < RingWindows::Most; ++number)
+      {
+        double* const ceilings = &this->Windows.Ceilings[number * RingWindows::Size];
+        ceilings[0] = std::min(ceilings[0], ceilings[this->Windows.Windows[number].last]);
+      }
     }
-    const Mask beforeFirst = window.last > 0 ? window.isOpen >> (window.last - 1) : 0;
-    const Mask isOpenEdge = window.isOpen | window.isOpen << 1 | beforeFirst;
-    this->Along.add(
-      window.along & isOpenEdge, [&](int slot) { return static_cast<Slot>(base + slot); });
+    const Masks end = this->Windows.end.all();
+    const Masks again = this->Windows.again.all();
+    const Masks isOpen = this->openTriangles();
+    // Before the first neighbour comes the triangle that ends where it comes again.
+    const Masks isOpenBeforeFirst = WindowMasks::all((isOpen & again >> 1) != 0) & 1;
+    const Masks isOpenEdge = isOpen | isOpen << 1 | isOpenBeforeFirst;
+    const Masks isOnce = (end - 1) | (end & ~again);
+    this->Windows.along.set(this->Windows.along.all() & isOnce & isOpenEdge);
+    this->Along.clear();
+    this->inSomeWindows(
+      [&](std::size_t first)
+      {
+        const std::size_t base = first * RingWindows::Size;
+        this->Along.add(this->Windows.along.some(first),
+          [&](std::size_t slot) { return static_cast<Slot>(base + slot); });
+      });
+  }
+
+  /** Of all windows. */
+  GEODESIC_INLINED Masks openTriangles() const
+  {
+    return this->Windows.isOpen.all() & (this->Windows.end.all() - 1);
+  }
+
+  /** Calls @p work with the first of some windows that come together in masks. */
+  template <class Work>
+  void inSomeWindows(const Work& work)
+  {
+    for (std::size_t first = 0; first < RingWindows::Most; first += WindowMasks::SizeOfSome)
+    {
+      work(first);
+    }
   }
 
   void goAlong()
@@ -232,20 +254,32 @@ private:
 
   void goAlong(Slot slot)
   {
-    Window& window = this->Windows.at(slot);
     const double length = std::sqrt(this->Windows.SquaredLengths[slot]);
     const double value =
       this->Windows.OwnValues[RingWindows::windowOf(slot)] + this->edgeCost(slot) * length;
-    if (value < this->Windows.Ceilings[slot])
+    if (value < this->ceilings()[slot])
     {
-      const KnownValue held =
-        this->FrontValues.propose(*window.label, this->Windows.Neighbours[slot], value);
+      const KnownValue held = this->FrontValues.propose(
+        *this->Windows.at(slot).label, this->Windows.Neighbours[slot], value);
       if constexpr (!Values::hasOthers)
       {
         this->Windows.Values[slot] = held.value;
-        this->Windows.Ceilings[slot] = held.ceiling;
-        window.isQueued |= bit(held.isQueued, slot % RingWindows::Size);
+        this->Windows.isQueued[RingWindows::windowOf(slot)] |=
+          static_cast<Mask>(static_cast<unsigned>(held.isQueued) << slot % RingWindows::Size);
       }
+    }
+  }
+
+  /** Of one label's neighbours values and ceilings are the same. */
+  const auto& ceilings() const
+  {
+    if constexpr (Values::hasOthers)
+    {
+      return this->Windows.Ceilings;
+    }
+    else
+    {
+      return this->Windows.Values;
     }
   }
 
@@ -257,13 +291,15 @@ private:
       return 1.0;
     }
     constexpr double none = std::numeric_limits<double>::infinity();
-    const Window& window = this->Windows.at(slot);
+    const std::size_t window = RingWindows::windowOf(slot);
+    const unsigned isOpen = this->Windows.isOpen[window];
+    const std::size_t again = this->Windows.Windows[window].last;
     const std::size_t i = slot % RingWindows::Size;
     const std::size_t base = slot - i;
-    const std::size_t last = i > 0 ? i - 1 : window.last > 0 ? window.last - 1 : RingWindows::Size;
-    const double after = window.isOpen >> i & 1 ? this->triangleCost(slot) : none;
+    const std::size_t last = i > 0 ? i - 1 : again > 0 ? again - 1 : RingWindows::Size;
+    const double after = isOpen >> i & 1 ? this->triangleCost(slot) : none;
     const double before =
-      window.isOpen >> last & 1 ? this->triangleCost(static_cast<Slot>(base + last)) : none;
+      isOpen >> last & 1 ? this->triangleCost(static_cast<Slot>(base + last)) : none;
     return std::min(before, after);
   }
 
@@ -274,28 +310,54 @@ private:
       this->Windows.Neighbours[slot], this->Windows.Neighbours[slot + 1]);
   }
 
-  void noteWaysOver(std::size_t number)
+  /** In all windows at once. */
+  void noteWaysOver()
   {
-    const Window& window = this->Windows.Windows[number];
-    const std::size_t base = number * RingWindows::Size;
     if constexpr (!Values::hasOthers)
     {
       // What came along the edge to the first neighbour came to the last, where that is the same.
-      this->Windows.Values[base + window.last] = this->Windows.Values[base];
-      this->Windows.Ceilings[base + window.last] = this->Windows.Ceilings[base];
+      for (std::size_t number = 0; number < RingWindows::Most; ++number)
+      {
+        double* const values = &this->Windows.Values[number * RingWindows::Size];
+        values[this->Windows.Windows[number].last] = values[0];
+      }
     }
-    const auto rounded = [&](Mask mask) { return mask | (mask & 1) << window.last; };
-    const Mask isQueued = rounded(window.isQueued);
-    const Mask along = rounded(window.along);
+    const Masks again = this->Windows.again.all();
+    const auto rounded = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
+    const Masks isOpen = this->openTriangles();
+    const Masks isThin = this->Windows.isThin.all();
+    const Masks isSettled = ~rounded(this->Windows.isQueued.all());
+    const Masks along = rounded(this->Windows.along.all());
     // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
     // lies behind the edge may come before it.
-    const Mask first = (window.first | (window.isThin & along >> 1)) & window.isOpen &
-      (window.isThin | ~(isQueued >> 1));
-    const Mask second =
-      (window.second | (window.isThin & along)) & window.isOpen & (window.isThin | ~isQueued);
-    this->Over[static_cast<std::size_t>(window.label->shape)].add(
-      first | second << RingWindows::Size,
-      [&](int way) { return WayOver(base, base) + waysOver[way]; });
+    const Masks first =
+      (this->Windows.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
+    const Masks second =
+      (this->Windows.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
+    const Masks isStraight = this->Windows.isStraight.all();
+    this->noteWaysOver<FrontShape::Round>(first & ~isStraight, second & ~isStraight);
+    this->noteWaysOver<FrontShape::Straight>(first & isStraight, second & isStraight);
+  }
+
+  template <FrontShape Shape>
+  GEODESIC_INLINED void noteWaysOver(const Masks& first, const Masks& second)
+  {
+    auto& ways = this->Over[static_cast<std::size_t>(Shape)];
+    ways.clear();
+    this->Windows.first.set(first);
+    this->Windows.second.set(second);
+    if (this->Windows.first.hasAny() || this->Windows.second.hasAny())
+    {
+      this->inSomeWindows(
+        [&](std::size_t window)
+        {
+          const std::size_t base = window * RingWindows::Size;
+          ways.add(this->Windows.first.some(window),
+            [&](std::size_t slot) { return WayOver(1, 0).later(base + slot); });
+          ways.add(this->Windows.second.some(window),
+            [&](std::size_t slot) { return WayOver(0, 1).later(base + slot); });
+        });
+    }
   }
 
   template <class Real>
@@ -342,7 +404,7 @@ private:
     const Real values = Shape == FrontShape::Round
       ? cost * pointSourceCrossing<Real>(flat, a / cost, b / cost)
       : straightFrontCrossing<Real>(flat, a, b, cost);
-    const unsigned isLower = bitsOf(values < gathered<Real>(windows.Ceilings, target));
+    const unsigned isLower = bitsOf(values < gathered<Real>(this->ceilings(), target));
     for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
     {
       this->Proposals[count] = { values[lane], target(lane) };
@@ -378,9 +440,9 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   Values& FrontValues;
-  BitList<Slot, RingWindows::Slots, 3> Along;
+  BitList<Slot, RingWindows::Slots, 8> Along;
   /** By the front's shape. */
-  std::array<BitList<WayOver, 2 * RingWindows::Slots, 4>, 2> Over;
+  std::array<BitList<WayOver, 2 * RingWindows::Slots, 6>, 2> Over;
   /** What propose() proposes. */
   std::array<Proposal, 4 * RingWindows::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace geodesic
 {
@@ -24,6 +25,62 @@ GEODESIC_INLINED Real gathered(const std::array<double, Size>& numbers, SlotAt s
   return lanesOf<Real>([&](std::size_t lane) { return numbers[slotAt(lane)]; });
 }
 
+/** One mask for each of some windows, see RingWindows: treated all at once. */
+class WindowMasks
+{
+public:
+  /** One bit for each slot of a window, or for each triangle between a slot and the next. */
+  using Mask = std::uint16_t;
+  /** Slots of a window. */
+  static constexpr std::size_t Size = 16;
+  static constexpr std::size_t Most = 16;
+  using All = Mask __attribute__((vector_size(Most * sizeof(Mask))));
+  /** Those of windows side by side, whose slots follow each other. */
+  using Some = std::uint64_t;
+  static constexpr std::size_t SizeOfSome = sizeof(Some) / sizeof(Mask);
+
+  /** All bits or none. */
+  static Mask allIf(bool test) { return static_cast<Mask>(test ? ~0u : 0u); }
+
+  WindowMasks() = default;
+  explicit WindowMasks(Mask mask) { this->Masks.fill(mask); }
+  Mask& operator[](std::size_t window) { return this->Masks[window]; }
+  Mask operator[](std::size_t window) const { return this->Masks[window]; }
+
+  GEODESIC_INLINED All all() const
+  {
+    All all;
+    std::memcpy(&all, this->Masks.data(), sizeof all);
+    return all;
+  }
+  GEODESIC_INLINED void set(const All& all) { std::memcpy(this->Masks.data(), &all, sizeof all); }
+  /** Each all bits where a test holds, else none. */
+  GEODESIC_INLINED static All all(const decltype(All() == All())& test)
+  {
+    return reinterpret_cast<const All&>(test);
+  }
+  bool hasAny() const
+  {
+    Some any = 0;
+    for (std::size_t first = 0; first < Most; first += SizeOfSome)
+    {
+      any |= this->some(first);
+    }
+    return any != 0;
+  }
+  /** Of the windows from @p first on. */
+  Some some(std::size_t first) const
+  {
+    static_assert(std::endian::native == std::endian::little, "the first slot is in the first bit");
+    Some some;
+    std::memcpy(&some, &this->Masks[first], sizeof some);
+    return some;
+  }
+
+private:
+  alignas(All) std::array<Mask, Most> Masks{};
+};
+
 /**
  * Some vertices with their rings, cut into windows of a size, and what a sweep knows of the
  * neighbours: slot by slot in flat arrays, so that several can be treated at once, wherever they
@@ -32,34 +89,22 @@ GEODESIC_INLINED Real gathered(const std::array<double, Size>& numbers, SlotAt s
 struct RingWindows
 {
   /** Slots of a window. */
-  static constexpr std::size_t Size = 16;
+  static constexpr std::size_t Size = WindowMasks::Size;
   static constexpr std::size_t Most = 12;
   static constexpr std::size_t Slots = Size * Most;
-  /** One bit for each slot of a window, or for each triangle between a slot and the next. */
-  using Mask = std::uint32_t;
+  static_assert(Most <= WindowMasks::Most && Most % WindowMasks::SizeOfSome == 0);
 
   struct Window
   {
     Index vertex;
-    /** That the vertex is swept for. */
-    const MarchedLabel* label;
     /** Where in the vertex's ring the window begins. */
     Index firstEntry;
+    /** That the vertex is swept for. */
+    const MarchedLabel* label;
     /** Slots in use. */
     Index size;
     /** The slot in which the first neighbour comes again, where the window closes; else 0. */
-    Mask last;
-    /** Neighbours that wait to be swept with their values. */
-    Mask isQueued;
-    /** Triangles that may be crossed. */
-    Mask isOpen;
-    Mask isThin;
-    /** Neighbours that may gain, along the edge to them. */
-    Mask along;
-    /** Triangles in which the neighbour that opens them, or the one after it, may gain over the
-     * edge to the other. */
-    Mask first;
-    Mask second;
+    Index last = 0;
   };
 
   /** Neighbours side by side, some of which have a best value of another label than the one that
@@ -82,6 +127,16 @@ struct RingWindows
     std::uint32_t Both = 0;
   };
 
+  void clear()
+  {
+    this->Count = 0;
+    this->OthersCount = 0;
+    for (WindowMasks* masks : { &this->along, &this->first, &this->second, &this->isThin })
+    {
+      masks->set(WindowMasks::All());
+    }
+  }
+
   static std::size_t windowOf(Slot slot) { return slot / Size; }
   Window& at(Slot slot) { return this->Windows[windowOf(slot)]; }
   const Window& at(Slot slot) const { return this->Windows[windowOf(slot)]; }
@@ -92,6 +147,26 @@ struct RingWindows
   std::array<Others, Slots / lanes<Pair> + 1> OthersSeen;
   /** Of the windows' vertices. */
   std::array<double, Most> OwnValues;
+
+  // Of the windows; 0 of those that are not there, but for isOpen and isStraight.
+
+  /** The last slot in use. */
+  WindowMasks end;
+  /** The slot in which the first neighbour comes again, where the window closes. */
+  WindowMasks again;
+  /** Whether the front is straight: all bits or none. */
+  WindowMasks isStraight;
+  /** Neighbours that wait to be swept with their values. */
+  WindowMasks isQueued;
+  /** Triangles that may be crossed. */
+  WindowMasks isOpen{ WindowMasks::allIf(true) };
+  WindowMasks isThin;
+  /** Neighbours that may gain, along the edge to them. */
+  WindowMasks along;
+  /** The second neighbours of triangles in which the first one may gain over the edge to the
+   * second, and in which the second may over that to the first. */
+  WindowMasks first;
+  WindowMasks second;
 
   // Of the neighbours; the first one in a window comes again in the last slot, where it closes.
   std::array<Index, Slots> Neighbours;
@@ -117,11 +192,12 @@ public:
   }
   constexpr Slot over() const { return static_cast<Slot>(this->Both); }
   constexpr Slot target() const { return static_cast<Slot>(this->Both >> Bits); }
-  /** Adds slot by slot. */
-  friend constexpr WayOver operator+(WayOver a, WayOver b)
+  /** The same way between neighbours so many slots on. */
+  constexpr WayOver later(std::size_t slots) const
   {
-    a.Both += b.Both;
-    return a;
+    WayOver way;
+    way.Both = this->Both + static_cast<std::uint32_t>(slots * (1u + (1u << Bits)));
+    return way;
   }
 
 private:
@@ -130,21 +206,8 @@ private:
   std::uint32_t Both = 0;
 };
 
-/** In the first window, by the number of a bit in Window::first and, RingWindows::Size higher,
- * Window::second. */
-inline constexpr auto waysOver = []
-{
-  std::array<WayOver, 2 * RingWindows::Size> ways;
-  for (std::size_t slot = 0; slot < RingWindows::Size; ++slot)
-  {
-    ways[slot] = WayOver(slot + 1, slot);
-    ways[slot + RingWindows::Size] = WayOver(slot, slot + 1);
-  }
-  return ways;
-}();
-
 /**
- * A list that takes on one item for each bit of a mask. How many bits there are is not to be
+ * A list that takes on one item for each bit of some masks. How many bits there are is not to be
  * guessed, so for up to @p Usual there is no branch on it.
  * @tparam Size  the most items there can be, and Usual more
  */
@@ -154,7 +217,7 @@ class BitList
 public:
   /** @param itemOf gives the item of a bit's number */
   template <class ItemOf>
-  GEODESIC_INLINED void add(RingWindows::Mask bits, ItemOf itemOf)
+  GEODESIC_INLINED void add(WindowMasks::Some bits, ItemOf itemOf)
   {
     std::size_t count = this->Count;
     do
@@ -163,7 +226,7 @@ public:
       for (std::size_t i = 0; i < Usual; ++i)
       {
         // Of no bits the number is any, and they are not counted.
-        constexpr RingWindows::Mask stop = 1u << 31;
+        constexpr WindowMasks::Some stop = ~(~WindowMasks::Some{ 0 } >> 1);
         this->Items[count + i] = itemOf(std::countr_zero(bits | stop));
         bits &= bits - 1;
       }

@@ -17,10 +17,12 @@ namespace
 
 void checkNumber(std::size_t points)
 {
-  if (points > RingEntry::MaximumVertices)
+  // A march numbers what else is in its queue behind the vertices.
+  constexpr std::size_t most = 0x3fffffff;
+  if (points > most)
   {
     throw std::length_error("The surface has " + std::to_string(points) +
-      " points; one process holds at most " + std::to_string(RingEntry::MaximumVertices) +
+      " points; one process holds at most " + std::to_string(most) +
       ". Spread it over more ranks.");
   }
 }

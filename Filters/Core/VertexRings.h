@@ -6,6 +6,7 @@
 #include "ThreadTeam.h"
 #include "Vector3.h"
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -24,27 +25,29 @@ public:
   constexpr RingEntry() = default;
   /** Opens no triangle. */
   constexpr explicit RingEntry(Index neighbour)
-    : Bits(neighbour)
-    , Slack(std::numeric_limits<float>::infinity())
+    : Neighbour(neighbour)
   {
   }
-  /** Opens a triangle, of which the rest tells. */
+  /** Opens a triangle, of which the rest tells: a finite slack, less than 0 where it is thin. */
   constexpr RingEntry(Index neighbour, float slack, bool isThin)
-    : Bits(neighbour | TriangleBit | (isThin ? ThinBit : 0u))
-    , Slack(slack)
+    : Neighbour(neighbour)
+    , Slack(slackWith(isThin, slack))
   {
   }
   /** The entry of another neighbour that opens the same triangle. */
   constexpr RingEntry at(Index neighbour) const
   {
     RingEntry entry = *this;
-    entry.Bits = neighbour | (this->Bits & ~MaximumVertices);
+    entry.Neighbour = neighbour;
     return entry;
   }
-  constexpr Index neighbour() const { return this->Bits & MaximumVertices; }
-  constexpr bool opensTriangle() const { return (this->Bits & TriangleBit) != 0; }
+  constexpr Index neighbour() const { return this->Neighbour; }
+  constexpr bool opensTriangle() const { return this->Slack < NoSlack; }
   /** Whether the triangle's height over its longest side is less than a quarter of that. */
-  constexpr bool isThin() const { return (this->Bits & ThinBit) != 0; }
+  constexpr bool isThin() const
+  {
+    return (std::bit_cast<std::uint32_t>(this->Slack) & ThinBit) != 0;
+  }
 
   /**
    * Tells from three values that no update of the triangle can gain anything: the least of 2 h - c
@@ -57,17 +60,22 @@ public:
 
   friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
 
-  /** For who reads several at once: where in 32 bits, with which an entry begins, isThin() is. */
-  static constexpr int ThinBitPlace = 30;
-
-  /** Largest number of vertices that the entry can tell apart. */
-  static constexpr Index MaximumVertices = 0x3fffffffu;
+  /** For who reads several at once: the bit of a slack that isThin() is. */
+  static constexpr std::uint32_t ThinBit = 1;
 
 private:
-  static constexpr Index TriangleBit = 0x80000000u;
-  static constexpr Index ThinBit = Index(1) << ThinBitPlace;
-  Index Bits = 0;
-  float Slack = 0.0f;
+  static constexpr float NoSlack = std::numeric_limits<float>::infinity();
+
+  /** Rounded down to where its last bit says whether the triangle is thin. */
+  static constexpr float slackWith(bool isThin, float slack)
+  {
+    const auto bits = std::bit_cast<std::uint32_t>(slack);
+    return std::bit_cast<float>(
+      slack < 0.0f ? bits + ((bits ^ (isThin ? ThinBit : 0u)) & ThinBit) : bits & ~ThinBit);
+  }
+
+  Index Neighbour = 0;
+  float Slack = NoSlack;
 };
 
 /** The largest of what is measured of the triangles round a vertex. */
@@ -119,7 +127,7 @@ public:
     __builtin_prefetch(entries + cacheLine / sizeof(RingEntry));
   }
 
-  /** The same of what prefetch() reads. */
+  /** Has it fetch what tells where that ring is. */
   [[gnu::always_inline]] void prefetchStart(Index vertex) const
   {
     __builtin_prefetch(&this->Starts[vertex]);
