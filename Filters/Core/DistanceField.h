@@ -3,6 +3,7 @@
 
 #include "Index.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
@@ -68,10 +69,30 @@ public:
    * visits it then goes through memory from front to back. */
   void orderReached();
   void setNearestSeed(Index vertex, Index seed) { this->NearestSeeds[vertex] = seed; }
+  /** Of all that was reached. */
+  void setNearestSeed(Index seed) { this->fillReached(std::span(this->NearestSeeds), seed); }
+  /** Gives all that was reached the same value in @p values, which are one a vertex. */
+  template <class Value>
+  void fillReached(std::span<Value> values, const Value& value) const
+  {
+    if (this->isWhole())
+    {
+      std::fill(values.begin(), values.end(), value);
+      return;
+    }
+    for (Index vertex : this->Reached)
+    {
+      values[vertex] = value;
+    }
+  }
   /** Takes back every distance above @p limit and sums up the run. */
   void finish(double limit, StopReason reason);
 
 private:
+  /** Whether every vertex was reached. */
+  bool isWhole() const { return this->Reached.size() == this->Distances.size(); }
+  double largestReached() const;
+
   std::vector<double> Distances;
   std::vector<Index> NearestSeeds;
   std::vector<Index> Reached;

@@ -73,11 +73,8 @@ public:
   /** Tells the field the nearest seed, and forgets all values. */
   void finish()
   {
-    for (Index vertex : this->context().field.reached())
-    {
-      this->context().field.setNearestSeed(vertex, this->Seed);
-      this->mark(vertex) = {};
-    }
+    this->context().field.setNearestSeed(this->Seed);
+    this->context().field.fillReached(this->context().marks, ValueMark());
   }
 
 private:
