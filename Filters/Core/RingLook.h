@@ -35,16 +35,15 @@ public:
   {
   }
 
-  /** Looks at a window of the ring of what was taken, from @p firstEntry on, and adds it to
-   * @p windows, which are not full. Judges it where what other labels have plays no part. */
+  /** Looks at a window of the ring of what was taken. Judges it where what other labels have plays
+   * no part. */
   template <class Real>
-  void note(const TakenValue& taken, std::span<const RingEntry> ring, std::size_t firstEntry,
-    RingWindows& windows) const
+  void note(const TakenValue& taken, std::size_t number, RingWindows& windows) const
   {
-    const std::size_t number = windows.Count++;
+    RingWindows::Window& window = windows.Windows[number];
     const std::size_t base = number * RingWindows::Size;
-    const RingEntry* const entries = &ring[firstEntry];
-    const std::size_t size = std::min(RingWindows::Size, ring.size() - firstEntry);
+    const RingEntry* const entries = window.entries;
+    const std::size_t size = window.size;
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ sameOf<Real>(centre.x), sameOf<Real>(centre.y),
@@ -88,11 +87,7 @@ public:
     const std::size_t last = size - 1;
     const bool isRound = entries[0].neighbour() == entries[last].neighbour();
     const auto end = static_cast<Mask>(1u << last);
-    RingWindows::Window& window = windows.Windows[number];
-    window.vertex = taken.vertex;
-    window.firstEntry = static_cast<Index>(firstEntry);
     window.label = taken.label;
-    window.size = static_cast<Index>(size);
     window.last = isRound ? static_cast<Index>(last) : 0;
     windows.OwnValues[number] = taken.value;
     windows.end[number] = end;
@@ -100,7 +95,7 @@ public:
     windows.isQueued[number] = static_cast<Mask>(isQueued);
     if (!this->IsAllOpen)
     {
-      windows.isOpen[number] = this->openTriangles(taken.vertex, firstEntry, last);
+      windows.isOpen[number] = this->openTriangles(window, last);
     }
     if constexpr (Values::hasOthers)
     {
@@ -119,7 +114,7 @@ public:
   {
     const RingWindows::Window& window = windows.Windows[number];
     const std::size_t base = number * RingWindows::Size;
-    const RingEntry* const entries = &this->Mesh.ring(window.vertex)[window.firstEntry];
+    const RingEntry* const entries = window.entries;
     Judgement<Real> judgement(window.vertex, windows.OwnValues[number]);
     for (std::size_t i = 0; i < window.size; i += lanes<Real>)
     {
@@ -227,12 +222,14 @@ private:
   };
 
   /** Those that may be crossed, @p count of them. */
-  Mask openTriangles(Index vertex, std::size_t firstEntry, std::size_t count) const
+  Mask openTriangles(const RingWindows::Window& window, std::size_t count) const
   {
+    const auto firstEntry =
+      static_cast<std::size_t>(window.entries - this->Mesh.ring(window.vertex).data());
     unsigned isOpen = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      isOpen |= static_cast<unsigned>(this->Closed.isOpen(vertex, firstEntry + i)) << i;
+      isOpen |= static_cast<unsigned>(this->Closed.isOpen(window.vertex, firstEntry + i)) << i;
     }
     return static_cast<Mask>(isOpen);
   }

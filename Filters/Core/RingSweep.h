@@ -39,7 +39,7 @@ namespace geodesic
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the labels of the march:
  *                 label(Index) -> MarchedLabel;
- *                 take(Index) -> TakenValue of what was in the queue;
+ *                 vertexOf(Index), take(Index) -> TakenValue of what was in the queue;
  *                 prefetch(Index), some time before that;
  *                 sight(MarchedLabel), to look<Real>(const Indices<Real>&) at vertices ->
  *                 SeenValues<Real>;
@@ -108,27 +108,77 @@ private:
   template <class Real, class DoNoted>
   void lookRound(std::span<const Index> waiting, std::span<const Index> next, DoNoted doNoted)
   {
-    constexpr std::size_t step = RingWindows::Size - 1;
-    for (std::size_t i = 0; i < waiting.size(); ++i)
+    // Where all the rings are comes first: what is known of one is then not in the way of others.
+    for (const Index item : waiting)
     {
-      // Little by little: a processor waits when it is to fetch too much at a time.
-      if (i < next.size())
+      const Index vertex = this->FrontValues.vertexOf(item);
+      const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+      const bool fits = ring.size() > 1 && ring.size() <= RingWindows::Size;
+      if (this->Windows.Count == RingWindows::Most || !fits) [[unlikely]]
       {
-        this->FrontValues.prefetch(next[i]);
+        next = this->template noteAll<Real>(next);
+        doNoted();
       }
-      const TakenValue taken = this->FrontValues.take(waiting[i]);
-      const std::span<const RingEntry> ring =
-        taken.vertex != NoIndex ? this->Mesh.ring(taken.vertex) : std::span<const RingEntry>();
-      for (std::size_t first = 0; first + 1 < ring.size(); first += step)
+      if (fits) [[likely]]
       {
-        if (this->Windows.Count == RingWindows::Most)
-        {
-          doNoted();
-        }
-        this->Look.template note<Real>(taken, ring, first, this->Windows);
+        this->Windows.add(vertex, item, ring);
+      }
+      else
+      {
+        this->template lookRoundInParts<Real>(item, ring, doNoted);
       }
     }
+    this->template noteAll<Real>(next);
     doNoted();
+  }
+
+  /** The same of one vertex, whose ring takes several windows or none. */
+  template <class Real, class DoNoted>
+  void lookRoundInParts(Index item, std::span<const RingEntry> ring, DoNoted doNoted)
+  {
+    const TakenValue taken = this->FrontValues.take(item);
+    if (taken.vertex == NoIndex)
+    {
+      return;
+    }
+    constexpr std::size_t step = RingWindows::Size - 1;
+    for (std::size_t first = 0; first + 1 < ring.size(); first += step)
+    {
+      if (this->Windows.Count == RingWindows::Most)
+      {
+        doNoted();
+      }
+      this->Windows.add(taken.vertex, item, ring.subspan(first));
+      this->Look.template note<Real>(taken, this->Windows.Count - 1, this->Windows);
+    }
+    doNoted();
+  }
+
+  /** Takes what the windows are of and looks at them; has the processor fetch some of @p next and
+   * returns the others. */
+  template <class Real>
+  std::span<const Index> noteAll(std::span<const Index> next)
+  {
+    for (std::size_t number = 0; number < this->Windows.Count; ++number)
+    {
+      // Little by little: a processor waits when it is to fetch too much at a time.
+      if (!next.empty())
+      {
+        this->FrontValues.prefetch(next[0]);
+        next = next.subspan(1);
+      }
+      RingWindows::Window& window = this->Windows.Windows[number];
+      const TakenValue taken = this->FrontValues.take(window.item);
+      if (taken.vertex != NoIndex)
+      {
+        this->Look.template note<Real>(taken, number, this->Windows);
+      }
+      else
+      {
+        window.size = 0;
+      }
+    }
+    return next;
   }
 
   /** Does what was noted. */

@@ -4,6 +4,7 @@
 #include "Index.h"
 #include "KnownValues.h"
 #include "Lanes.h"
+#include "VertexRings.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 namespace geodesic
 {
@@ -97,15 +99,26 @@ struct RingWindows
   struct Window
   {
     Index vertex;
-    /** Where in the vertex's ring the window begins. */
-    Index firstEntry;
-    /** That the vertex is swept for. */
-    const MarchedLabel* label;
-    /** Slots in use. */
+    /** Slots in use; 0 where there is nothing to be done. */
     Index size;
+    const RingEntry* entries;
+    /** What of the queue the vertex is swept for. */
+    Index item;
     /** The slot in which the first neighbour comes again, where the window closes; else 0. */
     Index last = 0;
+    /** That the vertex is swept for. */
+    const MarchedLabel* label;
   };
+
+  /** Adds a window onto the first part of a ring, or of the rest of one. @pre Count < Most */
+  void add(Index vertex, Index item, std::span<const RingEntry> ring)
+  {
+    Window& window = this->Windows[this->Count++];
+    window.vertex = vertex;
+    window.item = item;
+    window.entries = ring.data();
+    window.size = static_cast<Index>(std::min(Size, ring.size()));
+  }
 
   /** Neighbours side by side, some of which have a best value of another label than the one that
    * is swept. */
