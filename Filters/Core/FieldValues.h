@@ -74,6 +74,11 @@ public:
 protected:
   FieldValues(const MarchContext<Cost>& context, double firstDistance)
     : Context(context)
+    , Control(context.control)
+    , Field(context.field)
+    , Queue(context.queue)
+    , MayStop(context.limit.isPossible())
+    , HasExcluded(!context.options.excluded.empty())
     , First(firstDistance)
     , Marks(context.marks)
     , Distances(context.field.distances())
@@ -98,11 +103,16 @@ protected:
   /** What a value has to be below in order to count where there is @p old. */
   double ceiling(const MarchedLabel& label, Index vertex, double old) const
   {
-    const double counts = old * this->Context.control.keptFraction();
-    return this->Context.limit.isNone()
-      ? counts
-      : std::min(
-          counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue);
+    const double counts = old * this->Control.keptFraction();
+    return this->MayStop
+      ? std::min(
+          counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue)
+      : counts;
+  }
+
+  bool isExcluded(Index vertex) const
+  {
+    return this->HasExcluded && this->Context.options.isExcluded(vertex);
   }
 
   /** Lowers the value of a vertex that waits, as no excluded one does, if that counts; returns what
@@ -112,7 +122,7 @@ protected:
     const double ceiling = this->ceiling(label, vertex, this->value(label, vertex));
     const Pair distance = select(Pair{ value } < Pair{ ceiling }, Pair{ value + label.seedValue },
       Pair{ this->Distances[vertex] });
-    this->Context.field.lowerDistance(vertex, distance[0]);
+    this->Field.lowerDistance(vertex, distance[0]);
     const double held = distance[0] - label.seedValue;
     return { held, held, true };
   }
@@ -122,7 +132,7 @@ protected:
   KnownValue offer(const MarchedLabel& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
-    if (!this->mark(vertex).isPinned() && !this->Context.options.isExcluded(vertex) &&
+    if (!this->mark(vertex).isPinned() && !this->isExcluded(vertex) &&
       value < this->ceiling(label, vertex, old))
     {
       this->set(label, vertex, value);
@@ -135,11 +145,11 @@ protected:
   {
     if (this->mark(vertex).isQueued())
     {
-      this->Context.field.lowerDistance(vertex, value + label.seedValue);
+      this->Field.lowerDistance(vertex, value + label.seedValue);
     }
     else
     {
-      this->Context.field.setDistance(vertex, value + label.seedValue);
+      this->Field.setDistance(vertex, value + label.seedValue);
       this->mark(vertex).queueFor(label.labelBits);
       this->queue(label, vertex, value);
     }
@@ -148,11 +158,17 @@ protected:
   /** @param item  a vertex, or what else stands for a value of the label */
   void queue(const MarchedLabel& label, Index item, double value)
   {
-    this->Context.queue.push(item, value + label.seedValue - this->First);
+    this->Queue.push(item, value + label.seedValue - this->First);
   }
 
 private:
   const MarchContext<Cost>& Context;
+  // What of it every value asks for.
+  const MarchControl& Control;
+  DistanceField& Field;
+  BucketQueue& Queue;
+  bool MayStop;
+  bool HasExcluded;
   double First;
   std::span<ValueMark> Marks;
   std::span<const double> Distances;

@@ -250,7 +250,7 @@ private:
     Index number = this->Sets.find(vertex, label.number());
     const KnownValue known = this->knownFurther(number, this->keptUpTo(label, vertex));
     if (!(value < this->ceiling(label, vertex, known.ceiling)) ||
-      this->context().options.isExcluded(vertex))
+      this->isExcluded(vertex))
     {
       return known;
     }

@@ -296,28 +296,48 @@ private:
 
   void goAlong()
   {
-    for (std::size_t i = 0; i < this->Along.size(); ++i)
+    if constexpr (Values::hasOthers)
     {
-      this->goAlong(this->Along[i]);
+      // Which of them lower a value is not to be guessed, so there is no branch on it.
+      std::size_t count = this->NumberOfProposals;
+      for (std::size_t i = 0; i < this->Along.size(); ++i)
+      {
+        const Slot slot = this->Along[i];
+        const double value = this->valueAlong(slot);
+        this->Proposals[count] = { value, slot };
+        count += value < this->ceilings()[slot] ? 1 : 0;
+      }
+      this->NumberOfProposals = count;
+      this->propose();
+    }
+    else
+    {
+      for (std::size_t i = 0; i < this->Along.size(); ++i)
+      {
+        this->goAlong(this->Along[i]);
+      }
     }
   }
 
+  /** What comes over edges next is to know of it. */
   void goAlong(Slot slot)
   {
-    const double length = std::sqrt(this->Windows.SquaredLengths[slot]);
-    const double value =
-      this->Windows.OwnValues[RingWindows::windowOf(slot)] + this->edgeCost(slot) * length;
+    const double value = this->valueAlong(slot);
     if (value < this->ceilings()[slot])
     {
+      const std::size_t window = RingWindows::windowOf(slot);
       const KnownValue held = this->FrontValues.propose(
-        *this->Windows.at(slot).label, this->Windows.Neighbours[slot], value);
-      if constexpr (!Values::hasOthers)
-      {
-        this->Windows.Values[slot] = held.value;
-        this->Windows.isQueued[RingWindows::windowOf(slot)] |=
-          static_cast<Mask>(static_cast<unsigned>(held.isQueued) << slot % RingWindows::Size);
-      }
+        *this->Windows.Windows[window].label, this->Windows.Neighbours[slot], value);
+      this->Windows.Values[slot] = held.value;
+      this->Windows.isQueued[window] |=
+        static_cast<Mask>(static_cast<unsigned>(held.isQueued) << slot % RingWindows::Size);
     }
+  }
+
+  double valueAlong(Slot slot) const
+  {
+    const double length = std::sqrt(this->Windows.SquaredLengths[slot]);
+    return this->Windows.OwnValues[RingWindows::windowOf(slot)] + this->edgeCost(slot) * length;
   }
 
   /** Of one label's neighbours values and ceilings are the same. */

@@ -28,7 +28,11 @@ public:
   }
 
   double value() const { return this->Limit; }
-  bool isNone() const { return this->Limit == DistanceField::Unreached; }
+  /** Whether there is one now, or may be later. */
+  bool isPossible() const
+  {
+    return this->Limit < DistanceField::Unreached || !this->Options.targets.empty();
+  }
 
   /**
    * The largest value that may still matter where neighbours differ by up to @p reach: one above
