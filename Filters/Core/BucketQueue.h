@@ -42,7 +42,7 @@ public:
     this->LastIndex = this->Buckets.size() - 1;
     this->PerWidth = 1.0 / width;
     this->BlockBits = blockBits;
-    this->Current = 0;
+    this->goTo(0);
     this->Next = 0;
     this->Count = 0;
   }
@@ -53,11 +53,10 @@ public:
   void push(Index item, double key)
   {
     const double number = key * this->PerWidth;
-    const std::uint64_t last = this->Current + this->LastIndex;
-    const std::uint64_t bucket = number < static_cast<double>(last)
-      ? std::max(static_cast<std::uint64_t>(number), this->Current)
-      : last;
-    this->bucket(bucket).push_back(item);
+    const std::int64_t bucket = number < this->LastNumber
+      ? std::max(static_cast<std::int64_t>(number), static_cast<std::int64_t>(this->Current))
+      : static_cast<std::int64_t>(this->Current + this->LastIndex);
+    this->bucket(static_cast<std::uint64_t>(bucket)).push_back(item);
     ++this->Count;
   }
 
@@ -76,14 +75,14 @@ public:
     {
       this->bucket(this->Current).clear();
       this->Next = 0;
-      this->Current = std::max(this->Current, end);
+      this->goTo(std::max(this->Current, end));
       return false;
     }
     while (this->Current < end && this->Next == this->bucket(this->Current).size())
     {
       this->bucket(this->Current).clear();
       this->Next = 0;
-      ++this->Current;
+      this->goTo(this->Current + 1);
       this->orderBlocks();
     }
     return this->Current < end;
@@ -123,7 +122,7 @@ public:
       this->Buckets = std::move(buckets);
       this->LastIndex = this->Buckets.size() - 1;
     }
-    this->Current = target;
+    this->goTo(target);
   }
 
   /** Where the first bucket that is not empty begins. @pre not empty */
@@ -160,6 +159,12 @@ public:
 
 private:
   static constexpr std::uint64_t MostBuckets = 1 << 16;
+
+  void goTo(std::uint64_t number)
+  {
+    this->Current = number;
+    this->LastNumber = static_cast<double>(number + this->LastIndex);
+  }
 
   std::size_t indexOf(std::uint64_t number) const { return number & this->LastIndex; }
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
@@ -207,6 +212,8 @@ private:
   std::uint64_t LastIndex = 0;
   double PerWidth = 1.0;
   std::uint64_t Current = 0;
+  /** That of the last bucket there is beyond the current one. */
+  double LastNumber = 0.0;
   std::size_t Next = 0;
   std::size_t Count = 0;
 };
