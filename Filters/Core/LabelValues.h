@@ -249,8 +249,7 @@ private:
   {
     Index number = this->Sets.find(vertex, label.number());
     const KnownValue known = this->knownFurther(number, this->keptUpTo(label, vertex));
-    if (!(value < this->ceiling(label, vertex, known.ceiling)) ||
-      this->isExcluded(vertex))
+    if (!(value < this->ceiling(label, vertex, known.ceiling)) || this->isExcluded(vertex))
     {
       return known;
     }

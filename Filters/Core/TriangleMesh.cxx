@@ -129,17 +129,15 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
   std::span<const std::uint8_t> used, CoincidentPoints coincident, const ThreadTeam& team)
 {
   const BulkVector<Index> order = spatialOrder(points, used, team);
+  const bool areSeparate = coincident == CoincidentPoints::Separate;
   const auto isFirstOfItsKind = [&](std::size_t i)
-  {
-    return coincident == CoincidentPoints::Separate || i == 0 ||
-      !(points[order[i]] == points[order[i - 1]]);
-  };
+  { return areSeparate || i == 0 || !(points[order[i]] == points[order[i - 1]]); };
   std::vector<std::size_t> starts(team.numberOfRanges(order.size()));
   team.run(order.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      std::size_t count = 0;
-      for (std::size_t i = first; i < last; ++i)
+      std::size_t count = areSeparate ? last - first : 0;
+      for (std::size_t i = first; i < last && !areSeparate; ++i)
       {
         count += isFirstOfItsKind(i);
       }

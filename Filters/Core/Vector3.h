@@ -55,7 +55,8 @@ using Vector3 = Vector3Of<double>;
 
 inline bool isFinite(const Vector3& a)
 {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+  // What is not finite less itself is NaN.
+  return (a.x - a.x) + (a.y - a.y) + (a.z - a.z) == 0.0;
 }
 
 /** Both side by side. */

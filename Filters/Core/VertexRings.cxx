@@ -126,6 +126,7 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
 std::size_t VertexRings::countCorners(const Range& range)
 {
   const IndexRange vertices = range.vertices();
+  std::uint32_t* const starts = this->Starts.data();
   std::size_t sum = 0;
   for (const std::span<const Triangle> some : range.triangles())
   {
@@ -135,7 +136,7 @@ std::size_t VertexRings::countCorners(const Range& range)
       {
         if (vertices.has(v))
         {
-          ++this->Starts[v];
+          ++starts[v];
           ++sum;
         }
       }
@@ -153,6 +154,10 @@ void VertexRings::fillCorners(const Range& range, std::size_t start,
     start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
     this->Sizes[v] = {};
   }
+  // At hand, as what is written could be of these arrays' own kind.
+  std::uint32_t* const starts = this->Starts.data();
+  RingEntry* const entries = this->Entries.data();
+  VertexSize* const sizes = this->Sizes.data();
   TriangleMeasurer measures;
   for (const std::span<const Triangle> some : range.triangles())
   {
@@ -174,10 +179,10 @@ void VertexRings::fillCorners(const Range& range, std::size_t start,
         if (vertices.has(v))
         {
           // Moves the start of the ring to its end.
-          const std::uint32_t place = this->Starts[v]++;
-          this->Entries[place] = opening.at(t[(c + 1) % 3]);
+          const std::uint32_t place = starts[v]++;
+          entries[place] = opening.at(t[(c + 1) % 3]);
           seconds[place - v] = t[(c + 2) % 3];
-          this->Sizes[v] = largest(this->Sizes[v], size);
+          sizes[v] = largest(sizes[v], size);
         }
       }
     }
