@@ -167,8 +167,8 @@ private:
   {
   public:
     Judgement(Index vertex, double own)
-      : Vertex(vertex)
-      , Own(own)
+      : Own(own)
+      , Vertex(vertex)
       , LastNeighbour(vertex)
     {
     }
@@ -208,17 +208,17 @@ private:
     }
 
   private:
-    Index Vertex;
+    // Of the neighbours before those that are looked at.
+    Real LastValues = Real();
+    Real LastHeld = Real();
+    Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
     double Own;
+    Index Vertex;
+    Index LastNeighbour;
     unsigned Along = 0;
     unsigned First = 0;
     unsigned Second = 0;
     unsigned IsThin = 0;
-    // Of the neighbours before those that are looked at.
-    Index LastNeighbour;
-    Real LastValues = Real();
-    Real LastHeld = Real();
-    Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
   };
 
   /** Those that may be crossed, @p count of them. */

@@ -7,6 +7,7 @@
 #include "Lanes.h"
 #include "MarchedLabel.h"
 #include "RingLook.h"
+#include "RingWays.h"
 #include "RingWindows.h"
 #include "SeedFront.h"
 #include "TriangleMesh.h"
@@ -86,7 +87,6 @@ public:
 
 private:
   using Mask = WindowMasks::Mask;
-  using Masks = WindowMasks::All;
   using Window = RingWindows::Window;
 
   // Flat: what is called from these and not inlined would not be compiled for AVX2.
@@ -204,16 +204,18 @@ private:
       }
       // A value of one of several labels has to be found before it can be lowered. So along edges
       // goes only what is lower still than what came over edges.
-      this->noteWaysOver();
+      this->Ways.noteOver(this->Windows);
       this->goOver<Real>();
-      this->noteWaysAlong();
+      this->closeWindows();
+      this->Ways.noteAlong(this->Windows);
       this->goAlong();
     }
     else
     {
-      this->noteWaysAlong();
+      this->Ways.noteAlong(this->Windows);
       this->goAlong();
-      this->noteWaysOver();
+      this->closeWindows();
+      this->Ways.noteOver(this->Windows);
       this->goOver<Real>();
     }
     this->Windows.clear();
@@ -248,49 +250,22 @@ private:
       static_cast<Mask>((known.areQueued & areOther) << first % RingWindows::Size);
   }
 
-  /** In all windows at once. */
-  void noteWaysAlong()
+  /** Of the first neighbours, where they come again as the last ones of their windows: what came to
+   * either came to both. */
+  void closeWindows()
   {
-    if constexpr (Values::hasOthers)
+    for (std::size_t number = 0; number < RingWindows::Most; ++number)
     {
-      // What came over an edge to the last neighbour came to the first, where that is the same.
-      for (std::size_t number = 0; number < RingWindows::Most; ++number)
+      double* const known = &this->ceilings()[number * RingWindows::Size];
+      double& again = known[this->Windows.Windows[number].last];
+      if constexpr (Values::hasOthers)
       {
-        double* const ceilings = &this->Windows.Ceilings[number * RingWindows::Size];
-        ceilings[0] = std::min(ceilings[0], ceilings[this->Windows.Windows[number].last]);
+        known[0] = std::min(known[0], again);
       }
-    }
-    const Masks end = this->Windows.end.all();
-    const Masks again = this->Windows.again.all();
-    const Masks isOpen = this->openTriangles();
-    // Before the first neighbour comes the triangle that ends where it comes again.
-    const Masks isOpenBeforeFirst = WindowMasks::all((isOpen & again >> 1) != 0) & 1;
-    const Masks isOpenEdge = isOpen | isOpen << 1 | isOpenBeforeFirst;
-    const Masks isOnce = (end - 1) | (end & ~again);
-    this->Windows.along.set(this->Windows.along.all() & isOnce & isOpenEdge);
-    this->Along.clear();
-    this->inSomeWindows(
-      [&](std::size_t first)
+      else
       {
-        const std::size_t base = first * RingWindows::Size;
-        this->Along.add(this->Windows.along.some(first),
-          [&](std::size_t slot) { return static_cast<Slot>(base + slot); });
-      });
-  }
-
-  /** Of all windows. */
-  GEODESIC_INLINED Masks openTriangles() const
-  {
-    return this->Windows.isOpen.all() & (this->Windows.end.all() - 1);
-  }
-
-  /** Calls @p work with the first of some windows that come together in masks. */
-  template <class Work>
-  void inSomeWindows(const Work& work)
-  {
-    for (std::size_t first = 0; first < RingWindows::Most; first += WindowMasks::SizeOfSome)
-    {
-      work(first);
+        again = known[0];
+      }
     }
   }
 
@@ -300,9 +275,9 @@ private:
     {
       // Which of them lower a value is not to be guessed, so there is no branch on it.
       std::size_t count = this->NumberOfProposals;
-      for (std::size_t i = 0; i < this->Along.size(); ++i)
+      for (std::size_t i = 0; i < this->Ways.along().size(); ++i)
       {
-        const Slot slot = this->Along[i];
+        const Slot slot = this->Ways.along()[i];
         const double value = this->valueAlong(slot);
         this->Proposals[count] = { value, slot };
         count += value < this->ceilings()[slot] ? 1 : 0;
@@ -312,9 +287,9 @@ private:
     }
     else
     {
-      for (std::size_t i = 0; i < this->Along.size(); ++i)
+      for (std::size_t i = 0; i < this->Ways.along().size(); ++i)
       {
-        this->goAlong(this->Along[i]);
+        this->goAlong(this->Ways.along()[i]);
       }
     }
   }
@@ -341,7 +316,7 @@ private:
   }
 
   /** Of one label's neighbours values and ceilings are the same. */
-  const auto& ceilings() const
+  auto& ceilings()
   {
     if constexpr (Values::hasOthers)
     {
@@ -380,56 +355,6 @@ private:
       this->Windows.Neighbours[slot], this->Windows.Neighbours[slot + 1]);
   }
 
-  /** In all windows at once. */
-  void noteWaysOver()
-  {
-    if constexpr (!Values::hasOthers)
-    {
-      // What came along the edge to the first neighbour came to the last, where that is the same.
-      for (std::size_t number = 0; number < RingWindows::Most; ++number)
-      {
-        double* const values = &this->Windows.Values[number * RingWindows::Size];
-        values[this->Windows.Windows[number].last] = values[0];
-      }
-    }
-    const Masks again = this->Windows.again.all();
-    const auto rounded = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
-    const Masks isOpen = this->openTriangles();
-    const Masks isThin = this->Windows.isThin.all();
-    const Masks isSettled = ~rounded(this->Windows.isQueued.all());
-    const Masks along = rounded(this->Windows.along.all());
-    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
-    // lies behind the edge may come before it.
-    const Masks first =
-      (this->Windows.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
-    const Masks second =
-      (this->Windows.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
-    const Masks isStraight = this->Windows.isStraight.all();
-    this->noteWaysOver<FrontShape::Round>(first & ~isStraight, second & ~isStraight);
-    this->noteWaysOver<FrontShape::Straight>(first & isStraight, second & isStraight);
-  }
-
-  template <FrontShape Shape>
-  GEODESIC_INLINED void noteWaysOver(const Masks& first, const Masks& second)
-  {
-    auto& ways = this->Over[static_cast<std::size_t>(Shape)];
-    ways.clear();
-    this->Windows.first.set(first);
-    this->Windows.second.set(second);
-    if (this->Windows.first.hasAny() || this->Windows.second.hasAny())
-    {
-      this->inSomeWindows(
-        [&](std::size_t window)
-        {
-          const std::size_t base = window * RingWindows::Size;
-          ways.add(this->Windows.first.some(window),
-            [&](std::size_t slot) { return WayOver(1, 0).later(base + slot); });
-          ways.add(this->Windows.second.some(window),
-            [&](std::size_t slot) { return WayOver(0, 1).later(base + slot); });
-        });
-    }
-  }
-
   template <class Real>
   void goOver()
   {
@@ -441,7 +366,7 @@ private:
   template <class Real, FrontShape Shape>
   void goOver()
   {
-    auto& ways = this->Over[static_cast<std::size_t>(Shape)];
+    auto& ways = this->Ways.over(Shape);
     ways.pad(lanes<Real>);
     std::size_t count = this->NumberOfProposals;
     for (std::size_t i = 0; i < ways.size(); i += lanes<Real>)
@@ -510,9 +435,7 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   Values& FrontValues;
-  BitList<Slot, RingWindows::Slots, 8> Along;
-  /** By the front's shape. */
-  std::array<BitList<WayOver, 2 * RingWindows::Slots, 6>, 2> Over;
+  RingWays Ways;
   /** What propose() proposes. */
   std::array<Proposal, 4 * RingWindows::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;

@@ -184,83 +184,13 @@ struct RingWindows
   // Of the neighbours; the first one in a window comes again in the last slot, where it closes.
   std::array<Index, Slots> Neighbours;
   /** As in KnownValue. */
-  alignas(Quad) std::array<double, Slots> Values;
-  alignas(Quad) std::array<double, Slots> Ceilings;
+  alignas(Quad) std::array<double, Slots> Values{};
+  alignas(Quad) std::array<double, Slots> Ceilings{};
   /** From the window's vertex. */
   alignas(Quad) std::array<double, Slots> X;
   alignas(Quad) std::array<double, Slots> Y;
   alignas(Quad) std::array<double, Slots> Z;
   alignas(Quad) std::array<double, Slots> SquaredLengths;
-};
-
-/** From a window's vertex and the neighbour in a slot, over the edge between, to the neighbour in
- * the slot before or after. */
-class WayOver
-{
-public:
-  constexpr WayOver() = default;
-  constexpr WayOver(std::size_t over, std::size_t target)
-    : Both(static_cast<std::uint32_t>(over | target << Bits))
-  {
-  }
-  constexpr Slot over() const { return static_cast<Slot>(this->Both); }
-  constexpr Slot target() const { return static_cast<Slot>(this->Both >> Bits); }
-  /** The same way between neighbours so many slots on. */
-  constexpr WayOver later(std::size_t slots) const
-  {
-    WayOver way;
-    way.Both = this->Both + static_cast<std::uint32_t>(slots * (1u + (1u << Bits)));
-    return way;
-  }
-
-private:
-  static constexpr int Bits = 16;
-  /** Two slots in one number, which is written at once. */
-  std::uint32_t Both = 0;
-};
-
-/**
- * A list that takes on one item for each bit of some masks. How many bits there are is not to be
- * guessed, so for up to @p Usual there is no branch on it.
- * @tparam Size  the most items there can be, and Usual more
- */
-template <class Item, std::size_t Size, std::size_t Usual>
-class BitList
-{
-public:
-  /** @param itemOf gives the item of a bit's number */
-  template <class ItemOf>
-  GEODESIC_INLINED void add(WindowMasks::Some bits, ItemOf itemOf)
-  {
-    std::size_t count = this->Count;
-    do
-    {
-      const auto found = static_cast<std::size_t>(std::popcount(bits));
-      for (std::size_t i = 0; i < Usual; ++i)
-      {
-        // Of no bits the number is any, and they are not counted.
-        constexpr WindowMasks::Some stop = ~(~WindowMasks::Some{ 0 } >> 1);
-        this->Items[count + i] = itemOf(std::countr_zero(bits | stop));
-        bits &= bits - 1;
-      }
-      count += std::min(found, Usual);
-    } while (bits != 0);
-    this->Count = count;
-  }
-
-  /** Repeats the first item behind the last, so that items can be taken @p several at a time. */
-  void pad(std::size_t several)
-  {
-    std::fill_n(this->Items.begin() + this->Count, several - 1, this->Items[0]);
-  }
-
-  void clear() { this->Count = 0; }
-  std::size_t size() const { return this->Count; }
-  const Item& operator[](std::size_t i) const { return this->Items[i]; }
-
-private:
-  std::size_t Count = 0;
-  std::array<Item, Size + Usual> Items;
 };
 
 }

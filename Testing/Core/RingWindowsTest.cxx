@@ -1,6 +1,6 @@
 // What rings are stored and worked on in: entries, masks of windows, lists of their bits.
 
-#include "RingWindows.h"
+#include "RingWays.h"
 #include "VertexRings.h"
 
 #include <gtest/gtest.h>
