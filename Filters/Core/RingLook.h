@@ -36,7 +36,7 @@ public:
   }
 
   /** Looks at a window of the ring of what was taken. Judges it where what other labels have plays
-   * no part. */
+   * no part. @pre at least two slots of it are in use */
   template <class Real>
   void note(const TakenValue& taken, std::size_t number, RingWindows& windows) const
   {
@@ -86,7 +86,7 @@ public:
     }
     const std::size_t last = size - 1;
     const bool isRound = entries[0].neighbour() == entries[last].neighbour();
-    const auto end = static_cast<Mask>(1u << last);
+    const auto end = static_cast<Mask>(1u << size >> 1);
     window.label = taken.label;
     window.last = isRound ? static_cast<Index>(last) : 0;
     windows.OwnValues[number] = taken.value;
