@@ -247,30 +247,17 @@ GEODESIC_INLINED BitsOf<Real> bitsWith(BitsAt bitsAt)
   }
 }
 
-/** Every second one of the bits of @p a, then of @p b, from the first on. */
-template <class Bits>
-GEODESIC_INLINED Bits evens(const Bits& a, const Bits& b)
+/** Every second one of the bits of @p a, then of @p b, from number @p First of each on. */
+template <int First, class Bits>
+GEODESIC_INLINED Bits everySecond(const Bits& a, const Bits& b)
 {
   if constexpr (sizeof(Bits) == sizeof(BitsOf<Pair>))
   {
-    return __builtin_shufflevector(a, b, 0, 2);
+    return __builtin_shufflevector(a, b, First, First + 2);
   }
   else
   {
-    return __builtin_shufflevector(a, b, 0, 2, 4, 6);
-  }
-}
-/** The same from the second on. */
-template <class Bits>
-GEODESIC_INLINED Bits odds(const Bits& a, const Bits& b)
-{
-  if constexpr (sizeof(Bits) == sizeof(BitsOf<Pair>))
-  {
-    return __builtin_shufflevector(a, b, 1, 3);
-  }
-  else
-  {
-    return __builtin_shufflevector(a, b, 1, 3, 5, 7);
+    return __builtin_shufflevector(a, b, First, First + 2, First + 4, First + 6);
   }
 }
 

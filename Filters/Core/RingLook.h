@@ -140,7 +140,10 @@ private:
       std::memcpy(&this->First, entries, sizeof this->First);
       std::memcpy(&this->Second, entries + lanes<Real> / 2, sizeof this->Second);
     }
-    GEODESIC_INLINED BitsOf<Real> neighbours() const { return evens(this->First, this->Second); }
+    GEODESIC_INLINED BitsOf<Real> neighbours() const
+    {
+      return everySecond<0>(this->First, this->Second);
+    }
     GEODESIC_INLINED Real slacks() const
     {
       using Floats = typename FloatsBeside<Real>::Type;
@@ -154,7 +157,10 @@ private:
     }
 
   private:
-    GEODESIC_INLINED BitsOf<Real> slackBits() const { return odds(this->First, this->Second); }
+    GEODESIC_INLINED BitsOf<Real> slackBits() const
+    {
+      return everySecond<1>(this->First, this->Second);
+    }
 
     // Half of the entries each.
     BitsOf<Real> First;
