@@ -152,7 +152,6 @@ public:
     const Index vertex = this->vertexOf(taken);
     this->context().mesh.prefetch(vertex);
     __builtin_prefetch(&this->mark(vertex));
-    this->Sets.prefetchSecond(vertex);
   }
 
   TakenValue take(Index taken)
