@@ -108,7 +108,8 @@ private:
   template <class Real, class DoNoted>
   void lookRound(std::span<const Index> waiting, std::span<const Index> next, DoNoted doNoted)
   {
-    // Where all the rings are comes first: what is known of one is then not in the way of others.
+    // Where all the rings are comes first, so that less is to be kept at hand while they are looked
+    // at.
     for (const Index item : waiting)
     {
       const Index vertex = this->FrontValues.vertexOf(item);
@@ -195,9 +196,6 @@ private:
       {
         this->template lookAtOthers<Real>(this->Windows.OthersSeen[i]);
       }
-    }
-    if constexpr (Values::hasOthers)
-    {
       for (std::size_t number = 0; number < this->Windows.Count; ++number)
       {
         this->Look.template judge<Real>(number, this->Windows);

@@ -161,7 +161,7 @@ struct RingWindows
   /** Of the windows' vertices. */
   std::array<double, Most> OwnValues;
 
-  // Of the windows; 0 of those that are not there, but for isOpen and isStraight.
+  // Of the windows; of those that are not there along, first, second and isThin are 0.
 
   /** The last slot in use. */
   WindowMasks end;
@@ -176,8 +176,8 @@ struct RingWindows
   WindowMasks isThin;
   /** Neighbours that may gain, along the edge to them. */
   WindowMasks along;
-  /** The second neighbours of triangles in which the first one may gain over the edge to the
-   * second, and in which the second may over that to the first. */
+  /** Triangles in which the neighbour that opens them, or the one after it, may gain over the
+   * edge to the other. */
   WindowMasks first;
   WindowMasks second;
 
