@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -22,15 +21,20 @@ namespace geodesic
 class BucketQueue
 {
 public:
-  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
-   * popped one; @param blockBits if not 0, what waits in a bucket when its turn comes is handed out
-   * block by block of 2^blockBits items, in ascending and in the next bucket in descending order;
-   * for who goes by items through memory, where what was read last is still near.
-   */
-  void start(double width, double span, int blockBits = 0)
+  static constexpr std::size_t MostBuckets = 1 << 16;
+
+  /** How many buckets start() asks for. */
+  static std::size_t numberOfBuckets(double width, double span)
   {
     const double wanted = std::min(span / width + 2.0, static_cast<double>(MostBuckets));
-    const std::size_t buckets = std::bit_ceil(static_cast<std::size_t>(wanted));
+    return std::bit_ceil(static_cast<std::size_t>(wanted));
+  }
+
+  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
+   * popped one */
+  void start(double width, double span)
+  {
+    const std::size_t buckets = numberOfBuckets(width, span);
     for (std::vector<Index>& bucket : this->Buckets)
     {
       bucket.clear();
@@ -41,7 +45,6 @@ public:
     }
     this->LastIndex = this->Buckets.size() - 1;
     this->PerWidth = 1.0 / width;
-    this->BlockBits = blockBits;
     this->goTo(0);
     this->Next = 0;
     this->Count = 0;
@@ -83,7 +86,6 @@ public:
       this->bucket(this->Current).clear();
       this->Next = 0;
       this->goTo(this->Current + 1);
-      this->orderBlocks();
     }
     return this->Current < end;
   }
@@ -125,8 +127,8 @@ public:
     this->goTo(target);
   }
 
-  /** Where the first bucket that is not empty begins. @pre not empty */
-  double nextKey() const
+  /** The first bucket that is not empty. @pre not empty */
+  std::uint64_t nextBucket() const
   {
     std::uint64_t number = this->Current;
     std::size_t taken = this->Next;
@@ -135,8 +137,10 @@ public:
       ++number;
       taken = 0;
     }
-    return static_cast<double>(number) / this->PerWidth;
+    return number;
   }
+  /** Where a bucket begins. */
+  double keyOf(std::uint64_t bucket) const { return static_cast<double>(bucket) / this->PerWidth; }
 
   /** Takes items of one bucket, at least one and at most as many as @p room holds, which they are
    * put into. @pre hasBefore */
@@ -158,8 +162,6 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t MostBuckets = 1 << 16;
-
   void goTo(std::uint64_t number)
   {
     this->Current = number;
@@ -169,45 +171,7 @@ private:
   std::size_t indexOf(std::uint64_t number) const { return number & this->LastIndex; }
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 
-  /** Sorts the current bucket by blocks, unless it holds too little for so many to be counted. */
-  void orderBlocks()
-  {
-    std::vector<Index>& items = this->bucket(this->Current);
-    if (this->BlockBits == 0 || items.empty())
-    {
-      return;
-    }
-    const std::size_t blocks =
-      (*std::max_element(items.begin(), items.end()) >> this->BlockBits) + std::size_t{ 1 };
-    if (blocks > 4 * items.size())
-    {
-      return;
-    }
-    this->Places.assign(blocks + 1, 0);
-    const bool isDescending = this->Current % 2 == 1;
-    const auto blockOf = [&](Index item)
-    {
-      const std::size_t block = item >> this->BlockBits;
-      return isDescending ? blocks - 1 - block : block;
-    };
-    for (Index item : items)
-    {
-      ++this->Places[blockOf(item) + 1];
-    }
-    std::partial_sum(this->Places.begin(), this->Places.end(), this->Places.begin());
-    this->Ordered.resize(items.size());
-    for (Index item : items)
-    {
-      this->Ordered[this->Places[blockOf(item)]++] = item;
-    }
-    items.swap(this->Ordered);
-  }
-
   std::vector<std::vector<Index>> Buckets;
-  int BlockBits = 0;
-  /** What orderBlocks() works with. */
-  std::vector<std::size_t> Places;
-  std::vector<Index> Ordered;
   /** The number of buckets, a power of two, less 1. */
   std::uint64_t LastIndex = 0;
   double PerWidth = 1.0;

@@ -34,9 +34,17 @@ constexpr std::size_t Handful = 12;
  */
 constexpr double BucketWidthInHeights = 0.46;
 
-/** Many small fronts spread over more memory than the processor has near. So what waits in a bucket
- * is swept by blocks of so many vertices, whose numbers go with their places. */
-constexpr int BlockBits = 9;
+/** So many vertices come to a group of fronts, so that what they go through is near the processor
+ * for a while. */
+constexpr Index VerticesOfGroup = 1 << 14;
+
+/** Where there are targets all fronts are to stop as soon as these are reached, so none may go
+ * ahead of the others. */
+std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
+{
+  const std::size_t groups = numberOfVertices / VerticesOfGroup;
+  return options.targets.empty() ? std::max(std::min(groups, fronts), std::size_t{ 1 }) : 1;
+}
 
 }
 
@@ -73,13 +81,13 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
   const double height = heightOfMargin(edge, this->mesh().meanMargin());
   const double width = BucketWidthInHeights * height * cost.mean();
   // A piece without triangles has no edges.
-  const bool isOneFront = request.front.labels.size() == 1;
-  this->Queue.start(width > 0.0 ? width : 1.0,
-    2.0 * this->mesh().longestEdgeLength() * cost.largest(), isOneFront ? 0 : BlockBits);
+  this->Queues.start(width > 0.0 ? width : 1.0,
+    2.0 * this->mesh().longestEdgeLength() * cost.largest(),
+    numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
   const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queue, this->Marks };
-  if (isOneFront)
+    this->Queues, this->Marks };
+  if (request.front.labels.size() == 1)
   {
     OneLabelValues<Cost> values(context, request.front.labels[0]);
     return this->run(cost, values, starts, request, limit, control, field);
@@ -95,22 +103,23 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   RingSweep<Cost, Values> ringSweep(this->mesh(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
-    values.start(values.label(start.label), start.vertex, start.value, start.isFinal);
+    values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);
   }
-  QueuedFront front(this->Queue, control, this->mesh().meanLongestEdge() * cost.mean(),
+  QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
     values.firstDistance(), values,
     [&](std::uint64_t end)
     {
       std::array<Index, Handful> room;
       std::array<Index, Handful> roomOfNext;
-      while (this->Queue.hasBefore(end))
+      while (this->Queues.hasBefore(end))
       {
-        const std::span<const Index> handful = this->Queue.take(room);
+        BucketQueue& queue = this->Queues.current();
+        const std::span<const Index> handful = queue.take(room);
         if (!control.mayGoOn(handful.size()))
         {
           break;
         }
-        const std::span<const Index> soon = this->Queue.next(3 * Handful);
+        const std::span<const Index> soon = queue.next(3 * Handful);
         for (Index later : soon.subspan(std::min(soon.size(), 2 * Handful)))
         {
           this->mesh().prefetchRingStart(values.vertexOf(later));

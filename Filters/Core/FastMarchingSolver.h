@@ -1,9 +1,9 @@
 #ifndef geodesic_FastMarchingSolver_h
 #define geodesic_FastMarchingSolver_h
 
-#include "BucketQueue.h"
 #include "CostedStart.h"
 #include "DistanceSolver.h"
+#include "FrontQueues.h"
 #include "LabelSets.h"
 #include "ValueMark.h"
 
@@ -51,7 +51,7 @@ private:
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
   bool MayUseQuads;
-  BucketQueue Queue;
+  FrontQueues Queues;
   std::vector<ValueMark> Marks;
   LabelSets Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */

@@ -1,8 +1,8 @@
 #ifndef geodesic_FieldValues_h
 #define geodesic_FieldValues_h
 
-#include "BucketQueue.h"
 #include "DistanceField.h"
+#include "FrontQueues.h"
 #include "KnownValues.h"
 #include "Lanes.h"
 #include "MarchControl.h"
@@ -28,7 +28,7 @@ struct MarchContext
   const StopLimit& limit;
   const MarchControl& control;
   DistanceField& field;
-  BucketQueue& queue;
+  FrontQueues& queues;
   std::span<ValueMark> marks;
 };
 
@@ -76,7 +76,6 @@ protected:
     : Context(context)
     , Control(context.control)
     , Field(context.field)
-    , Queue(context.queue)
     , MayStop(context.limit.isPossible())
     , HasExcluded(!context.options.excluded.empty())
     , First(firstDistance)
@@ -151,14 +150,14 @@ protected:
     {
       this->Field.setDistance(vertex, value + label.seedValue);
       this->mark(vertex).queueFor(label.labelBits);
-      this->queue(label, vertex, value);
+      this->queue(label, label.group->best, vertex, value);
     }
   }
 
   /** @param item  a vertex, or what else stands for a value of the label */
-  void queue(const MarchedLabel& label, Index item, double value)
+  void queue(const MarchedLabel& label, BucketQueue& into, Index item, double value)
   {
-    this->Queue.push(item, value + label.seedValue - this->First);
+    into.push(item, value + label.seedValue - this->First);
   }
 
 private:
@@ -166,7 +165,6 @@ private:
   // What of it every value asks for.
   const MarchControl& Control;
   DistanceField& Field;
-  BucketQueue& Queue;
   bool MayStop;
   bool HasExcluded;
   double First;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -40,7 +41,20 @@ public:
   }
 
   static constexpr bool hasOthers = true;
-  const MarchedLabel& label(Index number) const { return this->Fronts[number]; }
+
+  /** The label of a number, which is to have a value at a vertex. Where that is first decides on
+   * its group: what is near each other on the surface is so in memory too. */
+  const MarchedLabel& enter(Index number, Index vertex)
+  {
+    MarchedLabel& label = this->Fronts[number];
+    if (label.group == nullptr)
+    {
+      FrontQueues& queues = this->context().queues;
+      label.group =
+        &queues.group(std::uint64_t{ vertex } * queues.numberOfGroups() / this->NumberOfVertices);
+    }
+    return label;
+  }
 
   class Sight
   {
@@ -308,7 +322,7 @@ private:
     if (!further.mark.isQueued())
     {
       further.mark.setQueued(true);
-      this->queue(label, this->NumberOfVertices + number, further.value);
+      this->queue(label, label.group->further, this->NumberOfVertices + number, further.value);
     }
   }
 

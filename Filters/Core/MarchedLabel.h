@@ -37,6 +37,8 @@ private:
   double SquaredCost;
 };
 
+struct FrontGroup;
+
 /** A label as a march asks for it. */
 struct MarchedLabel
 {
@@ -58,6 +60,8 @@ struct MarchedLabel
   StraightLineBound leastOf;
   Index labelBits;
   FrontShape shape;
+  /** That its front belongs to. */
+  FrontGroup* group = nullptr;
 };
 
 }

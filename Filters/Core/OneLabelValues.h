@@ -17,10 +17,12 @@ public:
     , Only(label, 0, context.cost.smallest())
     , Seed(label.seed)
   {
+    this->Only.group = &context.queues.group(0);
   }
 
   static constexpr bool hasOthers = false;
-  const MarchedLabel& label(Index) const { return this->Only; }
+  const MarchedLabel& label() const { return this->Only; }
+  const MarchedLabel& enter(Index, Index) const { return this->Only; }
 
   class Sight
   {

@@ -1,9 +1,10 @@
 #ifndef geodesic_QueuedFront_h
 #define geodesic_QueuedFront_h
 
-#include "BucketQueue.h"
 #include "DistanceField.h"
+#include "FrontQueues.h"
 #include "MarchControl.h"
+#include "MarchedLabel.h"
 #include "MarchingFront.h"
 
 #include <cstddef>
@@ -18,10 +19,10 @@ class QueuedFront final : public MarchingFront
 {
 public:
   /** @param meanLongestEdge as below
-   * @param firstDistance the distance of the queue's key 0 */
-  QueuedFront(BucketQueue& queue, const MarchControl& control, double meanLongestEdge,
+   * @param firstDistance the distance of the queues' key 0 */
+  QueuedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
     double firstDistance, Values& values, Advance advance)
-    : Queue(queue)
+    : Queues(queues)
     , Control(control)
     , MeanLongestEdge(meanLongestEdge)
     , FirstDistance(firstDistance)
@@ -32,14 +33,10 @@ public:
 
   void advance(double limit) override
   {
-    this->AdvanceBefore(this->Queue.bucketOf(limit - this->FirstDistance));
+    this->AdvanceBefore(this->Queues.bucketOf(limit - this->FirstDistance));
   }
 
-  double nextDistance() const override
-  {
-    return this->Queue.isEmpty() ? DistanceField::Unreached
-                                 : this->FirstDistance + this->Queue.nextKey();
-  }
+  double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }
 
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
@@ -52,13 +49,13 @@ public:
 
   void lower(Index vertex, Index label, double value) override
   {
-    const auto& marched = this->FrontValues.label(label);
-    this->Queue.goBackTo(marched.distance(value) - this->FirstDistance);
+    const MarchedLabel& marched = this->FrontValues.enter(label, vertex);
+    this->Queues.goBackTo(*marched.group, marched.distance(value) - this->FirstDistance);
     this->FrontValues.propose(marched, vertex, value);
   }
 
 private:
-  BucketQueue& Queue;
+  FrontQueues& Queues;
   const MarchControl& Control;
   double MeanLongestEdge;
   double FirstDistance;

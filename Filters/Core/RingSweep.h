@@ -39,14 +39,14 @@ namespace geodesic
  *
  * @tparam Cost    of a triangle: UnitCost or VertexCost
  * @tparam Values  of the labels of the march:
- *                 label(Index) -> MarchedLabel;
  *                 vertexOf(Index), take(Index) -> TakenValue of what was in the queue;
  *                 prefetch(Index), some time before that;
  *                 sight(MarchedLabel), to look<Real>(const Indices<Real>&) at vertices ->
  *                 SeenValues<Real>;
  *                 hasOthers, whether any of those can be of another label, then also
  *                 others<Real>(...) -> KnownValues<Real> of them, see LabelValues, and
- *                 prefetchOther(Index), to be called before;
+ *                 prefetchOther(Index), to be called before; if none can,
+ *                 label() -> MarchedLabel, the only one;
  *                 propose(MarchedLabel, Index, double) -> KnownValue: to a vertex, queues it with
  *                 the value if that counts, and returns what then holds
  */
@@ -67,7 +67,7 @@ public:
     if constexpr (!Values::hasOthers)
     {
       this->Windows.isStraight =
-        WindowMasks(WindowMasks::allIf(values.label(0).shape == FrontShape::Straight));
+        WindowMasks(WindowMasks::allIf(values.label().shape == FrontShape::Straight));
     }
   }
 

@@ -75,6 +75,12 @@ TEST(SeveralSeeds, ManyAreTheMinimumOfAll)
   checkRandomSeeds(300, delaunayPlane(5000, 2));
 }
 
+// So many vertices that fronts are in groups, which take turns.
+TEST(SeveralSeeds, GroupsOfManyAreTheMinimumOfAll)
+{
+  checkRandomSeeds(200, delaunayPlane(70000, 4));
+}
+
 // Edge lengths over three orders of magnitude: the margin of what a vertex keeps is local.
 TEST(SeveralSeeds, MixedEdgeLengthsAreNoLessExact)
 {

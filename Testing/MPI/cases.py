@@ -34,6 +34,7 @@ FIELDS = {
     "dijkstra": ("bunny", dict(SeedPositions=points_on("bunny", 7), Method="Dijkstra", ComputeNearestSeed=1)),
     "seeds": ("bunny", dict(SeedPositions=points_on("bunny", 60), ComputeNearestSeed=1)),
     "spheres seeds": ("sphere", dict(SeedPositions=points_on("sphere", 30), ComputeNearestSeed=1)),
+    "groups": ("large", dict(SeedPositions=points_on("large", 150), ComputeNearestSeed=1)),
     "cost": ("bunny", dict(SeedPositions=points_on("bunny", 1), CostArray=["POINTS", "Cost"])),
     "costs": ("torus", dict(SeedPositions=points_on("torus", 9), CostArray=["POINTS", "Cost"], ComputeNearestSeed=1)),
     "speed": ("torus", dict(SeedPositions=points_on("torus", 2), CostArray=["POINTS", "Cost"], CostMode="Speed",

@@ -82,6 +82,11 @@ def torus(rows=120, columns=60):
     return points, grid(rows, columns, is_periodic=True)
 
 
+def large():
+    """So large that on its pieces, too, fronts of many seeds are in groups that take turns."""
+    return torus(480, 240)
+
+
 def thin(rows=60, columns=60):
     """A plane of triangles fifty times as long as wide."""
     u, v = np.meshgrid(np.arange(rows) / rows, np.arange(columns) / columns / 50, indexing="ij")
@@ -136,7 +141,7 @@ def brick(size=12):
     return points, cells[~is_low], np.vstack([cells[is_low][:, t] for t in tetrahedra])
 
 
-SURFACES = {f.__name__: f for f in (bunny, sphere, torus, thin, triangle, edge, corner, parts)}
+SURFACES = {f.__name__: f for f in (bunny, sphere, torus, large, thin, triangle, edge, corner, parts)}
 
 
 def owners(points, cells, cut, ranks):

@@ -1,0 +1,145 @@
+// The queues of a march: what comes first, and whose turn it is.
+
+#include "FrontQueues.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+using namespace geodesic;
+
+namespace
+{
+
+constexpr std::uint64_t Always = std::numeric_limits<std::uint64_t>::max();
+/** Keys up to so much more than the last one have buckets of their own. */
+constexpr double Span = 100.0;
+
+/** What waits before a bucket, in the order it is handed out. */
+std::vector<Index> emptied(FrontQueues& queues, std::uint64_t end = Always)
+{
+  std::vector<Index> items;
+  std::array<Index, 3> room;
+  while (queues.hasBefore(end))
+  {
+    const std::span<const Index> taken = queues.current().take(room);
+    items.insert(items.end(), taken.begin(), taken.end());
+  }
+  return items;
+}
+
+using Items = std::vector<Index>;
+
+}
+
+TEST(FrontQueues, AGroupGoesOnByASliceThenTheNextDoes)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  ASSERT_EQ(queues.numberOfGroups(), 2u);
+  for (Index item : { 70u, 3u, 35u, 31u })
+  {
+    queues.group(0).best.push(item, item + 0.5);
+    queues.group(1).best.push(item + 100, item + 0.5);
+  }
+  EXPECT_EQ(emptied(queues), (Items{ 3, 31, 103, 131, 35, 135, 70, 170 }));
+  EXPECT_EQ(queues.nextKey(), std::numeric_limits<double>::infinity());
+}
+
+TEST(FrontQueues, ASliceBeginsWhereSomethingWaits)
+{
+  FrontQueues queues;
+  queues.start(1.0, 1e4, 2);
+  queues.group(0).best.push(1, 5000.5);
+  queues.group(1).best.push(2, 5020.5);
+  queues.group(0).best.push(3, 5033.5);
+  EXPECT_EQ(queues.nextKey(), 5000.0);
+  EXPECT_EQ(emptied(queues), (Items{ 1, 2, 3 }));
+}
+
+// What is added to them meanwhile joins the next bucket.
+TEST(FrontQueues, OfABucketBestValuesComeFirst)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 1);
+  FrontGroup& group = queues.group(0);
+  group.further.push(1, 0.5);
+  group.further.push(2, 0.5);
+  group.best.push(3, 1.5);
+  group.best.push(4, 0.5);
+  std::array<Index, 1> room;
+  ASSERT_TRUE(queues.hasBefore(Always));
+  EXPECT_EQ(queues.current().take(room)[0], 4u);
+  ASSERT_TRUE(queues.hasBefore(Always));
+  EXPECT_EQ(queues.current().take(room)[0], 1u);
+  group.best.push(5, 0.5);
+  EXPECT_EQ(emptied(queues), (Items{ 2, 3, 5 }));
+}
+
+TEST(FrontQueues, NothingIsHandedOutBeyondTheEnd)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  queues.group(0).best.push(1, 2.5);
+  queues.group(0).best.push(2, 20.5);
+  queues.group(1).further.push(3, 10.5);
+  queues.group(1).best.push(4, 50.5);
+  EXPECT_EQ(emptied(queues, 2), Items());
+  EXPECT_EQ(emptied(queues, 11), (Items{ 1, 3 }));
+  EXPECT_EQ(queues.nextKey(), 20.0);
+  EXPECT_EQ(emptied(queues), (Items{ 2, 4 }));
+}
+
+// As when a value comes from another piece of the surface.
+TEST(FrontQueues, WhoGoesBackComesBeforeWhatWaits)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  queues.group(0).best.push(1, 60.5);
+  queues.group(1).best.push(2, 61.5);
+  EXPECT_EQ(emptied(queues, 60), Items());
+  queues.goBackTo(queues.group(1), 7.5);
+  queues.group(1).best.push(3, 8.5);
+  queues.group(1).further.push(4, 7.5);
+  EXPECT_EQ(queues.nextKey(), 7.0);
+  EXPECT_EQ(emptied(queues, 40), (Items{ 4, 3 }));
+  EXPECT_EQ(emptied(queues), (Items{ 1, 2 }));
+}
+
+TEST(FrontQueues, GroupsTakeTurnsFromWhereOneWentBackTo)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  EXPECT_EQ(emptied(queues, 60), Items());
+  queues.goBackTo(queues.group(0), 7.5);
+  queues.goBackTo(queues.group(1), 8.5);
+  queues.group(0).best.push(1, 7.5);
+  queues.group(0).best.push(2, 50.5);
+  queues.group(1).best.push(3, 8.5);
+  EXPECT_EQ(emptied(queues), (Items{ 1, 3, 2 }));
+}
+
+// What group 1 displaces of group 0 is not forgotten.
+TEST(FrontQueues, WhatIsAddedToAGroupAfterItsTurnWaitsForTheNext)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  queues.group(1).best.push(1, 3.5);
+  std::array<Index, 1> room;
+  ASSERT_TRUE(queues.hasBefore(10));
+  EXPECT_EQ(queues.current().take(room)[0], 1u);
+  queues.group(0).further.push(2, 4.5);
+  EXPECT_FALSE(queues.hasBefore(10));
+  EXPECT_EQ(emptied(queues), Items{ 2 });
+}
+
+TEST(FrontQueues, ManyBucketsLeaveRoomForFewerGroups)
+{
+  FrontQueues queues;
+  queues.start(1.0, 1e4, 1000);
+  EXPECT_EQ(queues.numberOfGroups(), 4u);
+  queues.start(1.0, 1e9, 1000);
+  EXPECT_EQ(queues.numberOfGroups(), 1u);
+}
