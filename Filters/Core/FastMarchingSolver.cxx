@@ -34,15 +34,12 @@ constexpr std::size_t Handful = 12;
  */
 constexpr double BucketWidthInHeights = 0.46;
 
-/** So many vertices come to a group of fronts, so that what they go through is near the processor
- * for a while. */
-constexpr Index VerticesOfGroup = 1 << 14;
-
-/** Where there are targets all fronts are to stop as soon as these are reached, so none may go
- * ahead of the others. */
+/** A group has about as many vertices as it takes in a turn, so that what it goes through is near
+ * the processor. Where there are targets all fronts are to stop as soon as these are reached, so
+ * none may go ahead of the others. */
 std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
 {
-  const std::size_t groups = numberOfVertices / VerticesOfGroup;
+  const std::size_t groups = numberOfVertices / FrontQueues::ItemsOfTurn;
   return options.targets.empty() ? std::max(std::min(groups, fronts), std::size_t{ 1 }) : 1;
 }
 
@@ -113,13 +110,12 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
       std::array<Index, Handful> roomOfNext;
       while (this->Queues.hasBefore(end))
       {
-        BucketQueue& queue = this->Queues.current();
-        const std::span<const Index> handful = queue.take(room);
+        const std::span<const Index> handful = this->Queues.take(room);
         if (!control.mayGoOn(handful.size()))
         {
           break;
         }
-        const std::span<const Index> soon = queue.next(3 * Handful);
+        const std::span<const Index> soon = this->Queues.next(3 * Handful);
         for (Index later : soon.subspan(std::min(soon.size(), 2 * Handful)))
         {
           this->mesh().prefetchRingStart(values.vertexOf(later));

@@ -2,11 +2,13 @@
 #define geodesic_FrontQueues_h
 
 #include "BucketQueue.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace geodesic
@@ -26,11 +28,14 @@ struct FrontGroup
  * buckets, then the next. Many fronts together spread over more memory than the processor has near;
  * those of a group, that start beside each other, do not. Where the fronts of two groups meet, one
  * goes too far by a slice at most, which is work for nothing and no more, as the march is label
- * correcting.
+ * correcting. Where a bucket holds much, as where costs are low, that would be a lot of work: after
+ * so many items a turn is over, and the others come as far.
  */
 class FrontQueues
 {
 public:
+  static constexpr std::size_t ItemsOfTurn = 1 << 14;
+
   /** @param width, span as BucketQueue::start() has them; @param wanted number of groups, at least
    * 1; there are fewer where together they would have too many buckets */
   void start(double width, double span, std::size_t wanted)
@@ -60,7 +65,7 @@ public:
   /** Whether an item of a bucket before @p end waits; goes to the one whose turn it is. */
   bool hasBefore(std::uint64_t end)
   {
-    while (!this->hasInSlice(std::min(this->SliceStart + Slice, end)))
+    while (!this->hasInSlice(end))
     {
       const std::uint64_t next = this->nextBucket();
       this->startSlice(std::min(next, end));
@@ -72,8 +77,15 @@ public:
     return true;
   }
 
-  /** Where the item is. @pre hasBefore */
-  BucketQueue& current() { return *this->Current; }
+  /** See BucketQueue::take(). @pre hasBefore */
+  std::span<const Index> take(std::span<Index> room)
+  {
+    const std::span<const Index> taken = this->Current->take(room);
+    this->Taken += taken.size();
+    return taken;
+  }
+  /** See BucketQueue::next(). */
+  std::span<const Index> next(std::size_t most) const { return this->Current->next(most); }
 
   /** Goes back so that a key of a group has its place again; see BucketQueue::goBackTo(). */
   void goBackTo(FrontGroup& group, double key)
@@ -84,8 +96,8 @@ public:
   }
 
 private:
-  /** So many buckets a group goes on for: the more, the less often it has to be fetched; and the
-   * further it goes in vain. */
+  /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
+   * and the further it goes in vain. */
   static constexpr std::uint64_t Slice = 32;
   static constexpr std::uint64_t None = std::numeric_limits<std::uint64_t>::max();
 
@@ -95,8 +107,14 @@ private:
   void startSlice(std::uint64_t bucket)
   {
     this->SliceStart = bucket;
-    this->Bucket = bucket;
+    this->SliceEnd = bucket + Slice;
     this->Turn = 0;
+    this->startTurn();
+  }
+  void startTurn()
+  {
+    this->Bucket = this->SliceStart;
+    this->Taken = 0;
   }
 
   /** Goes on to what waits in buckets before @p end, of the slice. */
@@ -105,8 +123,13 @@ private:
     for (; this->Turn < this->Groups.size(); ++this->Turn)
     {
       FrontGroup& group = this->Groups[this->Turn];
-      for (; this->Bucket < end; ++this->Bucket)
+      for (; this->Bucket < std::min(this->SliceEnd, end); ++this->Bucket)
       {
+        if (this->Taken >= ItemsOfTurn)
+        {
+          this->SliceEnd = this->Bucket + 1;
+          break;
+        }
         // Best values first: what further ones are kept for depends on them.
         for (BucketQueue* queue : { &group.best, &group.further })
         {
@@ -117,7 +140,7 @@ private:
           }
         }
       }
-      this->Bucket = this->SliceStart;
+      this->startTurn();
     }
     return false;
   }
@@ -139,9 +162,11 @@ private:
   std::vector<FrontGroup> Groups;
   BucketQueue* Current = nullptr;
   std::uint64_t SliceStart = 0;
-  /** Number of the group whose turn it is, and the bucket that it is at. */
+  std::uint64_t SliceEnd = 0;
+  /** Number of the group whose turn it is, the bucket that it is at, and what it has taken. */
   std::size_t Turn = 0;
   std::uint64_t Bucket = 0;
+  std::size_t Taken = 0;
 };
 
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -24,7 +25,7 @@ std::vector<Index> emptied(FrontQueues& queues, std::uint64_t end = Always)
   std::array<Index, 3> room;
   while (queues.hasBefore(end))
   {
-    const std::span<const Index> taken = queues.current().take(room);
+    const std::span<const Index> taken = queues.take(room);
     items.insert(items.end(), taken.begin(), taken.end());
   }
   return items;
@@ -71,9 +72,9 @@ TEST(FrontQueues, OfABucketBestValuesComeFirst)
   group.best.push(4, 0.5);
   std::array<Index, 1> room;
   ASSERT_TRUE(queues.hasBefore(Always));
-  EXPECT_EQ(queues.current().take(room)[0], 4u);
+  EXPECT_EQ(queues.take(room)[0], 4u);
   ASSERT_TRUE(queues.hasBefore(Always));
-  EXPECT_EQ(queues.current().take(room)[0], 1u);
+  EXPECT_EQ(queues.take(room)[0], 1u);
   group.best.push(5, 0.5);
   EXPECT_EQ(emptied(queues), (Items{ 2, 3, 5 }));
 }
@@ -129,10 +130,34 @@ TEST(FrontQueues, WhatIsAddedToAGroupAfterItsTurnWaitsForTheNext)
   queues.group(1).best.push(1, 3.5);
   std::array<Index, 1> room;
   ASSERT_TRUE(queues.hasBefore(10));
-  EXPECT_EQ(queues.current().take(room)[0], 1u);
+  EXPECT_EQ(queues.take(room)[0], 1u);
   queues.group(0).further.push(2, 4.5);
   EXPECT_FALSE(queues.hasBefore(10));
   EXPECT_EQ(emptied(queues), Items{ 2 });
+}
+
+// Else one would do all of a bucket that holds much, and the next do it again.
+TEST(FrontQueues, AfterManyItemsATurnIsOverAndTheOthersComeAsFar)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 2);
+  const Index many = FrontQueues::ItemsOfTurn + 1000;
+  for (Index item = 0; item < many; ++item)
+  {
+    queues.group(0).best.push(item, 1.5);
+  }
+  queues.group(0).best.push(many, 2.5);
+  for (Index item : { many + 1, many + 2 })
+  {
+    queues.group(1).best.push(item, item - many + 0.5);
+  }
+  const Items items = emptied(queues);
+  ASSERT_EQ(items.size(), many + 3u);
+  const auto placeOf = [&](Index item)
+  { return std::find(items.begin(), items.end(), item) - items.begin(); };
+  EXPECT_NEAR(placeOf(many + 1), FrontQueues::ItemsOfTurn, 3);
+  EXPECT_EQ(placeOf(many), many + 1);
+  EXPECT_EQ(placeOf(many + 2), many + 2);
 }
 
 TEST(FrontQueues, ManyBucketsLeaveRoomForFewerGroups)
