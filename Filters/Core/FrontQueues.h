@@ -34,6 +34,7 @@ struct FrontGroup
 class FrontQueues
 {
 public:
+  /** So many items end a turn. */
   static constexpr std::size_t ItemsOfTurn = 1 << 14;
 
   /** @param width, span as BucketQueue::start() has them; @param wanted number of groups, at least
