@@ -21,6 +21,10 @@ inline Index lowestCorner(const Triangle& t)
 {
   return std::min(std::min(t[0], t[1]), t[2]);
 }
+inline Index highestCorner(const Triangle& t)
+{
+  return std::max(std::max(t[0], t[1]), t[2]);
+}
 
 }
 

@@ -57,19 +57,31 @@ public:
   /** The first 32 bits of codeOf(), at less cost. */
   std::uint32_t leadingBitsOf(const Vector3& point) const
   {
-    constexpr int leadingPerAxis = 11;
-    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
-    const Lanes cells{ static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.x)),
-      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.y)),
-      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.z)) };
     // 33 bits, less the last one.
-    const Lanes bits = spread(cells >> (BitsPerAxis - leadingPerAxis));
+    const Lanes bits = spread(this->cellOf(point) >> (BitsPerAxis - LeadingPerAxis));
     return bits[0] >> 1 | bits[1] | bits[2] << 1;
+  }
+
+  /** The other 31 of them. */
+  std::uint32_t otherBitsOf(const Vector3& point) const
+  {
+    constexpr std::uint32_t others = (1u << (BitsPerAxis - LeadingPerAxis)) - 1;
+    const Lanes bits = spread(this->cellOf(point) & Lanes{ 2 * others + 1, others, others });
+    return bits[0] | bits[1] << 1 | bits[2] << 2;
   }
 
 private:
   /** One number an axis, which the processor treats at once. */
   using Lanes = std::uint32_t __attribute__((vector_size(16)));
+  static constexpr int LeadingPerAxis = 11;
+
+  Lanes cellOf(const Vector3& point) const
+  {
+    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
+    return Lanes{ static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.x)),
+      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.y)),
+      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.z)) };
+  }
 
   /** Moves the low 11 bits of each number to every third bit. */
   static Lanes spread(Lanes values)

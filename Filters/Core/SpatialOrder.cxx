@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -126,7 +127,11 @@ public:
     this->Run.clear();
     for (const Keyed& k : run)
     {
-      this->Run.push_back({ this->Curve.codeOf(this->Points[k.id]), k.id });
+      this->Run.push_back({ this->Curve.otherBitsOf(this->Points[k.id]), k.id });
+    }
+    if (run.size() >= Least && run.size() <= Most && this->putByRanks(run))
+    {
+      return;
     }
     std::sort(this->Run.begin(), this->Run.end(),
       [&](const Coded& a, const Coded& b)
@@ -144,9 +149,49 @@ public:
 private:
   struct Coded
   {
-    std::uint64_t code;
+    /** The rest of it. */
+    std::uint32_t code;
     Index id;
   };
+  /** Codes that the processor compares at once. */
+  using Codes = std::int32_t __attribute__((vector_size(16)));
+  static constexpr std::size_t CodesAtOnce = 16;
+  /** Of so many, to count for each how many are before it costs less than a sort, which has to
+   * guess. */
+  static constexpr std::size_t Least = 8;
+  static constexpr std::size_t Most = 256;
+
+  /** False where some have the same code. */
+  bool putByRanks(std::span<Keyed> run) const
+  {
+    std::array<std::int32_t, Most> codes;
+    const std::size_t size = run.size();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      codes[i] = static_cast<std::int32_t>(this->Run[i].code);
+    }
+    std::fill_n(&codes[size], (Most - size) % CodesAtOnce, 0);
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < size; i += CodesAtOnce)
+    {
+      std::array<Codes, 4> own;
+      std::memcpy(&own, &codes[i], sizeof own);
+      std::array<Codes, 4> before{};
+      for (std::size_t j = 0; j < size; ++j)
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          before[k] -= codes[j] < own[k];
+        }
+      }
+      for (std::size_t k = 0; k < std::min(CodesAtOnce, size - i); ++k)
+      {
+        run[before[k / 4][k % 4]].id = this->Run[i + k].id;
+        sum += before[k / 4][k % 4];
+      }
+    }
+    return sum == size * (size - 1) / 2;
+  }
 
   std::span<const Vector3> Points;
   const MortonCurve& Curve;

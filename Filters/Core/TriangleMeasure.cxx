@@ -43,13 +43,12 @@ GEODESIC_INLINED void TriangleMeasurer::measureAll(
   constexpr double absolute = std::numeric_limits<float>::denorm_min();
   static_assert(Most % lanes<Real> == 0);
 
-  for (std::size_t i = 0; i < triangles.size(); i += lanes<Real>)
+  const auto measureSome = [&](const Triangle* some, std::size_t i)
   {
-    // Where they do not add up, the last one is measured again.
     const auto corners = [&](int c)
     {
-      return sideBySide<Real>([&](std::size_t lane) -> const Vector3&
-        { return positions[triangles[std::min(i + lane, triangles.size() - 1)][c]]; });
+      return sideBySide<Real>(
+        [&](std::size_t lane) -> const Vector3& { return positions[some[lane][c]]; });
     };
     const Vector3Of<Real> a = corners(0);
     const Vector3Of<Real> ab = corners(1) - a;
@@ -68,6 +67,18 @@ GEODESIC_INLINED void TriangleMeasurer::measureAll(
     storeFloats(least(slack, Real() + std::numeric_limits<float>::max()), &this->Slacks[i]);
     storeFloats(longest * (1.0 + relative) + absolute, &this->LongestSides[i]);
     storeFloats(labelMargin(longest, leastHeight) * (1.0 + relative) + absolute, &this->Margins[i]);
+  };
+  std::size_t i = 0;
+  for (; i + lanes<Real> <= triangles.size(); i += lanes<Real>)
+  {
+    measureSome(&triangles[i], i);
+  }
+  if (i < triangles.size())
+  {
+    std::array<Triangle, lanes<Real>> last;
+    last.fill(triangles.back());
+    std::copy(triangles.begin() + i, triangles.end(), last.begin());
+    measureSome(last.data(), i);
   }
 }
 

@@ -4,7 +4,6 @@
 #include "TriangleMeasure.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <iterator>
 #include <limits>
@@ -45,6 +44,12 @@ private:
   Index Size;
 };
 
+/** All that there are. */
+struct EveryIndex
+{
+  static bool has(Index) { return true; }
+};
+
 }
 
 /** Some vertices that follow each other, and the triangles that have a corner among them. */
@@ -65,20 +70,180 @@ public:
       [vertices = this->Vertices](const Triangle& t)
       { return vertices.has(t[0]) || vertices.has(t[1]) || vertices.has(t[2]); });
     this->BeginHere = { own, firstFrom(last) };
+    this->IsWhole = this->BeginHere.size() == triangles.size();
   }
 
   IndexRange vertices() const { return this->Vertices; }
-  /** Of both parts in turn: those with a lowest corner before the range, and those with one in it.
-   */
-  std::array<std::span<const Triangle>, 2> triangles() const
+  /** Calls @p work with what tells which vertices are in the range. */
+  template <class Work>
+  void withVertices(const Work& work) const
   {
-    return { this->ReachIn, this->BeginHere };
+    this->IsWhole ? work(EveryIndex()) : work(this->Vertices);
   }
+  /** Those with a lowest corner before the range. */
+  std::span<const Triangle> reachIn() const { return this->ReachIn; }
+  /** Those with one in it. */
+  std::span<const Triangle> beginHere() const { return this->BeginHere; }
 
 private:
   IndexRange Vertices;
   std::vector<Triangle> ReachIn;
   std::span<const Triangle> BeginHere;
+  bool IsWhole;
+};
+
+/**
+ * The making of the rings of a range of vertices. What opens the triangles at each vertex is put to
+ * where its ring will be, in no order, as the triangles follow each other; as soon as all those of
+ * a vertex have come, they are brought into order, while they are near the processor.
+ */
+class VertexRings::Filling
+{
+public:
+  /**
+   * @param start      of the first vertex's ring
+   * @param seconds    room for the other ends of the sides opposite to the vertices, by corner
+   * @pre Starts are the numbers of corners
+   */
+  Filling(VertexRings& rings, const Range& range, std::size_t start,
+    std::span<const Vector3> positions, std::span<Index> seconds)
+    : OfRange(range)
+    , Positions(positions)
+    , Starts(rings.Starts.data())
+    , Entries(rings.Entries.data())
+    , Sizes(rings.Sizes.data())
+    , Seconds(seconds.data())
+    , NextVertex(range.vertices().first())
+    , NextStart(start)
+    , ClosedFan(static_cast<Index>(positions.size()))
+  {
+  }
+
+  /** Returns the rings of more than one fan, for which there is no room. */
+  std::vector<Ring> fill()
+  {
+    const IndexRange vertices = this->OfRange.vertices();
+    std::size_t start = this->NextStart;
+    for (Index v = vertices.first(); v < vertices.last(); ++v)
+    {
+      start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
+      this->Sizes[v] = {};
+    }
+    this->OfRange.withVertices(
+      [&](const auto& ours)
+      {
+        this->put(this->OfRange.reachIn(), ours);
+        this->put(this->OfRange.beginHere(), ours);
+      });
+    this->chainBefore(vertices.last());
+    return std::move(this->Others);
+  }
+
+private:
+  /** Puts the corners of triangles in the order of their lowest ones. */
+  template <class Vertices>
+  void put(std::span<const Triangle> triangles, const Vertices& ours)
+  {
+    for (std::size_t first = 0; first < triangles.size(); first += TriangleMeasurer::Most)
+    {
+      const std::span<const Triangle> rest = triangles.subspan(first);
+      const std::span<const Triangle> some =
+        rest.first(std::min(TriangleMeasurer::Most, rest.size()));
+      // All triangles at lower vertices have come.
+      this->chainBefore(lowestCorner(some.front()));
+      this->Measures.measure(some, this->Positions);
+      for (std::size_t i = 0; i < some.size(); ++i)
+      {
+        constexpr std::size_t ahead = 32;
+        this->prefetchRing(rest[std::min(i + ahead, rest.size() - 1)]);
+        this->put(some[i], this->Measures[i], ours);
+      }
+    }
+  }
+
+  template <class Vertices>
+  void put(const Triangle& t, const TriangleMeasure& measure, const Vertices& ours)
+  {
+    const RingEntry opening(0, measure.slack, measure.isThin());
+    const VertexSize size{ measure.longestSide, measure.margin };
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index v = t[c];
+      if (ours.has(v))
+      {
+        // Moves the start of the ring to its end.
+        const std::uint32_t place = this->Starts[v]++;
+        this->Entries[place] = opening.at(t[(c + 1) % 3]);
+        this->Seconds[place - v] = t[(c + 2) % 3];
+        this->Sizes[v] = largest(this->Sizes[v], size);
+      }
+    }
+  }
+
+  /** The highest corner is the one whose ring is least likely to be near. GCC drops the call unless
+   * it is inlined. */
+  [[gnu::always_inline]] void prefetchRing(const Triangle& t) const
+  {
+    const Index v = highestCorner(t);
+    const std::uint32_t place = this->Starts[v];
+    __builtin_prefetch(&this->Entries[place], 1);
+    __builtin_prefetch(&this->Seconds[place - v], 1);
+    __builtin_prefetch(&this->Sizes[v], 1);
+  }
+
+  /** Brings the rings of the next vertices into order. @pre all of their corners were put */
+  void chainBefore(Index last)
+  {
+    for (; this->NextVertex < last; ++this->NextVertex)
+    {
+      const Index v = this->NextVertex;
+      const std::size_t start = this->NextStart;
+      const std::size_t size =
+        std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
+      const std::span<RingEntry> ring{ this->Entries + start, size + 1 };
+      const std::span<const Index> ends{ this->Seconds + (start - v), size };
+      if (!this->ClosedFan.chain(ends, ring))
+      {
+        this->chainAny(v, ends, ring);
+      }
+      this->NextStart += ring.size();
+    }
+  }
+
+  void chainAny(Index v, std::span<const Index> ends, std::span<RingEntry> ring)
+  {
+    this->Sides.clear();
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      this->Sides.push_back({ ring[i], ends[i] });
+    }
+    this->Fans.clear();
+    this->AnyFans.chain(this->Sides, this->Fans);
+    if (this->Fans.size() == ring.size())
+    {
+      std::copy(this->Fans.begin(), this->Fans.end(), ring.begin());
+    }
+    else
+    {
+      this->Others.push_back({ v, this->Fans });
+    }
+  }
+
+  const Range& OfRange;
+  std::span<const Vector3> Positions;
+  // At hand, as what is written could be of these arrays' own kind.
+  std::uint32_t* Starts;
+  RingEntry* Entries;
+  VertexSize* Sizes;
+  Index* Seconds;
+  TriangleMeasurer Measures;
+  Index NextVertex;
+  std::size_t NextStart;
+  ClosedFanChainer ClosedFan;
+  FanChainer AnyFans;
+  std::vector<OppositeSide> Sides;
+  std::vector<RingEntry> Fans;
+  std::vector<Ring> Others;
 };
 
 VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
@@ -110,8 +275,8 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t)
     {
-      this->fillCorners(*ranges[range], starts[range] + first, positions, room);
-      others[range] = this->chainCorners(*ranges[range], starts[range] + first, room);
+      Filling filling(*this, *ranges[range], starts[range] + first, positions, room);
+      others[range] = filling.fill();
     });
   for (std::size_t range = 1; range < others.size(); ++range)
   {
@@ -125,106 +290,27 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
 
 std::size_t VertexRings::countCorners(const Range& range)
 {
-  const IndexRange vertices = range.vertices();
   std::uint32_t* const starts = this->Starts.data();
   std::size_t sum = 0;
-  for (const std::span<const Triangle> some : range.triangles())
-  {
-    for (const Triangle& t : some)
+  range.withVertices(
+    [&](const auto& vertices)
     {
-      for (Index v : t)
+      for (const std::span<const Triangle> some : { range.reachIn(), range.beginHere() })
       {
-        if (vertices.has(v))
+        for (const Triangle& t : some)
         {
-          ++starts[v];
-          ++sum;
+          for (Index v : t)
+          {
+            if (vertices.has(v))
+            {
+              ++starts[v];
+              ++sum;
+            }
+          }
         }
       }
-    }
-  }
+    });
   return sum;
-}
-
-void VertexRings::fillCorners(const Range& range, std::size_t start,
-  std::span<const Vector3> positions, std::span<Index> seconds)
-{
-  const IndexRange vertices = range.vertices();
-  for (Index v = vertices.first(); v < vertices.last(); ++v)
-  {
-    start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
-    this->Sizes[v] = {};
-  }
-  // At hand, as what is written could be of these arrays' own kind.
-  std::uint32_t* const starts = this->Starts.data();
-  RingEntry* const entries = this->Entries.data();
-  VertexSize* const sizes = this->Sizes.data();
-  TriangleMeasurer measures;
-  for (const std::span<const Triangle> some : range.triangles())
-  {
-    for (std::size_t i = 0; i < some.size(); ++i)
-    {
-      const std::size_t number = i % TriangleMeasurer::Most;
-      if (number == 0)
-      {
-        measures.measure(
-          some.subspan(i, std::min(TriangleMeasurer::Most, some.size() - i)), positions);
-      }
-      const Triangle& t = some[i];
-      const TriangleMeasure measure = measures[number];
-      const RingEntry opening(0, measure.slack, measure.isThin());
-      const VertexSize size{ measure.longestSide, measure.margin };
-      for (int c = 0; c < 3; ++c)
-      {
-        const Index v = t[c];
-        if (vertices.has(v))
-        {
-          // Moves the start of the ring to its end.
-          const std::uint32_t place = starts[v]++;
-          entries[place] = opening.at(t[(c + 1) % 3]);
-          seconds[place - v] = t[(c + 2) % 3];
-          sizes[v] = largest(sizes[v], size);
-        }
-      }
-    }
-  }
-}
-
-std::vector<VertexRings::Ring> VertexRings::chainCorners(
-  const Range& range, std::size_t start, std::span<const Index> seconds)
-{
-  ClosedFanChainer closedFan(static_cast<Index>(this->Starts.size() - 1));
-  FanChainer anyFans;
-  std::vector<OppositeSide> sides;
-  std::vector<RingEntry> fans;
-  std::vector<Ring> others;
-  const IndexRange vertices = range.vertices();
-  for (Index v = vertices.first(); v < vertices.last(); ++v)
-  {
-    const std::size_t size =
-      std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
-    const std::span<RingEntry> ring{ &this->Entries[start], size + 1 };
-    const std::span<const Index> ends = seconds.subspan(start - v, size);
-    start += ring.size();
-    if (!closedFan.chain(ends, ring))
-    {
-      sides.clear();
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        sides.push_back({ ring[i], ends[i] });
-      }
-      fans.clear();
-      anyFans.chain(sides, fans);
-      if (fans.size() == ring.size())
-      {
-        std::copy(fans.begin(), fans.end(), ring.begin());
-      }
-      else
-      {
-        others.push_back({ v, fans });
-      }
-    }
-  }
-  return others;
 }
 
 void VertexRings::replace(std::span<const Ring> others)

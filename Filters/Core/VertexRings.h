@@ -66,12 +66,13 @@ public:
 private:
   static constexpr float NoSlack = std::numeric_limits<float>::infinity();
 
-  /** Rounded down to where its last bit says whether the triangle is thin. */
+  /** Rounded down to where its last bit says whether the triangle is thin, by that bit or none. */
   static constexpr float slackWith(bool isThin, float slack)
   {
     const auto bits = std::bit_cast<std::uint32_t>(slack);
-    return std::bit_cast<float>(
-      slack < 0.0f ? bits + ((bits ^ (isThin ? ThinBit : 0u)) & ThinBit) : bits & ~ThinBit);
+    const std::uint32_t off = (bits ^ (isThin ? ThinBit : 0u)) & ThinBit;
+    const std::uint32_t isNegative = bits >> 31;
+    return std::bit_cast<float>(bits - off + 2 * (off & isNegative));
   }
 
   Index Neighbour = 0;
@@ -146,18 +147,10 @@ private:
     std::vector<RingEntry> entries;
   };
   class Range;
-  // The making of the rings of a range of vertices, step by step.
+  class Filling;
 
-  /** Counts the corners at each vertex to Starts; returns their sum. */
+  /** Counts the corners at each vertex of a range to Starts; returns their sum. */
   std::size_t countCorners(const Range& range);
-  /** Puts what opens the triangles at each vertex to where its ring will be, the first one's from
-   * @p start, in no order; and the other ends of the sides opposite to @p seconds. Leaves the ends
-   * of what was put in Starts. */
-  void fillCorners(const Range& range, std::size_t start, std::span<const Vector3> positions,
-    std::span<Index> seconds);
-  /** Brings them into order. Returns the rings of more than one fan, for which there is no room. */
-  std::vector<Ring> chainCorners(
-    const Range& range, std::size_t start, std::span<const Index> seconds);
   /** Replaces rings, which are sorted by vertex, by others of other sizes. */
   void replace(std::span<const Ring> others);
 

@@ -8,7 +8,7 @@
 
 using namespace geodesic;
 
-TEST(MortonCurve, LeadingBitsAreThoseOfTheCode)
+TEST(MortonCurve, LeadingAndOtherBitsAreThoseOfTheCode)
 {
   BoundingBox box;
   box.add({ -1.0, 2.0, 5.0 });
@@ -21,10 +21,12 @@ TEST(MortonCurve, LeadingBitsAreThoseOfTheCode)
     const Vector3 point{ -1.0 + 4.0 * part(random), 2.0 + 4.0 * part(random),
       5.0 + 3.0 * part(random) };
     ASSERT_EQ(curve.leadingBitsOf(point), curve.codeOf(point) >> 31);
+    ASSERT_EQ(curve.otherBitsOf(point), curve.codeOf(point) & 0x7fffffffu);
   }
   for (const Vector3& corner : { box.low, box.high })
   {
     EXPECT_EQ(curve.leadingBitsOf(corner), curve.codeOf(corner) >> 31);
+    EXPECT_EQ(curve.otherBitsOf(corner), curve.codeOf(corner) & 0x7fffffffu);
   }
   EXPECT_EQ(curve.codeOf(box.low), 0u);
 }
