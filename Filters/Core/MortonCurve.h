@@ -4,6 +4,8 @@
 #include "Vector3.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -48,60 +50,66 @@ public:
   /** How far along the curve a point of the box is, in 63 bits. */
   std::uint64_t codeOf(const Vector3& point) const
   {
-    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
-    return spread(static_cast<std::int64_t>(cell.x)) |
-      spread(static_cast<std::int64_t>(cell.y)) << 1 |
-      spread(static_cast<std::int64_t>(cell.z)) << 2;
+    const Cell cell = this->cellOf(point);
+    return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
   }
 
   /** The first 32 bits of codeOf(), at less cost. */
   std::uint32_t leadingBitsOf(const Vector3& point) const
   {
+    const Cell cell = this->cellOf(point);
     // 33 bits, less the last one.
-    const Lanes bits = spread(this->cellOf(point) >> (BitsPerAxis - LeadingPerAxis));
-    return bits[0] >> 1 | bits[1] | bits[2] << 1;
+    return Spread[cell.x >> LastBits] >> 1 | Spread[cell.y >> LastBits] |
+      Spread[cell.z >> LastBits] << 1;
   }
 
   /** The other 31 of them. */
   std::uint32_t otherBitsOf(const Vector3& point) const
   {
-    constexpr std::uint32_t others = (1u << (BitsPerAxis - LeadingPerAxis)) - 1;
-    const Lanes bits = spread(this->cellOf(point) & Lanes{ 2 * others + 1, others, others });
-    return bits[0] | bits[1] << 1 | bits[2] << 2;
+    const Cell cell = this->cellOf(point);
+    constexpr std::uint32_t last = (1u << LastBits) - 1;
+    return Spread[cell.x & (2 * last + 1)] | Spread[cell.y & last] << 1 |
+      Spread[cell.z & last] << 2;
   }
 
 private:
-  /** One number an axis, which the processor treats at once. */
-  using Lanes = std::uint32_t __attribute__((vector_size(16)));
-  static constexpr int LeadingPerAxis = 11;
-
-  Lanes cellOf(const Vector3& point) const
+  struct Cell
   {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t z;
+  };
+
+  Cell cellOf(const Vector3& point) const
+  {
+    const auto numberOf = [](double x)
+    { return static_cast<std::uint32_t>(static_cast<std::int32_t>(x)); };
     const Vector3 cell = this->CellsPerUnit * (point - this->Low);
-    return Lanes{ static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.x)),
-      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.y)),
-      static_cast<std::uint32_t>(static_cast<std::int32_t>(cell.z)) };
+    return { numberOf(cell.x), numberOf(cell.y), numberOf(cell.z) };
   }
 
-  /** Moves the low 11 bits of each number to every third bit. */
-  static Lanes spread(Lanes values)
-  {
-    values = (values | values << 16) & 0x070000ffu;
-    values = (values | values << 8) & 0x0700f00fu;
-    values = (values | values << 4) & 0x430c30c3u;
-    values = (values | values << 2) & 0x49249249u;
-    return values;
-  }
+  static constexpr int FirstBits = 11;
+  static constexpr int LastBits = BitsPerAxis - FirstBits;
 
-  /** Moves the low 21 bits of @p value to every third bit. */
-  static std::uint64_t spread(std::uint64_t value)
+  /** Numbers of 11 bits with each bit moved to every third one. */
+  static constexpr auto Spread = []
   {
-    value = (value | value << 32) & 0x1f00000000ffffull;
-    value = (value | value << 16) & 0x1f0000ff0000ffull;
-    value = (value | value << 8) & 0x100f00f00f00f00full;
-    value = (value | value << 4) & 0x10c30c30c30c30c3ull;
-    value = (value | value << 2) & 0x1249249249249249ull;
-    return value;
+    std::array<std::uint32_t, std::size_t{ 1 } << FirstBits> spread{};
+    for (std::uint32_t number = 0; number < spread.size(); ++number)
+    {
+      for (int bit = 0; bit < FirstBits; ++bit)
+      {
+        spread[number] |= (number >> bit & 1) << 3 * bit;
+      }
+    }
+    return spread;
+  }();
+
+  /** The same of 21 bits. */
+  static std::uint64_t spread(std::uint32_t number)
+  {
+    constexpr std::uint32_t last = (1u << LastBits) - 1;
+    return Spread[number & last] | std::uint64_t{ Spread[number >> LastBits] } << 3 * LastBits;
   }
 
   Vector3 Low;

@@ -217,18 +217,15 @@ void sortRuns(BulkVector<Keyed>& keyed, std::span<const Vector3> points, const M
     [&](std::size_t range, std::size_t, std::size_t)
     {
       RunSorter sorter(points, curve);
-      for (std::size_t first = starts[range]; first < starts[range + 1];)
+      const auto isSame = [](const Keyed& a, const Keyed& b) { return a.key == b.key; };
+      const auto end = keyed.begin() + starts[range + 1];
+      auto first = std::adjacent_find(keyed.begin() + starts[range], end, isSame);
+      while (first != end)
       {
-        std::size_t last = first + 1;
-        while (last < starts[range + 1] && isSameRun(first, last))
-        {
-          ++last;
-        }
-        if (last - first > 1)
-        {
-          sorter.sort({ &keyed[first], last - first });
-        }
-        first = last;
+        const auto last =
+          std::find_if(first, end, [&](const Keyed& k) { return !isSame(k, *first); });
+        sorter.sort({ first, last });
+        first = std::adjacent_find(last, end, isSame);
       }
     });
 }
