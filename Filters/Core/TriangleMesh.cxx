@@ -37,16 +37,15 @@ std::vector<std::uint8_t> usedPoints(
     {
       const auto use = [flags = used.data()](Index point)
       { std::atomic_ref(flags[point]).store(1, std::memory_order_relaxed); };
-      for (std::size_t t = first; t < last; ++t)
+      const std::size_t count = points.size();
+      for (const Triangle& t : triangles.subspan(first, last - first))
       {
-        const Index a = triangles[t][0];
-        const Index b = triangles[t][1];
-        const Index c = triangles[t][2];
-        if (const Index highest = std::max(std::max(a, b), c); highest >= points.size())
+        const auto [a, b, c] = t;
+        if (highestCorner(t) >= count)
         {
-          throw std::invalid_argument("Triangle " + std::to_string(t) + " uses point " +
-            std::to_string(highest) + ", but the surface has " + std::to_string(points.size()) +
-            " points. Clean the surface.");
+          throw std::invalid_argument("Triangle " + std::to_string(&t - triangles.data()) +
+            " uses point " + std::to_string(highestCorner(t)) + ", but the surface has " +
+            std::to_string(count) + " points. Clean the surface.");
         }
         use(a);
         use(b);
@@ -176,21 +175,26 @@ void TriangleMesh::orderTriangles(
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       places[range].resize(vertices);
-      const std::span<Index> counts = places[range];
-      const std::span<const Index> vertexOf = this->VertexOfPoint;
-      for (std::size_t t = first; t < last; ++t)
+      Index* const counts = places[range].data();
+      const Index* const vertexOf = this->VertexOfPoint.data();
+      Index* to = &corners[3 * first];
+      for (const Triangle& input : triangles.subspan(first, last - first))
       {
-        const Triangle& input = triangles[t];
-        const Triangle ours{ vertexOf[input[0]], vertexOf[input[1]], vertexOf[input[2]] };
-        std::copy(ours.begin(), ours.end(), &corners[3 * t]);
-        if (repeatsCorner(ours))
+        const Index a = vertexOf[input[0]];
+        const Index b = vertexOf[input[1]];
+        const Index c = vertexOf[input[2]];
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        if (repeatsCorner({ a, b, c }))
         {
-          corners[3 * t] = NoIndex;
+          to[0] = NoIndex;
         }
         else
         {
-          ++counts[lowestCorner(ours)];
+          ++counts[lowestCorner({ a, b, c })];
         }
+        to += 3;
       }
     });
   std::vector<std::size_t> starts(team.numberOfRanges(vertices));
@@ -221,11 +225,11 @@ void TriangleMesh::orderTriangles(
   counters.run(triangles.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      const std::span<Index> next = places[range];
-      const std::span<Triangle> ordered = this->Triangles;
-      const std::span<Index> sources = this->SourceOfTriangle;
-      const auto cornersOf = [&](std::size_t t) -> Triangle {
-        return { corners[3 * t], corners[3 * t + 1], corners[3 * t + 2] };
+      Index* const next = places[range].data();
+      Triangle* const ordered = this->Triangles.data();
+      Index* const sources = this->SourceOfTriangle.data();
+      const auto cornersOf = [from = corners.data()](std::size_t t) -> Triangle {
+        return { from[3 * t], from[3 * t + 1], from[3 * t + 2] };
       };
       // Where a triangle goes may be anywhere in memory, so that is fetched some time before.
       constexpr std::size_t ahead = 24;
