@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 #include <numeric>
+#include <sstream>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -24,6 +26,15 @@ struct Keyed
   Index id;
 };
 
+[[noreturn]] void throwNotFinite(Index id, const Vector3& point)
+{
+  std::ostringstream message;
+  message << "Point " << id << " is at (" << point.x << ", " << point.y << ", " << point.z
+          << "), which is no finite position, and cells use it. Remove it, for example with "
+          << "Threshold.";
+  throw std::invalid_argument(message.str());
+}
+
 BoundingBox boxOf(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
@@ -36,6 +47,10 @@ BoundingBox boxOf(
       {
         if (used[i])
         {
+          if (!isFinite(points[i])) [[unlikely]]
+          {
+            throwNotFinite(static_cast<Index>(i), points[i]);
+          }
           box.add(points[i]);
         }
       }

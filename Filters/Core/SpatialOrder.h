@@ -15,11 +15,12 @@ namespace geodesic
 /**
  * Orders points along a Morton (Z) curve through their bounding cube, so that neighbours on the
  * surface are neighbours in memory.
- * @param points  coordinates; those taken part must be finite
+ * @param points  coordinates
  * @param used    one flag a point: 0 leaves the point out
  * @param team    threads to work on; the order does not depend on their number
  * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
  *         increasing id; otherwise the order depends on coordinates alone, not on ids.
+ * @throws std::invalid_argument where the coordinates of a used point are not finite
  * Time O(n), memory 16 bytes a point while it runs.
  * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
  */

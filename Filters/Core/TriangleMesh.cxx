@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,17 +26,16 @@ void checkNumber(std::size_t points)
   }
 }
 
-/** Flags the points that triangles use, after checking that they can be used. */
+/** Flags the points that triangles use, after checking that these exist. */
 std::vector<std::uint8_t> usedPoints(
-  std::span<const Vector3> points, std::span<const Triangle> triangles, const ThreadTeam& team)
+  std::size_t count, std::span<const Triangle> triangles, const ThreadTeam& team)
 {
-  std::vector<std::uint8_t> used(points.size(), 0);
+  std::vector<std::uint8_t> used(count, 0);
   team.run(triangles.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       const auto use = [flags = used.data()](Index point)
       { std::atomic_ref(flags[point]).store(1, std::memory_order_relaxed); };
-      const std::size_t count = points.size();
       for (const Triangle& t : triangles.subspan(first, last - first))
       {
         const auto [a, b, c] = t;
@@ -50,21 +48,6 @@ std::vector<std::uint8_t> usedPoints(
         use(a);
         use(b);
         use(c);
-      }
-    });
-  team.run(points.size(),
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (used[i] && !isFinite(points[i]))
-        {
-          std::ostringstream message;
-          message << "Point " << i << " is at (" << points[i].x << ", " << points[i].y << ", "
-                  << points[i].z << "), which is no finite position, and cells use it. Remove it, "
-                  << "for example with Threshold.";
-          throw std::invalid_argument(message.str());
-        }
       }
     });
   return used;
@@ -81,7 +64,7 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
   CoincidentPoints coincident, const ThreadTeam& team)
 {
   checkNumber(points.size());
-  this->numberVertices(points, usedPoints(points, triangles, team), coincident, team);
+  this->numberVertices(points, usedPoints(points.size(), triangles, team), coincident, team);
   this->build(triangles, team);
 }
 
@@ -89,7 +72,7 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
   std::span<const Index> kinds, const ThreadTeam& team)
 {
   checkNumber(points.size());
-  const std::vector<std::uint8_t> used = usedPoints(points, triangles, team);
+  const std::vector<std::uint8_t> used = usedPoints(points.size(), triangles, team);
   std::vector<std::uint8_t> isFirst(points.size(), 0);
   std::vector<Index> firstOfKind(points.size(), NoIndex);
   for (Index i = 0; i < points.size(); ++i)
