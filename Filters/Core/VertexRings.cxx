@@ -56,9 +56,13 @@ struct EveryIndex
 class VertexRings::Range
 {
 public:
-  /** @param triangles in the order of their lowest corners */
-  Range(std::size_t first, std::size_t last, std::span<const Triangle> triangles)
+  /**
+   * @param triangles  all of them, in the order of their lowest corners
+   * @param isWhole    whether the range is of all vertices
+   */
+  Range(std::size_t first, std::size_t last, std::span<const Triangle> triangles, bool isWhole)
     : Vertices(static_cast<Index>(first), static_cast<Index>(last - first))
+    , IsWhole(isWhole)
   {
     const auto firstFrom = [&](std::size_t vertex)
     {
@@ -70,7 +74,6 @@ public:
       [vertices = this->Vertices](const Triangle& t)
       { return vertices.has(t[0]) || vertices.has(t[1]) || vertices.has(t[2]); });
     this->BeginHere = { own, firstFrom(last) };
-    this->IsWhole = this->BeginHere.size() == triangles.size();
   }
 
   IndexRange vertices() const { return this->Vertices; }
@@ -87,9 +90,9 @@ public:
 
 private:
   IndexRange Vertices;
+  bool IsWhole;
   std::vector<Triangle> ReachIn;
   std::span<const Triangle> BeginHere;
-  bool IsWhole;
 };
 
 /**
@@ -155,7 +158,7 @@ private:
       for (std::size_t i = 0; i < some.size(); ++i)
       {
         constexpr std::size_t ahead = 32;
-        this->prefetchRing(rest[std::min(i + ahead, rest.size() - 1)]);
+        this->prefetchRing(rest[std::min(i + ahead, rest.size() - 1)], ours);
         this->put(some[i], this->Measures[i], ours);
       }
     }
@@ -182,13 +185,17 @@ private:
 
   /** The highest corner is the one whose ring is least likely to be near. GCC drops the call unless
    * it is inlined. */
-  [[gnu::always_inline]] void prefetchRing(const Triangle& t) const
+  template <class Vertices>
+  [[gnu::always_inline]] void prefetchRing(const Triangle& t, const Vertices& ours) const
   {
     const Index v = highestCorner(t);
-    const std::uint32_t place = this->Starts[v];
-    __builtin_prefetch(&this->Entries[place], 1);
-    __builtin_prefetch(&this->Seconds[place - v], 1);
-    __builtin_prefetch(&this->Sizes[v], 1);
+    if (ours.has(v))
+    {
+      const std::uint32_t place = this->Starts[v];
+      __builtin_prefetch(&this->Entries[place], 1);
+      __builtin_prefetch(&this->Seconds[place - v], 1);
+      __builtin_prefetch(&this->Sizes[v], 1);
+    }
   }
 
   /** Brings the rings of the next vertices into order. @pre all of their corners were put */
@@ -264,7 +271,7 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
-      ranges[range].emplace(first, last, triangles);
+      ranges[range].emplace(first, last, triangles, ranges.size() == 1);
       starts[range] = this->countCorners(*ranges[range]);
     });
   // Room for one fan a vertex.

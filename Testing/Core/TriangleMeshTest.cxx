@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -181,8 +182,44 @@ TEST(TriangleMesh, MarginTellsOfTheHeight)
   EXPECT_EQ(heightOfMargin(0.0, 0.0), 0.0);
 }
 
-// What is found side by side must not depend on where the work was cut: 1, 2, 3 and 9 threads,
-// which is more than count triangles.
+namespace
+{
+
+/** On any number of threads the same: 2, 3 and 9, which is more than count triangles. */
+void expectThreadsChangeNothing(const Surface& surface, CoincidentPoints coincident)
+{
+  const TriangleMesh one(surface.points, surface.triangles, coincident, ThreadTeam(1));
+  for (unsigned threads : { 2u, 3u, 9u })
+  {
+    ASSERT_EQ(ThreadTeam(threads).numberOfRanges(one.numberOfVertices()), threads);
+    const TriangleMesh other(surface.points, surface.triangles, coincident, ThreadTeam(threads));
+    ASSERT_EQ(other.numberOfVertices(), one.numberOfVertices());
+    ASSERT_EQ(other.numberOfTriangles(), one.numberOfTriangles());
+    EXPECT_EQ(other.meanLongestEdge(), one.meanLongestEdge());
+    EXPECT_EQ(other.meanMargin(), one.meanMargin());
+    EXPECT_EQ(other.longestEdgeLength(), one.longestEdgeLength());
+    for (Index i = 0; i < one.numberOfPoints(); ++i)
+    {
+      ASSERT_EQ(other.vertexOfPoint(i), one.vertexOfPoint(i));
+    }
+    for (Index t = 0; t < one.numberOfTriangles(); ++t)
+    {
+      ASSERT_EQ(other.triangle(t), one.triangle(t));
+      ASSERT_EQ(other.sourceOfTriangle(t), one.sourceOfTriangle(t));
+    }
+    for (Index v = 0; v < one.numberOfVertices(); ++v)
+    {
+      ASSERT_EQ(other.position(v), one.position(v));
+      ASSERT_EQ(other.pointOfVertex(v), one.pointOfVertex(v));
+      ASSERT_EQ(other.longestEdgeAround(v), one.longestEdgeAround(v));
+      ASSERT_TRUE(std::ranges::equal(other.ring(v), one.ring(v)));
+    }
+  }
+}
+
+}
+
+// What is found side by side must not depend on where the work was cut.
 TEST(TriangleMesh, ThreadsChangeNothing)
 {
   std::vector<Index> newId;
@@ -192,34 +229,26 @@ TEST(TriangleMesh, ThreadsChangeNothing)
   surface.triangles.push_back({ 0, 0, 1 });
   for (CoincidentPoints coincident : { CoincidentPoints::Separate, CoincidentPoints::Merge })
   {
-    const TriangleMesh one(surface.points, surface.triangles, coincident, ThreadTeam(1));
-    for (unsigned threads : { 2u, 3u, 9u })
+    expectThreadsChangeNothing(surface, coincident);
+  }
+}
+
+// All triangles have their lowest corner in the first thread's part, and others anywhere.
+TEST(TriangleMesh, ThreadsChangeNothingRoundOnePoint)
+{
+  Surface fan;
+  fan.points.push_back({ 0.0, 0.0, 0.0 });
+  constexpr Index rim = 12000;
+  for (Index i = 1; i <= rim; ++i)
+  {
+    const double angle = 1.5 * i / rim;
+    fan.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    if (i > 1)
     {
-      ASSERT_EQ(ThreadTeam(threads).numberOfRanges(one.numberOfVertices()), threads);
-      const TriangleMesh other(surface.points, surface.triangles, coincident, ThreadTeam(threads));
-      ASSERT_EQ(other.numberOfVertices(), one.numberOfVertices());
-      ASSERT_EQ(other.numberOfTriangles(), one.numberOfTriangles());
-      EXPECT_EQ(other.meanLongestEdge(), one.meanLongestEdge());
-      EXPECT_EQ(other.meanMargin(), one.meanMargin());
-      EXPECT_EQ(other.longestEdgeLength(), one.longestEdgeLength());
-      for (Index i = 0; i < one.numberOfPoints(); ++i)
-      {
-        ASSERT_EQ(other.vertexOfPoint(i), one.vertexOfPoint(i));
-      }
-      for (Index t = 0; t < one.numberOfTriangles(); ++t)
-      {
-        ASSERT_EQ(other.triangle(t), one.triangle(t));
-        ASSERT_EQ(other.sourceOfTriangle(t), one.sourceOfTriangle(t));
-      }
-      for (Index v = 0; v < one.numberOfVertices(); ++v)
-      {
-        ASSERT_EQ(other.position(v), one.position(v));
-        ASSERT_EQ(other.pointOfVertex(v), one.pointOfVertex(v));
-        ASSERT_EQ(other.longestEdgeAround(v), one.longestEdgeAround(v));
-        ASSERT_TRUE(std::ranges::equal(other.ring(v), one.ring(v)));
-      }
+      fan.triangles.push_back({ 0, i - 1, i });
     }
   }
+  expectThreadsChangeNothing(fan, CoincidentPoints::Separate);
 }
 
 // Of several mistakes the first is named, whichever thread finds one.
