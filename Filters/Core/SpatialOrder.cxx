@@ -13,6 +13,16 @@
 
 namespace geodesic
 {
+
+void throwNotFinite(Index point, const Vector3& position)
+{
+  std::ostringstream message;
+  message << "Point " << point << " is at (" << position.x << ", " << position.y << ", "
+          << position.z << "), which is no finite position, and cells use it. Remove it, for "
+          << "example with Threshold.";
+  throw std::invalid_argument(message.str());
+}
+
 namespace
 {
 
@@ -26,15 +36,6 @@ struct Keyed
   Index id;
 };
 
-[[noreturn]] void throwNotFinite(Index id, const Vector3& point)
-{
-  std::ostringstream message;
-  message << "Point " << id << " is at (" << point.x << ", " << point.y << ", " << point.z
-          << "), which is no finite position, and cells use it. Remove it, for example with "
-          << "Threshold.";
-  throw std::invalid_argument(message.str());
-}
-
 BoundingBox boxOf(
   std::span<const Vector3> points, std::span<const std::uint8_t> used, const ThreadTeam& team)
 {
@@ -47,10 +48,7 @@ BoundingBox boxOf(
       {
         if (used[i])
         {
-          if (!isFinite(points[i])) [[unlikely]]
-          {
-            throwNotFinite(static_cast<Index>(i), points[i]);
-          }
+          checkFinite(static_cast<Index>(i), points[i]);
           box.add(points[i]);
         }
       }
@@ -185,7 +183,7 @@ private:
     {
       codes[i] = static_cast<std::int32_t>(this->Run[i].code);
     }
-    std::fill_n(&codes[size], (Most - size) % CodesAtOnce, 0);
+    std::fill_n(codes.data() + size, (Most - size) % CodesAtOnce, 0);
     std::size_t sum = 0;
     for (std::size_t i = 0; i < size; i += CodesAtOnce)
     {

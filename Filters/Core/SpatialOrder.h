@@ -12,6 +12,18 @@
 namespace geodesic
 {
 
+/** @throws std::invalid_argument that names the point */
+[[noreturn]] void throwNotFinite(Index point, const Vector3& position);
+
+/** @throws std::invalid_argument where the position of a point that triangles use is not finite */
+inline void checkFinite(Index point, const Vector3& position)
+{
+  if (!isFinite(position)) [[unlikely]]
+  {
+    throwNotFinite(point, position);
+  }
+}
+
 /**
  * Orders points along a Morton (Z) curve through their bounding cube, so that neighbours on the
  * surface are neighbours in memory.

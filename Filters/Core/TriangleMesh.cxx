@@ -77,10 +77,14 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
   std::vector<Index> firstOfKind(points.size(), NoIndex);
   for (Index i = 0; i < points.size(); ++i)
   {
-    if (used[i] && firstOfKind[kinds[i]] == NoIndex)
+    if (used[i])
     {
-      firstOfKind[kinds[i]] = i;
-      isFirst[i] = 1;
+      checkFinite(i, points[i]);
+      if (firstOfKind[kinds[i]] == NoIndex)
+      {
+        firstOfKind[kinds[i]] = i;
+        isFirst[i] = 1;
+      }
     }
   }
   this->numberVertices(points, isFirst, CoincidentPoints::Separate, team);
@@ -160,7 +164,7 @@ void TriangleMesh::orderTriangles(
       places[range].resize(vertices);
       Index* const counts = places[range].data();
       const Index* const vertexOf = this->VertexOfPoint.data();
-      Index* to = &corners[3 * first];
+      Index* to = corners.data() + 3 * first;
       for (const Triangle& input : triangles.subspan(first, last - first))
       {
         const Index a = vertexOf[input[0]];

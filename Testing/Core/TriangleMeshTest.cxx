@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -134,6 +135,9 @@ TEST(TriangleMesh, PointsOfOneKindAreOneVertex)
   EXPECT_EQ(withBare.numberOfVertices(), 6u);
   EXPECT_EQ(withBare.vertexOfPoint(0), NoIndex);
   EXPECT_EQ(withBare.pointOfVertex(withBare.vertexOfPoint(5)), 2u);
+  // All that triangles use are to be finite, not only those.
+  both.points[5].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(TriangleMesh(both.points, both.triangles, kinds), std::invalid_argument);
 }
 
 TEST(TriangleMesh, CoincidentPointsMergeOnRequest)
