@@ -166,7 +166,8 @@ private:
     std::uint32_t code;
     Index id;
   };
-  /** Codes that the processor compares at once. */
+  /** Codes that the processor compares with another at once; four of these are at work side by
+   * side. */
   using Codes = std::int32_t __attribute__((vector_size(16)));
   static constexpr std::size_t CodesAtOnce = 16;
   /** Of so many, to count for each how many are before it costs less than a sort, which has to

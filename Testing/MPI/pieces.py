@@ -84,7 +84,7 @@ def torus(rows=120, columns=60):
 
 def large():
     """So large that on its pieces, too, fronts of many seeds are in groups that take turns."""
-    return torus(370, 180)
+    return torus(480, 240)
 
 
 def thin(rows=60, columns=60):
