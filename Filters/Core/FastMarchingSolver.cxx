@@ -34,12 +34,13 @@ constexpr std::size_t Handful = 12;
  */
 constexpr double BucketWidthInHeights = 0.46;
 
-/** A group has about as many vertices as it takes in a turn, so that what it goes through is near
- * the processor. Where there are targets all fronts are to stop as soon as these are reached, so
- * none may go ahead of the others. */
+/** A group has at most as many vertices as it takes in a turn, so that what it goes through is near
+ * the processor; of smaller groups more go too far where they meet. Where there are targets all
+ * fronts are to stop as soon as these are reached, so none may go ahead of the others. */
 std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
 {
-  const std::size_t groups = numberOfVertices / FrontQueues::ItemsOfTurn;
+  const std::size_t groups =
+    (numberOfVertices + FrontQueues::ItemsOfTurn - 1) / FrontQueues::ItemsOfTurn;
   return options.targets.empty() ? std::max(std::min(groups, fronts), std::size_t{ 1 }) : 1;
 }
 

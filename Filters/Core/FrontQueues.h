@@ -34,8 +34,11 @@ struct FrontGroup
 class FrontQueues
 {
 public:
+  /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
+   * and the further it goes in vain. */
+  static constexpr std::uint64_t Slice = 24;
   /** So many items end a turn. */
-  static constexpr std::size_t ItemsOfTurn = 1 << 14;
+  static constexpr std::size_t ItemsOfTurn = 1 << 15;
 
   /** @param width, span as BucketQueue::start() has them; @param wanted number of groups, at least
    * 1; there are fewer where together they would have too many buckets */
@@ -97,9 +100,6 @@ public:
   }
 
 private:
-  /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
-   * and the further it goes in vain. */
-  static constexpr std::uint64_t Slice = 32;
   static constexpr std::uint64_t None = std::numeric_limits<std::uint64_t>::max();
 
   /** All of them have the same buckets. */

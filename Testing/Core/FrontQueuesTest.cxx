@@ -40,12 +40,16 @@ TEST(FrontQueues, AGroupGoesOnByASliceThenTheNextDoes)
   FrontQueues queues;
   queues.start(1.0, Span, 2);
   ASSERT_EQ(queues.numberOfGroups(), 2u);
-  for (Index item : { 70u, 3u, 35u, 31u })
+  const Index first = 3;
+  const Index last = FrontQueues::Slice - 1;
+  const Index later = last + FrontQueues::Slice + 5;
+  for (Index item : { later, first, last + 1, last })
   {
     queues.group(0).best.push(item, item + 0.5);
     queues.group(1).best.push(item + 100, item + 0.5);
   }
-  EXPECT_EQ(emptied(queues), (Items{ 3, 31, 103, 131, 35, 135, 70, 170 }));
+  EXPECT_EQ(emptied(queues),
+    (Items{ first, last, first + 100, last + 100, last + 1, last + 101, later, later + 100 }));
   EXPECT_EQ(queues.nextKey(), std::numeric_limits<double>::infinity());
 }
 
