@@ -103,7 +103,7 @@ protected:
   double ceiling(const MarchedLabel& label, Index vertex, double old) const
   {
     const double counts = old * this->Control.keptFraction();
-    return this->MayStop
+    return this->MayStop && this->Context.limit.isKnown()
       ? std::min(
           counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue)
       : counts;

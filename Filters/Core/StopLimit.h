@@ -28,11 +28,10 @@ public:
   }
 
   double value() const { return this->Limit; }
+  /** Whether there is one now. */
+  bool isKnown() const { return this->Limit < DistanceField::Unreached; }
   /** Whether there is one now, or may be later. */
-  bool isPossible() const
-  {
-    return this->Limit < DistanceField::Unreached || !this->Options.targets.empty();
-  }
+  bool isPossible() const { return this->isKnown() || !this->Options.targets.empty(); }
 
   /**
    * The largest value that may still matter where neighbours differ by up to @p reach: one above
@@ -74,8 +73,7 @@ public:
     {
       return StopReason::Targets;
     }
-    return this->Limit < DistanceField::Unreached ? StopReason::MaximumDistance
-                                                  : StopReason::Exhausted;
+    return this->isKnown() ? StopReason::MaximumDistance : StopReason::Exhausted;
   }
 
 private:
