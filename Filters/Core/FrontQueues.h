@@ -36,7 +36,7 @@ class FrontQueues
 public:
   /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
    * and the further it goes in vain. */
-  static constexpr std::uint64_t Slice = 24;
+  static constexpr std::uint64_t Slice = 20;
   /** So many items end a turn. */
   static constexpr std::size_t ItemsOfTurn = 1 << 15;
 

@@ -58,8 +58,8 @@ TEST(FrontQueues, ASliceBeginsWhereSomethingWaits)
   FrontQueues queues;
   queues.start(1.0, 1e4, 2);
   queues.group(0).best.push(1, 5000.5);
-  queues.group(1).best.push(2, 5020.5);
-  queues.group(0).best.push(3, 5033.5);
+  queues.group(1).best.push(2, 5000.5 + FrontQueues::Slice - 1);
+  queues.group(0).best.push(3, 5000.5 + FrontQueues::Slice);
   EXPECT_EQ(queues.nextKey(), 5000.0);
   EXPECT_EQ(emptied(queues), (Items{ 1, 2, 3 }));
 }
