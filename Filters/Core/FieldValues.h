@@ -103,6 +103,7 @@ protected:
   double ceiling(const MarchedLabel& label, Index vertex, double old) const
   {
     const double counts = old * this->Control.keptFraction();
+    // Until a target is reached there is no limit, and no need to look up the reach.
     return this->MayStop && this->Context.limit.isKnown()
       ? std::min(
           counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue)

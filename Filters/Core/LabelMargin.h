@@ -19,7 +19,7 @@ constexpr double LabelMarginPerSpread = 2.5;
  * wins, sideways to its way: over a side of length c and a height h with a variance of up to
  * c^2 / 4 in a step of at least h. A detour over where values are wrong by e is then as rare as
  * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.5 of
- * it leave, with a part that depends on the order of the march, at most 4e-8 of a distance at
+ * it leave, with a part that depends on the order of the march, at most 5e-8 of a distance at
  * single points of icospheres, tori and regular grids, as 5 longest sides do for their thinner
  * triangles. Where random triangles are stretched, those 5 leave more: three times, 2e-4 at single
  * points and 2e-8 on the mean; ten times, 6e-3 and 5e-5.

@@ -57,10 +57,11 @@ TEST(FrontQueues, ASliceBeginsWhereSomethingWaits)
 {
   FrontQueues queues;
   queues.start(1.0, 1e4, 2);
-  queues.group(0).best.push(1, 5000.5);
-  queues.group(1).best.push(2, 5000.5 + FrontQueues::Slice - 1);
-  queues.group(0).best.push(3, 5000.5 + FrontQueues::Slice);
-  EXPECT_EQ(queues.nextKey(), 5000.0);
+  const Index first = 251 * FrontQueues::Slice - 1;
+  queues.group(0).best.push(1, first + 0.5);
+  queues.group(1).best.push(2, first + FrontQueues::Slice - 0.5);
+  queues.group(0).best.push(3, first + FrontQueues::Slice + 0.5);
+  EXPECT_EQ(queues.nextKey(), first);
   EXPECT_EQ(emptied(queues), (Items{ 1, 2, 3 }));
 }
 
