@@ -30,7 +30,7 @@ check_format()
 
 check_core_with_clang_tidy()
 {
-  printf '%s\n' Filters/Core/*.cxx |
+  printf '%s\n' Filters/Core/*/*.cxx |
     xargs -P "$(nproc)" -n 1 clang-tidy-14 -p "$build" --quiet --warnings-as-errors='*' 2>&1 |
     sed '/ warnings\? generated\.$/d' ||
     fail "clang-tidy has complaints, see above"

@@ -3,8 +3,8 @@
 #ifndef geodesic_bridge_BlockNumbering_h
 #define geodesic_bridge_BlockNumbering_h
 
-#include "Index.h"
 #include "InputBlocks.h"
+#include "base/Index.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FieldArray.h"
 
-#include "DistanceField.h"
-#include "SplitMesh.h"
+#include "solve/DistanceField.h"
+#include "split/SplitMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

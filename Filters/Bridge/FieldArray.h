@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_FieldArray_h
 #define geodesic_bridge_FieldArray_h
 
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

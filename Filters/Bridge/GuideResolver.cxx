@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuideResolver.h"
 
-#include "NumberText.h"
+#include "base/NumberText.h"
 
 #include "vtkIdList.h"
 

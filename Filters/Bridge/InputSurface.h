@@ -4,10 +4,10 @@
 #define geodesic_bridge_InputSurface_h
 
 #include "BlockNumbering.h"
-#include "ClosestPointTree.h"
 #include "PointIdentity.h"
-#include "ThreadTeam.h"
-#include "TriangleMesh.h"
+#include "base/ThreadTeam.h"
+#include "mesh/TriangleMesh.h"
+#include "search/ClosestPointTree.h"
 
 #include <memory>
 #include <mutex>

@@ -4,7 +4,7 @@
 #define geodesic_bridge_PathGround_h
 
 #include "InputSurface.h"
-#include "Vector3.h"
+#include "base/Vector3.h"
 
 #include "vtkType.h"
 

@@ -4,7 +4,7 @@
 #define geodesic_bridge_PathOutput_h
 
 #include "PathGround.h"
-#include "PathPoint.h"
+#include "path/PathPoint.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"

@@ -3,7 +3,7 @@
 #include "PointIdentity.h"
 
 #include "ArrayValues.h"
-#include "NumberText.h"
+#include "base/NumberText.h"
 
 #include "vtkPolyData.h"
 

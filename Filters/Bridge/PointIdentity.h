@@ -3,9 +3,9 @@
 #ifndef geodesic_bridge_PointIdentity_h
 #define geodesic_bridge_PointIdentity_h
 
-#include "Index.h"
 #include "InputBlocks.h"
-#include "Vector3.h"
+#include "base/Index.h"
+#include "base/Vector3.h"
 
 #include "vtkType.h"
 

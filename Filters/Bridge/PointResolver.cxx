@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointResolver.h"
 
-#include "SeedFront.h"
+#include "solve/SeedFront.h"
 
 #include "vtkIdList.h"
 

@@ -5,7 +5,7 @@
 
 #include "InputSurface.h"
 #include "PointSource.h"
-#include "SurfacePoint.h"
+#include "mesh/SurfacePoint.h"
 
 #include "vtkType.h"
 

@@ -3,8 +3,8 @@
 #ifndef geodesic_bridge_PolyDataTriangles_h
 #define geodesic_bridge_PolyDataTriangles_h
 
-#include "Index.h"
-#include "Vector3.h"
+#include "base/Index.h"
+#include "base/Vector3.h"
 
 #include <vector>
 

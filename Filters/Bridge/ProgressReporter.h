@@ -4,7 +4,7 @@
 #define geodesic_bridge_ProgressReporter_h
 
 #include "Abort.h"
-#include "Index.h"
+#include "base/Index.h"
 
 #include "vtkAlgorithm.h"
 

@@ -6,8 +6,8 @@
 #include "ArrayValues.h"
 #include "InputSurface.h"
 #include "PointResolver.h"
-#include "Seed.h"
 #include "SelectedElements.h"
+#include "solve/Seed.h"
 
 #include <map>
 #include <span>

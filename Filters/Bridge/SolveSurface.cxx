@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolveSurface.h"
 
-#include "BasePath.h"
-#include "SplitMesh.h"
+#include "split/BasePath.h"
+#include "split/SplitMesh.h"
 
 #include <algorithm>
 #include <stdexcept>

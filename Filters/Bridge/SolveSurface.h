@@ -4,10 +4,10 @@
 #define geodesic_bridge_SolveSurface_h
 
 #include "GuideResolver.h"
-#include "PathPoint.h"
-#include "Seed.h"
-#include "SolveOptions.h"
 #include "SurfaceLines.h"
+#include "path/PathPoint.h"
+#include "solve/Seed.h"
+#include "solve/SolveOptions.h"
 
 #include <memory>
 #include <string>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceLines.h"
 
-#include "FastMarchingSolver.h"
-#include "SplitMesh.h"
-#include "SurfaceCurve.h"
+#include "march/FastMarchingSolver.h"
+#include "path/SurfaceCurve.h"
+#include "split/SplitMesh.h"
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 #ifndef geodesic_bridge_SurfaceLines_h
 #define geodesic_bridge_SurfaceLines_h
 
-#include "PathPoint.h"
-#include "SurfacePoint.h"
+#include "mesh/SurfacePoint.h"
+#include "path/PathPoint.h"
 
 #include <memory>
 #include <vector>

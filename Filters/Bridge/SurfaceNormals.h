@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_SurfaceNormals_h
 #define geodesic_bridge_SurfaceNormals_h
 
-#include "PathPoint.h"
+#include "path/PathPoint.h"
 
 #include <functional>
 #include <optional>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CorridorGround.h"
 
-#include "PathPoint.h"
+#include "path/PathPoint.h"
 
 #include <algorithm>
 

@@ -4,11 +4,11 @@
 #define geodesic_distributed_CorridorGround_h
 
 #include "Corridor.h"
-#include "DistanceField.h"
 #include "GlobalPoints.h"
 #include "PathGround.h"
-#include "SolveOptions.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/DistanceField.h"
+#include "solve/SolveOptions.h"
 
 #include <cstdint>
 #include <map>

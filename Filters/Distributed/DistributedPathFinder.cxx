@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedPathFinder.h"
 
-#include "BasePath.h"
 #include "DistributedSurface.h"
 #include "ErrorMessage.h"
 #include "GatheredSurface.h"
 #include "GlobalSeeds.h"
+#include "split/BasePath.h"
 
 #include <algorithm>
 #include <map>

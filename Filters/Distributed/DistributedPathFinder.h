@@ -5,11 +5,11 @@
 
 #include "Corridor.h"
 #include "CorridorGround.h"
-#include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "GlobalPoints.h"
-#include "PathFinder.h"
 #include "RankGroup.h"
+#include "path/PathFinder.h"
+#include "solve/DistanceSolver.h"
 
 #include <functional>
 #include <memory>

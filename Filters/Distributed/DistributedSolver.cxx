@@ -4,8 +4,8 @@
 
 #include "DividedMesh.h"
 #include "SharedPoints.h"
-#include "StopLimit.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/StopLimit.h"
 
 #include <algorithm>
 #include <exception>

@@ -3,8 +3,8 @@
 #ifndef geodesic_distributed_DistributedSolver_h
 #define geodesic_distributed_DistributedSolver_h
 
-#include "Partition.h"
 #include "RankGroup.h"
+#include "solve/Partition.h"
 
 #include <cstddef>
 #include <memory>

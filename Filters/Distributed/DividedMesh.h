@@ -5,7 +5,7 @@
 
 #include "RankGroup.h"
 #include "SharedPoints.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <memory>
 #include <span>

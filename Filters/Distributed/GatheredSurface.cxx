@@ -3,8 +3,8 @@
 #include "GatheredSurface.h"
 
 #include "PointKeys.h"
-#include "SplitMesh.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
+#include "split/SplitMesh.h"
 
 #include <algorithm>
 #include <set>

@@ -9,9 +9,9 @@
 #include "GlobalPoints.h"
 #include "GuideResolver.h"
 #include "KeyMatches.h"
-#include "PathPoint.h"
 #include "RankGroup.h"
-#include "Seed.h"
+#include "path/PathPoint.h"
+#include "solve/Seed.h"
 
 #include <cstdint>
 #include <map>

@@ -3,9 +3,9 @@
 #include "GlobalLines.h"
 
 #include "DistributedPathFinder.h"
-#include "FastMarchingSolver.h"
 #include "PointSource.h"
-#include "SurfaceCurve.h"
+#include "march/FastMarchingSolver.h"
+#include "path/SurfaceCurve.h"
 
 #include <algorithm>
 #include <set>

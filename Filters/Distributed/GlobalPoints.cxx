@@ -4,9 +4,9 @@
 
 #include "PointIdentity.h"
 #include "PointResolver.h"
-#include "SeedFront.h"
 #include "SharedPoints.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/SeedFront.h"
 
 #include "vtkIdList.h"
 

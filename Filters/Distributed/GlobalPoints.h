@@ -5,8 +5,8 @@
 
 #include "DistributedSurface.h"
 #include "RankGroup.h"
-#include "Seed.h"
 #include "SharedPoints.h"
+#include "solve/Seed.h"
 
 #include "vtkType.h"
 

@@ -3,8 +3,8 @@
 #ifndef geodesic_distributed_KeyMatches_h
 #define geodesic_distributed_KeyMatches_h
 
-#include "Index.h"
 #include "RankGroup.h"
+#include "base/Index.h"
 
 #include <array>
 #include <compare>

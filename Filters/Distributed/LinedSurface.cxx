@@ -4,7 +4,7 @@
 
 #include "DistributedSurface.h"
 #include "SharedGuides.h"
-#include "SplitMesh.h"
+#include "split/SplitMesh.h"
 
 namespace geodesic::distributed
 {

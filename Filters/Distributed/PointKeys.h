@@ -6,7 +6,7 @@
 #include "KeyMatches.h"
 #include "PointIdentity.h"
 #include "RankGroup.h"
-#include "Vector3.h"
+#include "base/Vector3.h"
 
 #include <vector>
 

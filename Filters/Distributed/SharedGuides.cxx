@@ -3,7 +3,7 @@
 #include "SharedGuides.h"
 
 #include "SharedPoints.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <map>
 #include <set>

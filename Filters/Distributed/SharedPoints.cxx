@@ -3,7 +3,7 @@
 #include "SharedPoints.h"
 
 #include "PointKeys.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>

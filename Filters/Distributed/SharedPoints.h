@@ -3,10 +3,10 @@
 #ifndef geodesic_distributed_SharedPoints_h
 #define geodesic_distributed_SharedPoints_h
 
-#include "Index.h"
 #include "KeyMatches.h"
 #include "RankGroup.h"
-#include "StartValue.h"
+#include "base/Index.h"
+#include "solve/StartValue.h"
 
 #include <algorithm>
 #include <compare>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePatch.h"
 
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>

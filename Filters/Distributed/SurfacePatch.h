@@ -3,11 +3,11 @@
 #ifndef geodesic_distributed_SurfacePatch_h
 #define geodesic_distributed_SurfacePatch_h
 
-#include "DistanceField.h"
 #include "DividedMesh.h"
 #include "RankGroup.h"
 #include "SharedPoints.h"
-#include "SolveOptions.h"
+#include "solve/DistanceField.h"
+#include "solve/SolveOptions.h"
 
 #include "vtkType.h"
 

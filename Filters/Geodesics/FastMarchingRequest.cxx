@@ -5,7 +5,7 @@
 #include "Abort.h"
 #include "PointResolver.h"
 #include "SeedResolver.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 namespace geodesic::bridge
 {

@@ -5,8 +5,8 @@
 
 #include "GuideResolver.h"
 #include "ProgressReporter.h"
-#include "Seed.h"
-#include "SolveOptions.h"
+#include "solve/Seed.h"
+#include "solve/SolveOptions.h"
 
 #include "vtkFastMarchingGeodesicDistance.h"
 

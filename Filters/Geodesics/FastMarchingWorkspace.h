@@ -3,8 +3,8 @@
 #ifndef geodesic_bridge_FastMarchingWorkspace_h
 #define geodesic_bridge_FastMarchingWorkspace_h
 
-#include "FastMarchingSolver.h"
 #include "InputSurface.h"
+#include "march/FastMarchingSolver.h"
 
 #include <memory>
 

@@ -11,10 +11,10 @@
 #include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
-#include "NumberText.h"
-#include "PathFinder.h"
 #include "PointResolver.h"
-#include "StopLimit.h"
+#include "base/NumberText.h"
+#include "path/PathFinder.h"
+#include "solve/StopLimit.h"
 
 #include <algorithm>
 #include <array>

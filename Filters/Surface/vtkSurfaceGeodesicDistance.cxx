@@ -13,7 +13,6 @@
 #include "vtkSelection.h"
 
 #include "BlockOutput.h"
-#include "DistanceSolver.h"
 #include "DistributedSolver.h"
 #include "DistributedSurface.h"
 #include "FieldArray.h"
@@ -29,7 +28,8 @@
 #include "RankGroup.h"
 #include "SeedResolver.h"
 #include "SolveSurface.h"
-#include "SplitMesh.h"
+#include "solve/DistanceSolver.h"
+#include "split/SplitMesh.h"
 
 #include <algorithm>
 #include <iterator>

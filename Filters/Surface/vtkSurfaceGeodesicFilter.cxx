@@ -12,10 +12,8 @@
 #include "vtkSmartPointer.h"
 
 #include "ArrayValues.h"
-#include "DijkstraSolver.h"
 #include "DistributedSurface.h"
 #include "ErrorMessage.h"
-#include "FastMarchingSolver.h"
 #include "GuideResolver.h"
 #include "InnerFaces.h"
 #include "InputBlocks.h"
@@ -25,6 +23,8 @@
 #include "PointResolver.h"
 #include "RankGroup.h"
 #include "SharedGuides.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <functional>
 #include <optional>

@@ -11,7 +11,6 @@
 #include "vtkPolyData.h"
 
 #include "Abort.h"
-#include "DistanceSolver.h"
 #include "DistributedPathFinder.h"
 #include "DistributedSurface.h"
 #include "GlobalLines.h"
@@ -20,13 +19,14 @@
 #include "InputBlocks.h"
 #include "InputSurface.h"
 #include "LinedSurface.h"
-#include "NumberText.h"
-#include "PathFinder.h"
 #include "PathGround.h"
 #include "PathOutput.h"
 #include "ProgressReporter.h"
 #include "RankGroup.h"
 #include "SolveSurface.h"
+#include "base/NumberText.h"
+#include "path/PathFinder.h"
+#include "solve/DistanceSolver.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "HeapDijkstra.h"
 
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <algorithm>
 #include <limits>

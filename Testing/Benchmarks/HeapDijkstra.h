@@ -1,7 +1,7 @@
 #ifndef geodesic_testing_HeapDijkstra_h
 #define geodesic_testing_HeapDijkstra_h
 
-#include "Index.h"
+#include "base/Index.h"
 
 #include <vector>
 

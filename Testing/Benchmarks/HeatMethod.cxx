@@ -1,6 +1,6 @@
 #include "HeatMethod.h"
 
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -1,7 +1,7 @@
 #ifndef geodesic_testing_HeatMethod_h
 #define geodesic_testing_HeatMethod_h
 
-#include "Index.h"
+#include "base/Index.h"
 
 #include <memory>
 #include <vector>

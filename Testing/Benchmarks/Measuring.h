@@ -1,7 +1,7 @@
 #ifndef geodesic_testing_Measuring_h
 #define geodesic_testing_Measuring_h
 
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
 
 #include <algorithm>
 #include <ctime>

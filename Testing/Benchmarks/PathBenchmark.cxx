@@ -3,12 +3,12 @@
 // The surfaces and the pairs of points are written to the folder, for the peers: see path_peers.py.
 // To be run on one core; path_suite.py does so and makes the document.
 
-#include "DijkstraSolver.h"
 #include "ExactPath.h"
 #include "Measuring.h"
-#include "PathFinder.h"
 #include "PathStyles.h"
 #include "PathSurfaces.h"
+#include "path/PathFinder.h"
+#include "solve/DijkstraSolver.h"
 
 #include <benchmark/benchmark.h>
 

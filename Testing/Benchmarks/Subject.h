@@ -1,10 +1,10 @@
 #ifndef geodesic_testing_Subject_h
 #define geodesic_testing_Subject_h
 
-#include "ClosestPointTree.h"
-#include "FastMarchingSolver.h"
 #include "HeapDijkstra.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "search/ClosestPointTree.h"
 
 #include <functional>
 #include <random>

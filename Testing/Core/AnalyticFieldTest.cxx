@@ -1,10 +1,10 @@
 // Fields whose truth is a formula: planes, developable surfaces, the sphere.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
 #include "RoundedTube.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

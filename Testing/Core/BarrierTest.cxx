@@ -1,8 +1,8 @@
 // Closed triangles: the front goes round them, their border points are open.
 
-#include "DijkstraSolver.h"
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

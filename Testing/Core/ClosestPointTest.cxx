@@ -1,8 +1,8 @@
 // The closest point against a search through all triangles by CGAL.
 
-#include "ClosestPointTree.h"
 #include "ExactDistances.h"
 #include "Solving.h"
+#include "search/ClosestPointTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Distances times a cost: Snell's law, smooth speeds, and what cost must not be.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

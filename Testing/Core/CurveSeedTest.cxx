@@ -1,9 +1,9 @@
 // Curves and regions as seeds: the distance to all of them, not to their points.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The update of one triangle: right where a source exists, monotone everywhere.
 
-#include "EikonalUpdate.h"
+#include "march/EikonalUpdate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The queues of a march: what comes first, and whose turn it is.
 
-#include "FrontQueues.h"
+#include "march/FrontQueues.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // One field, whatever the numbering, the position in space and the unit of length.
 
-#include "FastMarchingSolver.h"
 #include "Solving.h"
-#include "SplitMesh.h"
-#include "SurfaceCurve.h"
+#include "march/FastMarchingSolver.h"
+#include "path/SurfaceCurve.h"
+#include "split/SplitMesh.h"
 
 #include <gtest/gtest.h>
 

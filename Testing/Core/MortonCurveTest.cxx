@@ -1,6 +1,6 @@
 // Places along the curve, by the bits of three coordinates in turn.
 
-#include "MortonCurve.h"
+#include "mesh/MortonCurve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Input that no mesh generator should make and every archive contains.
 
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
 
 #include <gtest/gtest.h>
 

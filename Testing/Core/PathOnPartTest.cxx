@@ -1,9 +1,9 @@
 // Paths on a part of a surface tell where they depend on the rest.
 
-#include "FastMarchingSolver.h"
-#include "PathFinder.h"
 #include "PathStyles.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "path/PathFinder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Paths: traced down a field, and made locally shortest.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
-#include "PathFinder.h"
 #include "PathStyles.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "path/PathFinder.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

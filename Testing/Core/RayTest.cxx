@@ -1,7 +1,7 @@
 // Where rays first meet a surface: spheres and planes, whose crossings are known.
 
-#include "ClosestPointTree.h"
 #include "Solving.h"
+#include "search/ClosestPointTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Stops, exclusion, progress and requests that have no answer, for both solvers.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What rings are stored and worked on in: entries, masks of windows, lists of their bits.
 
-#include "RingWays.h"
-#include "VertexRings.h"
+#include "march/RingWays.h"
+#include "mesh/VertexRings.h"
 
 #include <gtest/gtest.h>
 

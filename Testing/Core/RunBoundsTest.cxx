@@ -1,7 +1,7 @@
 // Bounds of runs of triangles against the triangles themselves, by CGAL, and against formulas on
 // the sphere.
 
-#include "RunBounds.h"
+#include "search/RunBounds.h"
 #include "ExactDistances.h"
 
 #include <gtest/gtest.h>

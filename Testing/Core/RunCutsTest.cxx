@@ -1,6 +1,6 @@
 // Runs of triangles are cut where the space filling curve jumps.
 
-#include "RunCuts.h"
+#include "search/RunCuts.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Several seeds: the minimum of their fields, without mixing them.
 
-#include "DijkstraSolver.h"
 #include "ExactDistances.h"
-#include "FastMarchingSolver.h"
 #include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 

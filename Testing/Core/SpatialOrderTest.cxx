@@ -1,7 +1,7 @@
 // Points along the curve, also where very many of them are in a few of its first cells.
 
-#include "SpatialOrder.h"
-#include "MortonCurve.h"
+#include "mesh/SpatialOrder.h"
+#include "mesh/MortonCurve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Triangles split along curves, and cut open along them.
 
-#include "SplitMesh.h"
-#include "BasePath.h"
-#include "FastMarchingSolver.h"
+#include "split/SplitMesh.h"
 #include "Solving.h"
-#include "SurfaceCurve.h"
+#include "march/FastMarchingSolver.h"
+#include "path/SurfaceCurve.h"
+#include "split/BasePath.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Sizes of triangles that are known, and what is made of them, which has to be on the safe side.
 
-#include "TriangleMeasure.h"
-#include "LabelMargin.h"
+#include "mesh/TriangleMeasure.h"
+#include "march/LabelMargin.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What the mesh keeps of its input.
 
-#include "LabelMargin.h"
 #include "Solving.h"
+#include "march/LabelMargin.h"
 
 #include <gtest/gtest.h>
 

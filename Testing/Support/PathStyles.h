@@ -1,7 +1,7 @@
 #ifndef geodesic_testing_PathStyles_h
 #define geodesic_testing_PathStyles_h
 
-#include "PathFinder.h"
+#include "path/PathFinder.h"
 
 namespace geodesic::testing
 {

@@ -1,8 +1,8 @@
 #ifndef geodesic_testing_RoundedTube_h
 #define geodesic_testing_RoundedTube_h
 
-#include "SurfacePoint.h"
 #include "Surfaces.h"
+#include "mesh/SurfacePoint.h"
 
 #include <vector>
 

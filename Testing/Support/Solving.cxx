@@ -1,6 +1,6 @@
 #include "Solving.h"
 
-#include "ClosestPointTree.h"
+#include "search/ClosestPointTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #ifndef geodesic_testing_Solving_h
 #define geodesic_testing_Solving_h
 
-#include "DistanceField.h"
-#include "Seed.h"
-#include "SolveOptions.h"
 #include "Surfaces.h"
-#include "TriangleMesh.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/DistanceField.h"
+#include "solve/Seed.h"
+#include "solve/SolveOptions.h"
 
 #include <memory>
 #include <vector>

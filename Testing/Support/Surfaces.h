@@ -1,8 +1,8 @@
 #ifndef geodesic_testing_Surfaces_h
 #define geodesic_testing_Surfaces_h
 
-#include "Index.h"
-#include "Vector3.h"
+#include "base/Index.h"
+#include "base/Vector3.h"
 
 #include <string>
 #include <vector>

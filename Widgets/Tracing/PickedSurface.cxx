@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PickedSurface.h"
 
-#include "DijkstraSolver.h"
-#include "FastMarchingSolver.h"
+#include "march/FastMarchingSolver.h"
+#include "solve/DijkstraSolver.h"
 
 #include <algorithm>
 

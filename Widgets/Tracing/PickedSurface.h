@@ -3,9 +3,9 @@
 #ifndef geodesic_bridge_PickedSurface_h
 #define geodesic_bridge_PickedSurface_h
 
-#include "DistanceSolver.h"
 #include "InputSurface.h"
-#include "PathFinder.h"
+#include "path/PathFinder.h"
+#include "solve/DistanceSolver.h"
 
 #include "vtkType.h"
 

@@ -1,0 +1,24 @@
+#include "base/BulkVector.h"
+
+#include <cstdint>
+#include <sys/mman.h>
+
+namespace geodesic
+{
+
+void askForPages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept
+{
+#ifdef MADV_POPULATE_WRITE
+  // For less a call costs more than it saves; of more, threads had better touch their parts.
+  constexpr std::size_t least = std::size_t{ 1 } << 16;
+  constexpr std::size_t most = std::size_t{ 1 } << 22;
+  if (bytes >= least && bytes <= most)
+  {
+    constexpr std::uintptr_t pageSize = 4096;
+    const std::uintptr_t beforeIt = reinterpret_cast<std::uintptr_t>(memory) % pageSize;
+    madvise(static_cast<char*>(memory) - beforeIt, beforeIt + bytes, MADV_POPULATE_WRITE);
+  }
+#endif
+}
+
+}

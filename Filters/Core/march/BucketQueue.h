@@ -1,0 +1,187 @@
+#ifndef geodesic_BucketQueue_h
+#define geodesic_BucketQueue_h
+
+#include "base/Index.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * A queue that hands out items roughly by increasing key: in order of buckets of equal width,
+ * within a bucket in the order they came. Enough for a label correcting march, whose result does
+ * not depend on the order, at constant time an item. R. Dial, Algorithm 360, CACM 12 (1969).
+ */
+class BucketQueue
+{
+public:
+  static constexpr std::size_t MostBuckets = 1 << 16;
+
+  /** How many buckets start() asks for. */
+  static std::size_t numberOfBuckets(double width, double span)
+  {
+    const double wanted = std::min(span / width + 2.0, static_cast<double>(MostBuckets));
+    return std::bit_ceil(static_cast<std::size_t>(wanted));
+  }
+
+  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
+   * popped one */
+  void start(double width, double span)
+  {
+    const std::size_t buckets = numberOfBuckets(width, span);
+    for (std::vector<Index>& bucket : this->Buckets)
+    {
+      bucket.clear();
+    }
+    if (this->Buckets.size() < buckets)
+    {
+      this->Buckets.resize(buckets);
+    }
+    this->LastIndex = this->Buckets.size() - 1;
+    this->PerWidth = 1.0 / width;
+    this->goTo(0);
+    this->Next = 0;
+    this->Count = 0;
+  }
+
+  bool isEmpty() const { return this->Count == 0; }
+
+  /** A key beyond the last bucket, or before the current one, joins the nearest there is. */
+  void push(Index item, double key)
+  {
+    const double number = key * this->PerWidth;
+    const std::int64_t bucket = number < this->LastNumber
+      ? std::max(static_cast<std::int64_t>(number), static_cast<std::int64_t>(this->Current))
+      : static_cast<std::int64_t>(this->Current + this->LastIndex);
+    this->bucket(static_cast<std::uint64_t>(bucket)).push_back(item);
+    ++this->Count;
+  }
+
+  /** The bucket of a key, which may be infinite. */
+  std::uint64_t bucketOf(double key) const
+  {
+    constexpr double last = 1ull << 62;
+    return static_cast<std::uint64_t>(std::clamp(key * this->PerWidth, 0.0, last));
+  }
+
+  /** Whether an item of a bucket before @p end waits; goes to the first such bucket, or to @p end.
+   */
+  bool hasBefore(std::uint64_t end)
+  {
+    if (this->isEmpty())
+    {
+      this->bucket(this->Current).clear();
+      this->Next = 0;
+      this->goTo(std::max(this->Current, end));
+      return false;
+    }
+    while (this->Current < end && this->Next == this->bucket(this->Current).size())
+    {
+      this->bucket(this->Current).clear();
+      this->Next = 0;
+      this->goTo(this->Current + 1);
+    }
+    return this->Current < end;
+  }
+
+  /**
+   * Goes back to the bucket of a key, so that a key below the last popped one has its place again.
+   * Time O(1), but where more buckets are needed to hold what is between.
+   */
+  void goBackTo(double key)
+  {
+    const std::uint64_t target = this->bucketOf(key);
+    if (target >= this->Current)
+    {
+      return;
+    }
+    std::vector<Index>& current = this->bucket(this->Current);
+    current.erase(current.begin(), current.begin() + static_cast<std::ptrdiff_t>(this->Next));
+    this->Next = 0;
+    std::uint64_t end = this->Current + this->Buckets.size();
+    while (end > this->Current && this->bucket(end - 1).empty())
+    {
+      --end;
+    }
+    const std::uint64_t wanted = end - target + 1;
+    if (wanted > MostBuckets)
+    {
+      return;
+    }
+    if (wanted > this->Buckets.size())
+    {
+      std::vector<std::vector<Index>> buckets(std::bit_ceil(wanted));
+      for (std::uint64_t number = this->Current; number < end; ++number)
+      {
+        buckets[number & (buckets.size() - 1)] = std::move(this->bucket(number));
+      }
+      this->Buckets = std::move(buckets);
+      this->LastIndex = this->Buckets.size() - 1;
+    }
+    this->goTo(target);
+  }
+
+  /** The first bucket that is not empty. @pre not empty */
+  std::uint64_t nextBucket() const
+  {
+    std::uint64_t number = this->Current;
+    std::size_t taken = this->Next;
+    while (taken == this->Buckets[this->indexOf(number)].size())
+    {
+      ++number;
+      taken = 0;
+    }
+    return number;
+  }
+  /** Where a bucket begins. */
+  double keyOf(std::uint64_t bucket) const { return static_cast<double>(bucket) / this->PerWidth; }
+
+  /** Takes items of one bucket, at least one and at most as many as @p room holds, which they are
+   * put into. @pre hasBefore */
+  std::span<const Index> take(std::span<Index> room)
+  {
+    const std::span<const Index> taken = this->next(room.size());
+    std::copy(taken.begin(), taken.end(), room.begin());
+    this->Next += taken.size();
+    this->Count -= taken.size();
+    return room.first(taken.size());
+  }
+
+  /** The next items of the bucket, @p most of them if there are so many; valid until the next push.
+   */
+  std::span<const Index> next(std::size_t most) const
+  {
+    const std::span<const Index> items = this->Buckets[this->indexOf(this->Current)];
+    return items.subspan(this->Next, std::min(most, items.size() - this->Next));
+  }
+
+private:
+  void goTo(std::uint64_t number)
+  {
+    this->Current = number;
+    this->LastNumber = static_cast<double>(number + this->LastIndex);
+  }
+
+  std::size_t indexOf(std::uint64_t number) const { return number & this->LastIndex; }
+  std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
+
+  std::vector<std::vector<Index>> Buckets;
+  /** The number of buckets, a power of two, less 1. */
+  std::uint64_t LastIndex = 0;
+  double PerWidth = 1.0;
+  std::uint64_t Current = 0;
+  /** That of the last bucket there is beyond the current one. */
+  double LastNumber = 0.0;
+  std::size_t Next = 0;
+  std::size_t Count = 0;
+};
+
+}
+
+#endif

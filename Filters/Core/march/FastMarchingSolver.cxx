@@ -1,0 +1,135 @@
+#include "march/FastMarchingSolver.h"
+
+#include "march/FieldValues.h"
+#include "march/LabelMargin.h"
+#include "march/LabelValues.h"
+#include "march/OneLabelValues.h"
+#include "march/QueuedFront.h"
+#include "march/RingSweep.h"
+#include "march/TriangleCost.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedFans.h"
+#include "solve/MarchControl.h"
+#include "solve/Partition.h"
+#include "solve/StopLimit.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace geodesic
+{
+namespace
+{
+
+/** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
+ * another. Meanwhile the mesh round the next ones is fetched, and where it is for those after the
+ * next. */
+constexpr std::size_t Handful = 12;
+
+/**
+ * Width of the queue's buckets, in heights of triangles: a front gains about as much by each
+ * triangle that it passes. In wider ones more waits at a time, so that more of it is near each
+ * other in memory; but more is also swept too early.
+ */
+constexpr double BucketWidthInHeights = 0.46;
+
+/** A group has at most as many vertices as it takes in a turn, so that what it goes through is near
+ * the processor; of smaller groups more go too far where they meet. Where there are targets all
+ * fronts are to stop as soon as these are reached, so none may go ahead of the others. */
+std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
+{
+  const std::size_t groups =
+    (numberOfVertices + FrontQueues::ItemsOfTurn - 1) / FrontQueues::ItemsOfTurn;
+  return options.targets.empty() ? std::max(std::min(groups, fronts), std::size_t{ 1 }) : 1;
+}
+
+}
+
+FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads)
+  : DistanceSolver(std::move(mesh))
+  , MayUseQuads(mayUseQuads)
+{
+  this->Marks.resize(this->mesh().numberOfVertices());
+}
+
+bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
+{
+  if (!request.hasCost)
+  {
+    const UnitCost cost(this->mesh(), request.partition);
+    const auto starts = unitStarts(request.front, request.partition);
+    return this->marchAtCost(cost, starts, request, limit, field);
+  }
+  if (!this->UnitSolver)
+  {
+    this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh(), this->MayUseQuads);
+  }
+  const VertexCost cost(this->mesh(), request.options.cost, request.partition);
+  const auto starts = costedStarts(
+    this->mesh(), request.front, request.options, request.partition, *this->UnitSolver);
+  return this->marchAtCost(cost, starts, request, limit, field);
+}
+
+template <class Cost>
+bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  const double edge = this->mesh().meanLongestEdge();
+  const double height = heightOfMargin(edge, this->mesh().meanMargin());
+  const double width = BucketWidthInHeights * height * cost.mean();
+  // A piece without triangles has no edges.
+  this->Queues.start(width > 0.0 ? width : 1.0,
+    2.0 * this->mesh().longestEdgeLength() * cost.largest(),
+    numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
+  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
+    this->Queues, this->Marks };
+  if (request.front.labels.size() == 1)
+  {
+    OneLabelValues<Cost> values(context, request.front.labels[0]);
+    return this->run(cost, values, starts, request, limit, control, field);
+  }
+  LabelValues<Cost> values(context, request.front.labels, this->Labels);
+  return this->run(cost, values, starts, request, limit, control, field);
+}
+
+template <class Cost, class Values>
+bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const StartValue> starts,
+  const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
+{
+  RingSweep<Cost, Values> ringSweep(this->mesh(), request.closed, cost, values, this->MayUseQuads);
+  for (const StartValue& start : starts)
+  {
+    values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);
+  }
+  QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
+    values.firstDistance(), values,
+    [&](std::uint64_t end)
+    {
+      std::array<Index, Handful> room;
+      std::array<Index, Handful> roomOfNext;
+      while (this->Queues.hasBefore(end))
+      {
+        const std::span<const Index> handful = this->Queues.take(room);
+        if (!control.mayGoOn(handful.size()))
+        {
+          break;
+        }
+        const std::span<const Index> soon = this->Queues.next(3 * Handful);
+        for (Index later : soon.subspan(std::min(soon.size(), 2 * Handful)))
+        {
+          this->mesh().prefetchRingStart(values.vertexOf(later));
+        }
+        const auto next = soon.first(std::min(soon.size(), Handful));
+        std::copy(next.begin(), next.end(), roomOfNext.begin());
+        ringSweep.sweep(handful, std::span(roomOfNext).first(next.size()));
+      }
+    });
+  const bool finished = request.partition.march(front, limit);
+  field.orderReached();
+  values.finish();
+  return finished;
+}
+
+}

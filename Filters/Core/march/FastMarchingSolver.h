@@ -1,0 +1,63 @@
+#ifndef geodesic_FastMarchingSolver_h
+#define geodesic_FastMarchingSolver_h
+
+#include "march/FrontQueues.h"
+#include "march/LabelSets.h"
+#include "march/ValueMark.h"
+#include "solve/CostedStart.h"
+#include "solve/DistanceSolver.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+class MarchControl;
+
+/**
+ * Geodesic distance by fast marching: a front that spreads over the triangles, each vertex updated
+ * over the edges opposite to it, by pointSourceUpdate round points and straightFrontUpdate beside
+ * curves and regions.
+ * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
+ *
+ * The march is label correcting: vertices are taken in rough order of distance and again whenever
+ * their value falls. As the updates are monotone the result is their greatest fixed point, the same
+ * (to 1e-10) for any order, numbering or partition. Exact on developable surfaces at constant cost,
+ * first order accurate in the edge length elsewhere. With several labels each keeps values of its
+ * own near the border between them (LabelSets), so that no update mixes two sources.
+ *
+ * Time O(n) on meshes whose edges do not vary wildly, memory 24 bytes a vertex beside the mesh for
+ * one label, with several 16 more and 20 for each value beyond a vertex's second.
+ */
+class FastMarchingSolver : public DistanceSolver
+{
+public:
+  /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
+   * Lanes.h); the field is the same either way, to the bit */
+  explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads = true);
+
+protected:
+  bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
+
+private:
+  template <class Cost>
+  bool marchAtCost(const Cost& cost, std::span<const StartValue> starts, const Request& request,
+    StopLimit& limit, DistanceField& field);
+  template <class Cost, class Values>
+  bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
+    const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
+
+  bool MayUseQuads;
+  FrontQueues Queues;
+  std::vector<ValueMark> Marks;
+  LabelSets Labels;
+  /** Measures the discs round seeds where the cost varies; made when first needed. */
+  std::unique_ptr<FastMarchingSolver> UnitSolver;
+};
+
+}
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef geodesic_OneLabelValues_h
+#define geodesic_OneLabelValues_h
+
+#include "march/FieldValues.h"
+#include "solve/MarchingFront.h"
+
+namespace geodesic
+{
+
+/** The values of the only label: the field itself, but for the value of the seed. */
+template <class Cost>
+class OneLabelValues : public FieldValues<Cost>
+{
+public:
+  OneLabelValues(const MarchContext<Cost>& context, const Label& label)
+    : FieldValues<Cost>(context, label.value)
+    , Only(label, 0, context.cost.smallest())
+    , Seed(label.seed)
+  {
+    this->Only.group = &context.queues.group(0);
+  }
+
+  static constexpr bool hasOthers = false;
+  const MarchedLabel& label() const { return this->Only; }
+  const MarchedLabel& enter(Index, Index) const { return this->Only; }
+
+  class Sight
+  {
+  public:
+    explicit Sight(const FieldSight& field)
+      : Field(field)
+    {
+    }
+    template <class Real>
+    GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+    {
+      return { this->Field.template values<Real>(vertices), 0,
+        highestBits<Real>(this->Field.template marks<Real>(vertices)) };
+    }
+
+  private:
+    FieldSight Field;
+  };
+  Sight sight(const MarchedLabel&) const { return Sight(this->fieldSight(this->Only)); }
+
+  KnownValue propose(const MarchedLabel&, Index vertex, double value)
+  {
+    value = this->Only.leastOf.raised(value, this->position(vertex));
+    return this->mark(vertex).isQueuedFor(0) ? this->lower(this->Only, vertex, value)
+                                             : this->offer(this->Only, vertex, value);
+  }
+
+  void start(const MarchedLabel&, Index vertex, double value, bool isFinal)
+  {
+    this->set(this->Only, vertex, value);
+    this->mark(vertex).setPinned(isFinal);
+  }
+
+  Index vertexOf(Index taken) const { return taken; }
+  [[gnu::always_inline]] void prefetch(Index taken) const { this->context().mesh.prefetch(taken); }
+  TakenValue take(Index vertex)
+  {
+    this->mark(vertex).setQueued(false);
+    return { vertex, &this->Only, this->value(this->Only, vertex) };
+  }
+
+  void visit(Index vertex, const MarchingFront::Visit& visit) const
+  {
+    if (this->context().field.isReached(vertex))
+    {
+      visit(0, this->value(this->Only, vertex));
+    }
+  }
+
+  /** Tells the field the nearest seed, and forgets all values. */
+  void finish()
+  {
+    this->context().field.setNearestSeed(this->Seed);
+    this->context().field.fillReached(this->context().marks, ValueMark());
+  }
+
+private:
+  MarchedLabel Only;
+  Index Seed;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef geodesic_QueuedFront_h
+#define geodesic_QueuedFront_h
+
+#include "march/FrontQueues.h"
+#include "march/MarchedLabel.h"
+#include "solve/DistanceField.h"
+#include "solve/MarchControl.h"
+#include "solve/MarchingFront.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace geodesic
+{
+
+/** A march as a Partition sees it; @p Values and @p advance are the march. */
+template <class Values, class Advance>
+class QueuedFront final : public MarchingFront
+{
+public:
+  /** @param meanLongestEdge as below
+   * @param firstDistance the distance of the queues' key 0 */
+  QueuedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
+    double firstDistance, Values& values, Advance advance)
+    : Queues(queues)
+    , Control(control)
+    , MeanLongestEdge(meanLongestEdge)
+    , FirstDistance(firstDistance)
+    , FrontValues(values)
+    , AdvanceBefore(std::move(advance))
+  {
+  }
+
+  void advance(double limit) override
+  {
+    this->AdvanceBefore(this->Queues.bucketOf(limit - this->FirstDistance));
+  }
+
+  double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }
+
+  double meanLongestEdge() const override { return this->MeanLongestEdge; }
+  std::size_t numberOfUpdates() const override { return this->Control.count(); }
+  bool isCancelled() const override { return this->Control.isCancelled(); }
+
+  void visitValues(Index vertex, const Visit& visit) const override
+  {
+    this->FrontValues.visit(vertex, visit);
+  }
+
+  void lower(Index vertex, Index label, double value) override
+  {
+    const MarchedLabel& marched = this->FrontValues.enter(label, vertex);
+    this->Queues.goBackTo(*marched.group, marched.distance(value) - this->FirstDistance);
+    this->FrontValues.propose(marched, vertex, value);
+  }
+
+private:
+  FrontQueues& Queues;
+  const MarchControl& Control;
+  double MeanLongestEdge;
+  double FirstDistance;
+  Values& FrontValues;
+  Advance AdvanceBefore;
+};
+
+}
+
+#endif

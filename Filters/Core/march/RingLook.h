@@ -1,0 +1,253 @@
+#ifndef geodesic_RingLook_h
+#define geodesic_RingLook_h
+
+#include "base/Lanes.h"
+#include "march/KnownValues.h"
+#include "march/RingWindows.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedFans.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <span>
+
+namespace geodesic
+{
+
+/**
+ * Looks at the rings of vertices and notes what there is to do, several neighbours at a time and
+ * without a branch on what is found, so that the processor can go ahead to the next ring while it
+ * waits for memory: a part of RingSweep, which see also for Cost and Values.
+ */
+template <class Cost, class Values>
+class RingLook
+{
+public:
+  RingLook(
+    const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, const Values& values)
+    : Mesh(mesh)
+    , Closed(closed)
+    , IsAllOpen(Cost::isUnit && closed.isEmpty())
+    , TriangleCost(cost)
+    , FrontValues(values)
+  {
+  }
+
+  /** Looks at a window of the ring of what was taken. Judges it where what other labels have plays
+   * no part. @pre at least two slots of it are in use */
+  template <class Real>
+  void note(const TakenValue& taken, std::size_t number, RingWindows& windows) const
+  {
+    RingWindows::Window& window = windows.Windows[number];
+    const std::size_t base = number * RingWindows::Size;
+    const RingEntry* const entries = window.entries;
+    const std::size_t size = window.size;
+    const Vector3* const positions = this->Mesh.positions().data();
+    const Vector3& centre = positions[taken.vertex];
+    const Vector3Of<Real> origin{ sameOf<Real>(centre.x), sameOf<Real>(centre.y),
+      sameOf<Real>(centre.z) };
+    const typename Values::Sight sight = this->FrontValues.sight(*taken.label);
+    Judgement<Real> judgement(taken.vertex, taken.value);
+    std::size_t others = windows.OthersCount;
+    unsigned isQueued = 0;
+    for (std::size_t i = 0; i < size; i += lanes<Real>)
+    {
+      // After the last neighbour come any others, with which nothing is done.
+      const Entries<Real> some(entries + i);
+      store(some.neighbours(), &windows.Neighbours[base + i]);
+      Indices<Real> neighbours;
+      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+      {
+        neighbours[lane] = entries[i + lane].neighbour();
+      }
+      const SeenValues<Real> seen = sight.template look<Real>(neighbours);
+      const Vector3Of<Real> offset =
+        sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
+        origin;
+      const Real squares = dot(offset, offset);
+      store(seen.values, &windows.Values[base + i]);
+      store(offset.x, &windows.X[base + i]);
+      store(offset.y, &windows.Y[base + i]);
+      store(offset.z, &windows.Z[base + i]);
+      store(squares, &windows.SquaredLengths[base + i]);
+      isQueued |= seen.areQueued << i;
+      if constexpr (Values::hasOthers)
+      {
+        store(seen.values, &windows.Ceilings[base + i]);
+        windows.OthersSeen[others] = { base + i, seen.areOther };
+        others += seen.areOther != 0;
+      }
+      else
+      {
+        judgement.add(i, some, neighbours, squares, seen.values, seen.values, this->TriangleCost);
+      }
+    }
+    const std::size_t last = size - 1;
+    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
+    const auto end = static_cast<Mask>(1u << size >> 1);
+    window.label = taken.label;
+    window.last = isRound ? static_cast<Index>(last) : 0;
+    windows.OwnValues[number] = taken.value;
+    windows.end[number] = end;
+    windows.again[number] = isRound ? end : Mask(0);
+    windows.isQueued[number] = static_cast<Mask>(isQueued);
+    if (!this->IsAllOpen)
+    {
+      windows.isOpen[number] = this->openTriangles(window, last);
+    }
+    if constexpr (Values::hasOthers)
+    {
+      windows.OthersCount = others;
+      windows.isStraight[number] = WindowMasks::allIf(taken.label->shape == FrontShape::Straight);
+    }
+    else
+    {
+      judgement.put(number, windows);
+    }
+  }
+
+  /** Notes in the masks of a window what is worth a closer look. */
+  template <class Real>
+  void judge(std::size_t number, RingWindows& windows) const
+  {
+    const RingWindows::Window& window = windows.Windows[number];
+    const std::size_t base = number * RingWindows::Size;
+    const RingEntry* const entries = window.entries;
+    Judgement<Real> judgement(window.vertex, windows.OwnValues[number]);
+    for (std::size_t i = 0; i < window.size; i += lanes<Real>)
+    {
+      Indices<Real> neighbours;
+      std::copy_n(&windows.Neighbours[base + i], lanes<Real>, neighbours.begin());
+      judgement.add(i, Entries<Real>(entries + i), neighbours,
+        load<Real>(&windows.SquaredLengths[base + i]), load<Real>(&windows.Values[base + i]),
+        load<Real>(&windows.Ceilings[base + i]), this->TriangleCost);
+    }
+    judgement.put(number, windows);
+  }
+
+private:
+  using Mask = WindowMasks::Mask;
+
+  /** As many entries of a ring as a Real has numbers. */
+  template <class Real>
+  class Entries
+  {
+  public:
+    GEODESIC_INLINED explicit Entries(const RingEntry* entries)
+    {
+      std::memcpy(&this->First, entries, sizeof this->First);
+      std::memcpy(&this->Second, entries + lanes<Real> / 2, sizeof this->Second);
+    }
+    GEODESIC_INLINED BitsOf<Real> neighbours() const
+    {
+      return everySecond<0>(this->First, this->Second);
+    }
+    GEODESIC_INLINED Real slacks() const
+    {
+      using Floats = typename FloatsBeside<Real>::Type;
+      return __builtin_convertvector(std::bit_cast<Floats>(this->slackBits()), Real);
+    }
+    /** Which are thin. */
+    GEODESIC_INLINED unsigned areThin() const
+    {
+      static_assert(RingEntry::ThinBit == 1);
+      return highestBits<Real>(this->slackBits() << 31);
+    }
+
+  private:
+    GEODESIC_INLINED BitsOf<Real> slackBits() const
+    {
+      return everySecond<1>(this->First, this->Second);
+    }
+
+    // Half of the entries each.
+    BitsOf<Real> First;
+    BitsOf<Real> Second;
+  };
+
+  /** What is worth a closer look in a window, found for some neighbours after the other. */
+  template <class Real>
+  class Judgement
+  {
+  public:
+    Judgement(Index vertex, double own)
+      : Own(own)
+      , Vertex(vertex)
+      , LastNeighbour(vertex)
+    {
+    }
+
+    /** @param held  nothing at or above it is of interest at the neighbours */
+    GEODESIC_INLINED void add(std::size_t i, const Entries<Real>& entries,
+      const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
+      const Cost& cost)
+    {
+      const Real rises = largest(held - this->Own, Real());
+      this->Along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
+
+      // The triangles that end here, each opened by the neighbour before.
+      const Real slacks = entries.slacks();
+      const Real costs = lanesOf<Real>(
+        [&](std::size_t lane)
+        {
+          return cost.ofTriangle(
+            this->Vertex, lane > 0 ? neighbours[lane - 1] : this->LastNeighbour, neighbours[lane]);
+        });
+      const Real bounds = this->Own + costs * shiftedIn(this->LastSlacks, slacks);
+      this->First |= bitsOf(bounds + values < 2.0 * shiftedIn(this->LastHeld, held)) << i;
+      this->Second |= bitsOf(bounds + shiftedIn(this->LastValues, values) < 2.0 * held) << i;
+      this->IsThin |= entries.areThin() << i;
+      this->LastNeighbour = neighbours.back();
+      this->LastValues = values;
+      this->LastHeld = held;
+      this->LastSlacks = slacks;
+    }
+
+    void put(std::size_t number, RingWindows& windows) const
+    {
+      windows.along[number] = static_cast<Mask>(this->Along);
+      windows.first[number] = static_cast<Mask>(this->First >> 1);
+      windows.second[number] = static_cast<Mask>(this->Second >> 1);
+      windows.isThin[number] = static_cast<Mask>(this->IsThin);
+    }
+
+  private:
+    // Of the neighbours before those that are looked at.
+    Real LastValues = Real();
+    Real LastHeld = Real();
+    Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
+    double Own;
+    Index Vertex;
+    Index LastNeighbour;
+    unsigned Along = 0;
+    unsigned First = 0;
+    unsigned Second = 0;
+    unsigned IsThin = 0;
+  };
+
+  /** Those that may be crossed, @p count of them. */
+  Mask openTriangles(const RingWindows::Window& window, std::size_t count) const
+  {
+    const auto firstEntry =
+      static_cast<std::size_t>(window.entries - this->Mesh.ring(window.vertex).data());
+    unsigned isOpen = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      isOpen |= static_cast<unsigned>(this->Closed.isOpen(window.vertex, firstEntry + i)) << i;
+    }
+    return static_cast<Mask>(isOpen);
+  }
+
+  const TriangleMesh& Mesh;
+  const ClosedFans& Closed;
+  /** Then also what opens no triangle counts as open: it has no slack, and an edge no cost. */
+  bool IsAllOpen;
+  const Cost& TriangleCost;
+  const Values& FrontValues;
+};
+
+}
+
+#endif

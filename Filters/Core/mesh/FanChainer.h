@@ -1,0 +1,245 @@
+#ifndef geodesic_FanChainer_h
+#define geodesic_FanChainer_h
+
+#include "base/Index.h"
+#include "mesh/VertexRings.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/** The side of a triangle that faces the vertex whose ring is built. */
+struct OppositeSide
+{
+  /** That of the side's first end, where it opens the triangle. */
+  RingEntry opening;
+  Index second;
+
+  Index first() const { return this->opening.neighbour(); }
+};
+
+/** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
+class FanChainer
+{
+public:
+  /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
+  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
+  {
+    this->Sides = sides;
+    this->Left = sides.size();
+    if (this->isIndexed())
+    {
+      this->indexSides();
+    }
+    this->Fan.resize(2 * sides.size() + 2);
+    while (this->Left > 0)
+    {
+      // The fan grows from the middle, to its end and then, unless it closed, to its front.
+      std::size_t front = sides.size();
+      std::size_t back = front + 1;
+      const OppositeSide side = this->takeAny();
+      this->Fan[front] = side.opening;
+      this->Fan[back] = RingEntry(side.second);
+      bool isClosed = false;
+      while (!isClosed)
+      {
+        const Index end = this->Fan[back].neighbour();
+        const std::size_t place = this->find(end);
+        if (place == None)
+        {
+          break;
+        }
+        const OppositeSide next = this->take(place);
+        const Index other = otherEnd(next, end);
+        this->Fan[back] = next.opening.at(end);
+        this->Fan[++back] = RingEntry(other);
+        isClosed = other == this->Fan[front].neighbour();
+      }
+      while (!isClosed)
+      {
+        const Index end = this->Fan[front].neighbour();
+        const std::size_t place = this->find(end);
+        if (place == None)
+        {
+          break;
+        }
+        const OppositeSide next = this->take(place);
+        this->Fan[--front] = next.opening.at(otherEnd(next, end));
+        isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
+      }
+      entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
+    }
+  }
+
+private:
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+  using Mask = std::uint32_t;
+  /** Above this many triangles round a vertex a linear look-up would be quadratic. */
+  static constexpr std::size_t LinearLimit = 32;
+
+  bool isIndexed() const { return this->Sides.size() > LinearLimit; }
+
+  static Index otherEnd(const OppositeSide& side, Index end)
+  {
+    return side.first() ^ side.second ^ end;
+  }
+
+  void indexSides()
+  {
+    this->Ends.clear();
+    this->Taken.assign(this->Sides.size(), 0);
+    this->NextStart = 0;
+    for (std::size_t i = 0; i < this->Sides.size(); ++i)
+    {
+      this->Ends.emplace_back(this->Sides[i].first(), i);
+      this->Ends.emplace_back(this->Sides[i].second, i);
+    }
+    std::sort(this->Ends.begin(), this->Ends.end());
+    this->Cursors.resize(this->Ends.size());
+    for (std::size_t i = 0; i < this->Ends.size(); ++i)
+    {
+      this->Cursors[i] = i;
+    }
+  }
+
+  OppositeSide takeAny()
+  {
+    if (!this->isIndexed())
+    {
+      return this->take(0);
+    }
+    while (this->Taken[this->NextStart])
+    {
+      ++this->NextStart;
+    }
+    return this->take(this->NextStart);
+  }
+
+  /** Takes the side at a place; the places of others may change. */
+  OppositeSide take(std::size_t place)
+  {
+    --this->Left;
+    if (this->isIndexed())
+    {
+      this->Taken[place] = 1;
+      return this->Sides[place];
+    }
+    return std::exchange(this->Sides[place], this->Sides[this->Left]);
+  }
+
+  /** The place of a side left that ends in @p vertex, None if there is none. */
+  std::size_t find(Index vertex)
+  {
+    return this->isIndexed() ? this->findIndexed(vertex) : this->findLinear(vertex);
+  }
+
+  std::size_t findLinear(Index vertex) const
+  {
+    // No branch on what is found: which side follows is not to be guessed.
+    Mask found = 0;
+    for (std::size_t i = 0; i < this->Left; ++i)
+    {
+      const OppositeSide& side = this->Sides[i];
+      found |= static_cast<Mask>((side.first() == vertex) | (side.second == vertex)) << i;
+    }
+    return found == 0 ? None : std::countr_zero(found);
+  }
+
+  std::size_t findIndexed(Index vertex)
+  {
+    const auto first = std::lower_bound(
+      this->Ends.begin(), this->Ends.end(), std::pair<Index, std::size_t>{ vertex, 0 });
+    if (first == this->Ends.end() || first->first != vertex)
+    {
+      return None;
+    }
+    // The first end of a run remembers how far its run is used up.
+    std::size_t& cursor = this->Cursors[first - this->Ends.begin()];
+    for (; cursor < this->Ends.size() && this->Ends[cursor].first == vertex; ++cursor)
+    {
+      const std::size_t side = this->Ends[cursor].second;
+      if (!this->Taken[side])
+      {
+        return side;
+      }
+    }
+    return None;
+  }
+
+  std::span<OppositeSide> Sides;
+  std::size_t Left = 0;
+  std::vector<RingEntry> Fan;
+  std::vector<std::pair<Index, std::size_t>> Ends;
+  std::vector<std::size_t> Cursors;
+  std::vector<std::uint8_t> Taken;
+  std::size_t NextStart = 0;
+};
+
+/** Chains the sides opposite to a vertex where that is easy, as it is at most vertices. */
+class ClosedFanChainer
+{
+public:
+  explicit ClosedFanChainer(Index numberOfVertices)
+    : PlaceOf(numberOfVertices)
+  {
+  }
+
+  /**
+   * Where all sides follow each other, first end to second end, as one fan that closes, brings them
+   * into that order; leaves them as they are and returns false elsewhere.
+   * @param seconds  the other ends of the sides
+   * @param fan      what opens them, and room for one entry more
+   */
+  bool chain(std::span<const Index> seconds, std::span<RingEntry> fan)
+  {
+    const std::size_t size = seconds.size();
+    if (size == 0 || size > std::numeric_limits<Place>::max())
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const RingEntry side = fan[i];
+      this->Sides[i] = side;
+      this->PlaceOf[side.neighbour()] = static_cast<Place>(i);
+    }
+    std::size_t place = 0;
+    std::size_t chained = 0;
+    bool isFound = false;
+    do
+    {
+      fan[chained++] = this->Sides[place];
+      const Index end = seconds[place];
+      place = this->PlaceOf[end];
+      // The place of a vertex where no side begins is one from another ring.
+      isFound = place < size && this->Sides[place].neighbour() == end;
+    } while (isFound && place != 0 && chained < size);
+    const bool isWhole = isFound && place == 0 && chained == size;
+    if (isWhole)
+    {
+      fan[size] = RingEntry(this->Sides[0].neighbour());
+    }
+    else
+    {
+      std::copy_n(this->Sides.begin(), chained, fan.begin());
+    }
+    return isWhole;
+  }
+
+private:
+  using Place = std::uint8_t;
+  std::vector<Place> PlaceOf;
+  std::array<RingEntry, std::numeric_limits<Place>::max()> Sides;
+};
+
+}
+
+#endif

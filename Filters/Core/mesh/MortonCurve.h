@@ -1,0 +1,121 @@
+#ifndef geodesic_MortonCurve_h
+#define geodesic_MortonCurve_h
+
+#include "base/Vector3.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace geodesic
+{
+
+/** The smallest box with the axes' directions round points. */
+struct BoundingBox
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector3 low{ infinity, infinity, infinity };
+  Vector3 high{ -infinity, -infinity, -infinity };
+
+  void add(const Vector3& lowest, const Vector3& highest)
+  {
+    const auto [lx, ly, lz] = lowest;
+    const auto [hx, hy, hz] = highest;
+    this->low = { std::min(this->low.x, lx), std::min(this->low.y, ly), std::min(this->low.z, lz) };
+    this->high = { std::max(this->high.x, hx), std::max(this->high.y, hy),
+      std::max(this->high.z, hz) };
+  }
+  void add(const Vector3& point) { this->add(point, point); }
+};
+
+/**
+ * A Morton (Z) curve through the cube at a box's low corner that holds the box.
+ * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
+ */
+class MortonCurve
+{
+public:
+  static constexpr int BitsPerAxis = 21;
+
+  explicit MortonCurve(const BoundingBox& box)
+    : Low(box.low)
+  {
+    const Vector3 size = box.high - box.low;
+    const double extent = std::max({ size.x, size.y, size.z });
+    this->CellsPerUnit = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
+  }
+
+  /** How far along the curve a point of the box is, in 63 bits. */
+  std::uint64_t codeOf(const Vector3& point) const
+  {
+    const Cell cell = this->cellOf(point);
+    return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
+  }
+
+  /** The first 32 bits of codeOf(), at less cost. */
+  std::uint32_t leadingBitsOf(const Vector3& point) const
+  {
+    const Cell cell = this->cellOf(point);
+    // 33 bits, less the last one.
+    return Spread[cell.x >> LastBits] >> 1 | Spread[cell.y >> LastBits] |
+      Spread[cell.z >> LastBits] << 1;
+  }
+
+  /** The other 31 of them. */
+  std::uint32_t otherBitsOf(const Vector3& point) const
+  {
+    const Cell cell = this->cellOf(point);
+    constexpr std::uint32_t last = (1u << LastBits) - 1;
+    return Spread[cell.x & (2 * last + 1)] | Spread[cell.y & last] << 1 |
+      Spread[cell.z & last] << 2;
+  }
+
+private:
+  struct Cell
+  {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t z;
+  };
+
+  Cell cellOf(const Vector3& point) const
+  {
+    const auto numberOf = [](double x)
+    { return static_cast<std::uint32_t>(static_cast<std::int32_t>(x)); };
+    const Vector3 cell = this->CellsPerUnit * (point - this->Low);
+    return { numberOf(cell.x), numberOf(cell.y), numberOf(cell.z) };
+  }
+
+  static constexpr int FirstBits = 11;
+  static constexpr int LastBits = BitsPerAxis - FirstBits;
+
+  /** Numbers of 11 bits with each bit moved to every third one. */
+  static constexpr auto Spread = []
+  {
+    std::array<std::uint32_t, std::size_t{ 1 } << FirstBits> spread{};
+    for (std::uint32_t number = 0; number < spread.size(); ++number)
+    {
+      for (int bit = 0; bit < FirstBits; ++bit)
+      {
+        spread[number] |= (number >> bit & 1) << 3 * bit;
+      }
+    }
+    return spread;
+  }();
+
+  /** The same of 21 bits. */
+  static std::uint64_t spread(std::uint32_t number)
+  {
+    constexpr std::uint32_t last = (1u << LastBits) - 1;
+    return Spread[number & last] | std::uint64_t{ Spread[number >> LastBits] } << 3 * LastBits;
+  }
+
+  Vector3 Low;
+  double CellsPerUnit;
+};
+
+}
+
+#endif

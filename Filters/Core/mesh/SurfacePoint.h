@@ -1,0 +1,45 @@
+#ifndef geodesic_SurfacePoint_h
+#define geodesic_SurfacePoint_h
+
+#include "base/Index.h"
+
+#include <array>
+
+namespace geodesic
+{
+
+/**
+ * A point on a triangle mesh: a triangle and barycentric weights (each in [0, 1], sum 1) of its
+ * three corners. A weight of exactly 0 puts the point on an edge, two of them at a vertex.
+ */
+struct SurfacePoint
+{
+  Index triangle = NoIndex;
+  std::array<double, 3> weights = { 1.0, 0.0, 0.0 };
+
+  friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
+};
+
+/**
+ * The same point with every weight below @p tolerance set to exactly 0. Points meant to lie on an
+ * edge come out of a projection with weights of rounding size, and the eikonal update is badly
+ * conditioned for a source that close to an edge without being on it.
+ */
+inline SurfacePoint snapped(SurfacePoint point, double tolerance = 1e-9)
+{
+  double sum = 0.0;
+  for (double& weight : point.weights)
+  {
+    weight = weight < tolerance ? 0.0 : weight;
+    sum += weight;
+  }
+  for (double& weight : point.weights)
+  {
+    weight /= sum;
+  }
+  return point;
+}
+
+}
+
+#endif

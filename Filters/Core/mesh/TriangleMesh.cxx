@@ -1,0 +1,332 @@
+#include "mesh/TriangleMesh.h"
+
+#include "mesh/SpatialOrder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace geodesic
+{
+namespace
+{
+
+void checkNumber(std::size_t points)
+{
+  // A march numbers what else is in its queue behind the vertices.
+  constexpr std::size_t most = 0x3fffffff;
+  if (points > most)
+  {
+    throw std::length_error("The surface has " + std::to_string(points) +
+      " points; one process holds at most " + std::to_string(most) +
+      ". Spread it over more ranks.");
+  }
+}
+
+/** Flags the points that triangles use, after checking that these exist. */
+std::vector<std::uint8_t> usedPoints(
+  std::size_t count, std::span<const Triangle> triangles, const ThreadTeam& team)
+{
+  std::vector<std::uint8_t> used(count, 0);
+  team.run(triangles.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      const auto use = [flags = used.data()](Index point)
+      { std::atomic_ref(flags[point]).store(1, std::memory_order_relaxed); };
+      for (const Triangle& t : triangles.subspan(first, last - first))
+      {
+        const auto [a, b, c] = t;
+        if (highestCorner(t) >= count)
+        {
+          throw std::invalid_argument("Triangle " + std::to_string(&t - triangles.data()) +
+            " uses point " + std::to_string(highestCorner(t)) + ", but the surface has " +
+            std::to_string(count) + " points. Clean the surface.");
+        }
+        use(a);
+        use(b);
+        use(c);
+      }
+    });
+  return used;
+}
+
+bool repeatsCorner(const Triangle& t)
+{
+  return (t[0] == t[1]) | (t[1] == t[2]) | (t[2] == t[0]);
+}
+
+}
+
+TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+  CoincidentPoints coincident, const ThreadTeam& team)
+{
+  checkNumber(points.size());
+  this->numberVertices(points, usedPoints(points.size(), triangles, team), coincident, team);
+  this->build(triangles, team);
+}
+
+TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
+  std::span<const Index> kinds, const ThreadTeam& team)
+{
+  checkNumber(points.size());
+  const std::vector<std::uint8_t> used = usedPoints(points.size(), triangles, team);
+  std::vector<std::uint8_t> isFirst(points.size(), 0);
+  std::vector<Index> firstOfKind(points.size(), NoIndex);
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    if (used[i])
+    {
+      checkFinite(i, points[i]);
+      if (firstOfKind[kinds[i]] == NoIndex)
+      {
+        firstOfKind[kinds[i]] = i;
+        isFirst[i] = 1;
+      }
+    }
+  }
+  this->numberVertices(points, isFirst, CoincidentPoints::Separate, team);
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    if (used[i])
+    {
+      this->VertexOfPoint[i] = this->VertexOfPoint[firstOfKind[kinds[i]]];
+    }
+  }
+  this->build(triangles, team);
+}
+
+void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& team)
+{
+  // Memory costs most where it is first touched, so two steps share it.
+  BulkVector<Index> room(3 * triangles.size());
+  this->orderTriangles(triangles, room, team);
+  this->Rings = VertexRings(this->Triangles, this->Positions, room, team);
+  this->measureEdges();
+  if (this->Triangles.size() < triangles.size())
+  {
+    this->forgetBareVertices();
+  }
+}
+
+void TriangleMesh::numberVertices(std::span<const Vector3> points,
+  std::span<const std::uint8_t> used, CoincidentPoints coincident, const ThreadTeam& team)
+{
+  const BulkVector<Index> order = spatialOrder(points, used, team);
+  const bool areSeparate = coincident == CoincidentPoints::Separate;
+  const auto isFirstOfItsKind = [&](std::size_t i)
+  { return areSeparate || i == 0 || !(points[order[i]] == points[order[i - 1]]); };
+  std::vector<std::size_t> starts(team.numberOfRanges(order.size()));
+  team.run(order.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      std::size_t count = areSeparate ? last - first : 0;
+      for (std::size_t i = first; i < last && !areSeparate; ++i)
+      {
+        count += isFirstOfItsKind(i);
+      }
+      starts[range] = count;
+    });
+  const std::size_t vertices = startsOf(starts);
+  this->VertexOfPoint.assign(points.size(), NoIndex);
+  this->Positions.resize(vertices);
+  this->PointOfVertex.resize(vertices);
+  team.run(order.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      std::size_t next = starts[range];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (isFirstOfItsKind(i))
+        {
+          this->Positions[next] = points[order[i]];
+          this->PointOfVertex[next] = order[i];
+          ++next;
+        }
+        this->VertexOfPoint[order[i]] = static_cast<Index>(next - 1);
+      }
+    });
+}
+
+void TriangleMesh::orderTriangles(
+  std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
+{
+  // A counting sort: each thread counts and places some of the triangles, before those of the next.
+  // Its counts are 4 bytes a vertex, so there are not too many.
+  const ThreadTeam counters = team.atMost(8);
+  const std::size_t vertices = this->numberOfVertices();
+  std::vector<std::vector<Index>> places(counters.numberOfRanges(triangles.size()));
+  counters.run(triangles.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      places[range].resize(vertices);
+      Index* const counts = places[range].data();
+      const Index* const vertexOf = this->VertexOfPoint.data();
+      Index* to = corners.data() + 3 * first;
+      for (const Triangle& input : triangles.subspan(first, last - first))
+      {
+        const Index a = vertexOf[input[0]];
+        const Index b = vertexOf[input[1]];
+        const Index c = vertexOf[input[2]];
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        if (repeatsCorner({ a, b, c }))
+        {
+          to[0] = NoIndex;
+        }
+        else
+        {
+          ++counts[lowestCorner({ a, b, c })];
+        }
+        to += 3;
+      }
+    });
+  std::vector<std::size_t> starts(team.numberOfRanges(vertices));
+  team.run(vertices,
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      for (const std::vector<Index>& counts : places)
+      {
+        starts[range] =
+          std::accumulate(counts.begin() + first, counts.begin() + last, starts[range]);
+      }
+    });
+  const std::size_t total = startsOf(starts);
+  this->Triangles.resize(total);
+  this->SourceOfTriangle.resize(total);
+  team.run(vertices,
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      Index next = static_cast<Index>(starts[range]);
+      for (std::size_t v = first; v < last; ++v)
+      {
+        for (std::vector<Index>& counts : places)
+        {
+          next += std::exchange(counts[v], next);
+        }
+      }
+    });
+  counters.run(triangles.size(),
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      Index* const next = places[range].data();
+      Triangle* const ordered = this->Triangles.data();
+      Index* const sources = this->SourceOfTriangle.data();
+      const auto cornersOf = [from = corners.data()](std::size_t t) -> Triangle {
+        return { from[3 * t], from[3 * t + 1], from[3 * t + 2] };
+      };
+      // Where a triangle goes may be anywhere in memory, so that is fetched some time before.
+      constexpr std::size_t ahead = 24;
+      std::array<Index, 32> placeOf;
+      const auto put = [&](std::size_t t)
+      {
+        if (const Index place = placeOf[t % placeOf.size()]; place != NoIndex)
+        {
+          ordered[place] = cornersOf(t);
+          sources[place] = static_cast<Index>(t);
+        }
+      };
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Triangle ours = cornersOf(t);
+        Index place = NoIndex;
+        if (ours[0] != NoIndex)
+        {
+          place = next[lowestCorner(ours)]++;
+          __builtin_prefetch(&ordered[place], 1);
+          __builtin_prefetch(&sources[place], 1);
+        }
+        placeOf[t % placeOf.size()] = place;
+        if (t >= first + ahead)
+        {
+          put(t - ahead);
+        }
+      }
+      for (std::size_t t = std::max(first + ahead, last) - ahead; t < last; ++t)
+      {
+        put(t);
+      }
+    });
+}
+
+void TriangleMesh::forgetBareVertices()
+{
+  for (Index& vertex : this->VertexOfPoint)
+  {
+    vertex = vertex != NoIndex && this->ring(vertex).empty() ? NoIndex : vertex;
+  }
+}
+
+void TriangleMesh::measureEdges()
+{
+  const std::span<const VertexSize> sizes = this->Rings.sizes();
+  double sides = 0.0;
+  double margins = 0.0;
+  float longest = 0.0f;
+  for (const VertexSize& size : sizes)
+  {
+    sides += size.longestSide;
+    margins += size.margin;
+    longest = std::max(longest, size.longestSide);
+  }
+  const double count = std::max(1.0, static_cast<double>(sizes.size()));
+  this->MeanLongestEdge = sides / count;
+  this->MeanMargin = margins / count;
+  this->LongestEdgeLength = longest;
+}
+
+SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const
+{
+  SurfacePoint point;
+  point.triangle = this->trianglesWith({ &vertex, 1 }).front();
+  for (int c = 0; c < 3; ++c)
+  {
+    point.weights[c] = this->Triangles[point.triangle][c] == vertex ? 1.0 : 0.0;
+  }
+  return point;
+}
+
+std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) const
+{
+  const auto hasAll = [&](const Triangle& t)
+  {
+    return std::all_of(corners.begin(), corners.end(),
+      [&](Index corner) { return std::find(t.begin(), t.end(), corner) != t.end(); });
+  };
+  const auto isBefore = [](const Triangle& t, Index lowest) { return lowestCorner(t) < lowest; };
+  std::vector<Index> found;
+  const std::span<const RingEntry> ring = this->ring(corners[0]);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const Index next = ring[i].opensTriangle() ? ring[i + 1].neighbour() : ring[i].neighbour();
+    const Triangle wanted{ corners[0], ring[i].neighbour(), next };
+    if (!ring[i].opensTriangle() || !hasAll(wanted))
+    {
+      continue;
+    }
+    const Index lowest = lowestCorner(wanted);
+    auto t = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), lowest, isBefore);
+    for (; t != this->Triangles.end() && lowestCorner(*t) == lowest; ++t)
+    {
+      if (std::is_permutation(t->begin(), t->end(), wanted.begin()))
+      {
+        found.push_back(static_cast<Index>(t - this->Triangles.begin()));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Vector3 TriangleMesh::positionOf(const SurfacePoint& point) const
+{
+  const Triangle& corners = this->Triangles[point.triangle];
+  return point.weights[0] * this->Positions[corners[0]] +
+    point.weights[1] * this->Positions[corners[1]] + point.weights[2] * this->Positions[corners[2]];
+}
+
+}

@@ -1,0 +1,340 @@
+#include "mesh/VertexRings.h"
+
+#include "mesh/FanChainer.h"
+#include "mesh/TriangleMeasure.h"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace geodesic
+{
+namespace
+{
+
+VertexSize largest(const VertexSize& a, const VertexSize& b)
+{
+  // Both of its numbers at once.
+  using Both = float __attribute__((vector_size(sizeof(VertexSize))));
+  const Both x = std::bit_cast<Both>(a);
+  const Both y = std::bit_cast<Both>(b);
+  return std::bit_cast<VertexSize>(x > y ? x : y);
+}
+
+/** Numbers that follow each other. */
+class IndexRange
+{
+public:
+  IndexRange(Index first, Index size)
+    : First(first)
+    , Size(size)
+  {
+  }
+  Index first() const { return this->First; }
+  Index last() const { return this->First + this->Size; }
+  bool has(Index i) const { return i - this->First < this->Size; }
+
+private:
+  Index First;
+  Index Size;
+};
+
+/** All that there are. */
+struct EveryIndex
+{
+  static bool has(Index) { return true; }
+};
+
+}
+
+/** Some vertices that follow each other, and the triangles that have a corner among them. */
+class VertexRings::Range
+{
+public:
+  /**
+   * @param triangles  all of them, in the order of their lowest corners
+   * @param isWhole    whether the range is of all vertices
+   */
+  Range(std::size_t first, std::size_t last, std::span<const Triangle> triangles, bool isWhole)
+    : Vertices(static_cast<Index>(first), static_cast<Index>(last - first))
+    , IsWhole(isWhole)
+  {
+    const auto firstFrom = [&](std::size_t vertex)
+    {
+      return std::partition_point(triangles.begin(), triangles.end(),
+        [&](const Triangle& t) { return lowestCorner(t) < vertex; });
+    };
+    const auto own = firstFrom(first);
+    std::copy_if(triangles.begin(), own, std::back_inserter(this->ReachIn),
+      [vertices = this->Vertices](const Triangle& t)
+      { return vertices.has(t[0]) || vertices.has(t[1]) || vertices.has(t[2]); });
+    this->BeginHere = { own, firstFrom(last) };
+  }
+
+  IndexRange vertices() const { return this->Vertices; }
+  /** Calls @p work with what tells which vertices are in the range. */
+  template <class Work>
+  void withVertices(const Work& work) const
+  {
+    this->IsWhole ? work(EveryIndex()) : work(this->Vertices);
+  }
+  /** Those with a lowest corner before the range. */
+  std::span<const Triangle> reachIn() const { return this->ReachIn; }
+  /** Those with one in it. */
+  std::span<const Triangle> beginHere() const { return this->BeginHere; }
+
+private:
+  IndexRange Vertices;
+  bool IsWhole;
+  std::vector<Triangle> ReachIn;
+  std::span<const Triangle> BeginHere;
+};
+
+/**
+ * The making of the rings of a range of vertices. What opens the triangles at each vertex is put to
+ * where its ring will be, in no order, as the triangles follow each other; as soon as all those of
+ * a vertex have come, they are brought into order, while they are near the processor.
+ */
+class VertexRings::Filling
+{
+public:
+  /**
+   * @param start      of the first vertex's ring
+   * @param seconds    room for the other ends of the sides opposite to the vertices, by corner
+   * @pre Starts are the numbers of corners
+   */
+  Filling(VertexRings& rings, const Range& range, std::size_t start,
+    std::span<const Vector3> positions, std::span<Index> seconds)
+    : OfRange(range)
+    , Positions(positions)
+    , Starts(rings.Starts.data())
+    , Entries(rings.Entries.data())
+    , Sizes(rings.Sizes.data())
+    , Seconds(seconds.data())
+    , NextVertex(range.vertices().first())
+    , NextStart(start)
+    , ClosedFan(static_cast<Index>(positions.size()))
+  {
+  }
+
+  /** Returns the rings of more than one fan, for which there is no room. */
+  std::vector<Ring> fill()
+  {
+    const IndexRange vertices = this->OfRange.vertices();
+    std::size_t start = this->NextStart;
+    for (Index v = vertices.first(); v < vertices.last(); ++v)
+    {
+      start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
+      this->Sizes[v] = {};
+    }
+    this->OfRange.withVertices(
+      [&](const auto& ours)
+      {
+        this->put(this->OfRange.reachIn(), ours);
+        this->put(this->OfRange.beginHere(), ours);
+      });
+    this->chainBefore(vertices.last());
+    return std::move(this->Others);
+  }
+
+private:
+  /** Puts the corners of triangles in the order of their lowest ones. */
+  template <class Vertices>
+  void put(std::span<const Triangle> triangles, const Vertices& ours)
+  {
+    for (std::size_t first = 0; first < triangles.size(); first += TriangleMeasurer::Most)
+    {
+      const std::span<const Triangle> rest = triangles.subspan(first);
+      const std::span<const Triangle> some =
+        rest.first(std::min(TriangleMeasurer::Most, rest.size()));
+      // All triangles at lower vertices have come.
+      this->chainBefore(lowestCorner(some.front()));
+      this->Measures.measure(some, this->Positions);
+      for (std::size_t i = 0; i < some.size(); ++i)
+      {
+        constexpr std::size_t ahead = 32;
+        this->prefetchRing(rest[std::min(i + ahead, rest.size() - 1)], ours);
+        this->put(some[i], this->Measures[i], ours);
+      }
+    }
+  }
+
+  template <class Vertices>
+  void put(const Triangle& t, const TriangleMeasure& measure, const Vertices& ours)
+  {
+    const RingEntry opening(0, measure.slack, measure.isThin());
+    const VertexSize size{ measure.longestSide, measure.margin };
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index v = t[c];
+      if (ours.has(v))
+      {
+        // Moves the start of the ring to its end.
+        const std::uint32_t place = this->Starts[v]++;
+        this->Entries[place] = opening.at(t[(c + 1) % 3]);
+        this->Seconds[place - v] = t[(c + 2) % 3];
+        this->Sizes[v] = largest(this->Sizes[v], size);
+      }
+    }
+  }
+
+  /** The highest corner is the one whose ring is least likely to be near. GCC drops the call unless
+   * it is inlined. */
+  template <class Vertices>
+  [[gnu::always_inline]] void prefetchRing(const Triangle& t, const Vertices& ours) const
+  {
+    const Index v = highestCorner(t);
+    if (ours.has(v))
+    {
+      const std::uint32_t place = this->Starts[v];
+      __builtin_prefetch(&this->Entries[place], 1);
+      __builtin_prefetch(&this->Seconds[place - v], 1);
+      __builtin_prefetch(&this->Sizes[v], 1);
+    }
+  }
+
+  /** Brings the rings of the next vertices into order. @pre all of their corners were put */
+  void chainBefore(Index last)
+  {
+    for (; this->NextVertex < last; ++this->NextVertex)
+    {
+      const Index v = this->NextVertex;
+      const std::size_t start = this->NextStart;
+      const std::size_t size =
+        std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
+      const std::span<RingEntry> ring{ this->Entries + start, size + 1 };
+      const std::span<const Index> ends{ this->Seconds + (start - v), size };
+      if (!this->ClosedFan.chain(ends, ring))
+      {
+        this->chainAny(v, ends, ring);
+      }
+      this->NextStart += ring.size();
+    }
+  }
+
+  void chainAny(Index v, std::span<const Index> ends, std::span<RingEntry> ring)
+  {
+    this->Sides.clear();
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      this->Sides.push_back({ ring[i], ends[i] });
+    }
+    this->Fans.clear();
+    this->AnyFans.chain(this->Sides, this->Fans);
+    if (this->Fans.size() == ring.size())
+    {
+      std::copy(this->Fans.begin(), this->Fans.end(), ring.begin());
+    }
+    else
+    {
+      this->Others.push_back({ v, this->Fans });
+    }
+  }
+
+  const Range& OfRange;
+  std::span<const Vector3> Positions;
+  // At hand, as what is written could be of these arrays' own kind.
+  std::uint32_t* Starts;
+  RingEntry* Entries;
+  VertexSize* Sizes;
+  Index* Seconds;
+  TriangleMeasurer Measures;
+  Index NextVertex;
+  std::size_t NextStart;
+  ClosedFanChainer ClosedFan;
+  FanChainer AnyFans;
+  std::vector<OppositeSide> Sides;
+  std::vector<RingEntry> Fans;
+  std::vector<Ring> Others;
+};
+
+VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
+  std::span<Index> room, const ThreadTeam& team)
+  : Starts(positions.size() + 1)
+  , Sizes(positions.size())
+{
+  const std::size_t vertices = positions.size();
+  constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
+  if (triangles.size() > maximumTriangles)
+  {
+    throw std::length_error("The surface has " + std::to_string(triangles.size()) +
+      " triangles; one process holds at most " + std::to_string(maximumTriangles) +
+      ". Spread it over more ranks.");
+  }
+  std::vector<std::optional<Range>> ranges(team.numberOfRanges(vertices));
+  std::vector<std::size_t> starts(ranges.size());
+  team.run(vertices,
+    [&](std::size_t range, std::size_t first, std::size_t last)
+    {
+      ranges[range].emplace(first, last, triangles, ranges.size() == 1);
+      starts[range] = this->countCorners(*ranges[range]);
+    });
+  // Room for one fan a vertex.
+  this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
+  this->Entries.resize(this->Starts.back() + Overrun);
+  std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
+  std::vector<std::vector<Ring>> others(ranges.size());
+  team.run(vertices,
+    [&](std::size_t range, std::size_t first, std::size_t)
+    {
+      Filling filling(*this, *ranges[range], starts[range] + first, positions, room);
+      others[range] = filling.fill();
+    });
+  for (std::size_t range = 1; range < others.size(); ++range)
+  {
+    std::move(others[range].begin(), others[range].end(), std::back_inserter(others[0]));
+  }
+  if (!others[0].empty())
+  {
+    this->replace(others[0]);
+  }
+}
+
+std::size_t VertexRings::countCorners(const Range& range)
+{
+  std::uint32_t* const starts = this->Starts.data();
+  std::size_t sum = 0;
+  range.withVertices(
+    [&](const auto& vertices)
+    {
+      for (const std::span<const Triangle> some : { range.reachIn(), range.beginHere() })
+      {
+        for (const Triangle& t : some)
+        {
+          for (Index v : t)
+          {
+            if (vertices.has(v))
+            {
+              ++starts[v];
+              ++sum;
+            }
+          }
+        }
+      }
+    });
+  return sum;
+}
+
+void VertexRings::replace(std::span<const Ring> others)
+{
+  BulkVector<RingEntry> entries;
+  entries.reserve(this->Entries.size());
+  auto other = others.begin();
+  for (Index v = 0; v + 1 < this->Starts.size(); ++v)
+  {
+    const bool isOther = other != others.end() && other->vertex == v;
+    const std::span<const RingEntry> ring = isOther ? (other++)->entries : (*this)[v];
+    this->Starts[v] = static_cast<std::uint32_t>(entries.size());
+    entries.insert(entries.end(), ring.begin(), ring.end());
+  }
+  this->Starts.back() = static_cast<std::uint32_t>(entries.size());
+  entries.insert(entries.end(), Overrun, RingEntry(0));
+  this->Entries = std::move(entries);
+}
+
+}

@@ -1,0 +1,254 @@
+#include "path/PathFinder.h"
+
+#include "path/EdgePathSearch.h"
+#include "path/PathStraightener.h"
+#include "solve/DistanceSource.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace geodesic
+{
+namespace
+{
+
+/** The beginning of a path, as far as it is straight where its faces are laid flat. */
+class FirstLeg
+{
+public:
+  /** @param path not of length 0 */
+  FirstLeg(const TriangleMesh& mesh, const SurfacePath& path)
+  {
+    const auto bend = std::find_if(path.begin() + 1, path.end() - 1, isVertex);
+    const double leg = lengthOf(mesh, { path.begin(), bend + 1 });
+    const Vector3 start = path[0].position(mesh);
+    const Vector3 step = path[1].position(mesh) - start;
+    this->End = start + (leg / norm(step)) * step;
+    this->Rest = lengthOf(mesh, path) - leg;
+  }
+
+  /** How long a way beside the path is from another point of the face that the path begins in. */
+  double lengthFrom(const Vector3& position) const
+  {
+    return norm(position - this->End) + this->Rest;
+  }
+
+private:
+  Vector3 End;
+  double Rest = 0.0;
+};
+
+}
+
+PathFinder::PathFinder(DistanceSource& solver, std::span<const SurfacePoint> seeds,
+  const SolveOptions& options, const PathStyle& style)
+  : Solver(solver)
+  , Options(options)
+  , Surface(solver.mesh(), this->Options)
+  , Style(style)
+{
+  if (style.straighten && (style.order == PathOrder::Vertices || !options.cost.empty()))
+  {
+    throw std::invalid_argument(std::string("A path ") +
+      (options.cost.empty() ? "along edges" : "through varying cost") +
+      " is not straight; ask for it without straightening.");
+  }
+  for (const SurfacePoint& seed : seeds)
+  {
+    this->Seeds.push_back(Seed::atPoint(seed));
+    this->Ends.push_back(PathPoint::at(solver.mesh(), seed));
+  }
+}
+
+bool PathFinder::march(std::span<const SurfacePoint> points)
+{
+  this->Targets.clear();
+  for (const SurfacePoint& point : points)
+  {
+    this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point));
+  }
+  return this->solve(this->Targets);
+}
+
+bool PathFinder::addTargetsAlong(const SurfacePath& path)
+{
+  const std::size_t known = this->Targets.size();
+  std::for_each(
+    path.begin(), path.end(), [&](const PathPoint& point) { this->addTargetsRound(point); });
+  const auto isReached = [&](const Triangle& target) { return this->Field->isReached(target[0]); };
+  this->Targets.erase(std::remove_if(this->Targets.begin() + known, this->Targets.end(), isReached),
+    this->Targets.end());
+  return this->Targets.size() > known;
+}
+
+bool PathFinder::solve(std::span<const Triangle> targets)
+{
+  this->Options.targets = targets;
+  this->Options.targetMode = TargetMode::All;
+  this->Field = &this->Solver.solve(this->Seeds, this->Options);
+  this->Options.targets = {};
+  return this->Field->stopReason() != StopReason::Cancelled;
+}
+
+void PathFinder::addTargetsRound(const PathPoint& point)
+{
+  const auto add = [&](Index vertex)
+  {
+    if (!this->Surface.isExcluded(vertex))
+    {
+      this->Targets.push_back({ vertex, vertex, vertex });
+    }
+  };
+  // A straight way from the point crosses the edges of the faces that it lies in.
+  const Carriers carriers = point.carriers();
+  std::for_each(carriers.begin(), carriers.end(), add);
+  visitFaces(this->Surface, point,
+    [&](const Triangle& face) { std::for_each(face.begin(), face.end(), add); });
+}
+
+std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
+{
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const PathPoint start = PathPoint::at(mesh, point);
+  const Carriers carriers = start.carriers();
+  if (std::all_of(carriers.begin(), carriers.end(),
+        [&](Index vertex) { return this->Surface.isExcluded(vertex); }))
+  {
+    throw std::invalid_argument("The path begins at excluded point " +
+      std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
+  }
+  auto path = this->shortestOf(start);
+  if (!path && this->Field->stopReason() == StopReason::Targets)
+  {
+    // Beside long edges a path can need distances beyond those of its own ends.
+    path = this->solve({}) ? this->shortestOf(start) : std::nullopt;
+  }
+  const bool staysTraced = this->Style.order == PathOrder::Edges && !this->Style.straighten;
+  while (path && staysTraced && this->Field->stopReason() == StopReason::Targets &&
+    this->addTargetsAlong(*path))
+  {
+    path = this->solve(this->Targets) ? this->shortestOf(start) : std::nullopt;
+  }
+  return path;
+}
+
+std::optional<SurfacePath> PathFinder::shortestOf(const PathPoint& start) const
+{
+  PathTracer tracer(this->Surface, *this->Field, this->Ends);
+  std::vector<Index> seeds = tracer.seedsNear(start);
+  if (!this->Style.straighten && seeds.size() > 1)
+  {
+    // As traced, and through varying cost, lengths do not tell which seed is the nearest.
+    seeds.erase(seeds.begin() + 1, seeds.end());
+  }
+  std::optional<SurfacePath> shortest;
+  double least = DistanceField::Unreached;
+  for (Index seed : seeds)
+  {
+    auto path = tracer.trace(start, seed, this->Style.order);
+    if (path)
+    {
+      this->shorten(*path, start);
+      const double length = lengthOf(this->Surface.mesh(), *path);
+      if (length < least)
+      {
+        least = length;
+        shortest = std::move(path);
+      }
+    }
+  }
+  return shortest;
+}
+
+void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
+{
+  if (this->Style.straighten)
+  {
+    path = this->straightestOf(path, start);
+  }
+  else if (this->Style.order == PathOrder::Vertices && !this->Surface.hasCosts())
+  {
+    const double length = lengthOf(this->Surface.mesh(), path);
+    if (auto other = shorterEdgePath(this->Surface, *this->Field, path.back(), start, length))
+    {
+      std::reverse(other->begin(), other->end());
+      path = std::move(*other);
+    }
+  }
+  path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
+}
+
+SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint& start) const
+{
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const PathStraightener straightener(this->Surface);
+  SurfacePath best = straightener.straightened(traced);
+  double least = lengthOf(mesh, best);
+  const auto consider = [&](const SurfacePath& path)
+  {
+    SurfacePath other = straightener.straightened(path);
+    const double length = lengthOf(mesh, other);
+    if (length < least)
+    {
+      best = std::move(other);
+      least = length;
+    }
+  };
+  for (Index corner : this->cornersOffThePath(best, start))
+  {
+    const auto path =
+      PathTracer(this->Surface, *this->Field, this->Ends)
+        .trace(PathPoint::atVertex(corner), this->Field->nearestSeed(corner), PathOrder::Edges);
+    if (path)
+    {
+      SurfacePath byCorner{ start };
+      byCorner.insert(byCorner.end(), path->begin(), path->end());
+      consider(byCorner);
+    }
+  }
+  if (auto other = shorterEdgePath(this->Surface, *this->Field, best.back(), start, least))
+  {
+    std::reverse(other->begin(), other->end());
+    consider(*other);
+  }
+  return best;
+}
+
+Carriers PathFinder::cornersOffThePath(const SurfacePath& path, const PathPoint& start) const
+{
+  constexpr double rounding = 1e-12;
+  const TriangleMesh& mesh = this->Solver.mesh();
+  Carriers corners;
+  if (isVertex(start) || lengthOf(mesh, path) == 0.0)
+  {
+    return corners;
+  }
+  const FirstLeg leg(mesh, path);
+  for (Index corner : start.carriers())
+  {
+    if (this->Field->distance(corner) < (1.0 - rounding) * leg.lengthFrom(mesh.position(corner)))
+    {
+      corners.add(corner);
+    }
+  }
+  return corners;
+}
+
+std::optional<SurfacePath> shortestPath(DistanceSource& solver, const SurfacePoint& from,
+  const SurfacePoint& to, const SolveOptions& options, const PathStyle& style)
+{
+  PathFinder finder(solver, { &from, 1 }, options, style);
+  if (!finder.march({ &to, 1 }))
+  {
+    return std::nullopt;
+  }
+  auto path = finder.pathFrom(to);
+  if (path)
+  {
+    std::reverse(path->begin(), path->end());
+  }
+  return path;
+}
+
+}

@@ -1,0 +1,109 @@
+#include "path/PathPoint.h"
+
+namespace geodesic
+{
+namespace
+{
+
+/** The point a fraction of the way from @p a to @p b, which share a face. */
+PathPoint between(const PathPoint& a, const PathPoint& b, double fraction)
+{
+  const Carriers corners = unionOf(a, b);
+  PathPoint point;
+  for (int i = 0; i < 3; ++i)
+  {
+    point.corners[i] = corners[std::min(i, corners.size() - 1)];
+  }
+  const auto addWeights = [&](const PathPoint& end, double share)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto* place = std::find(corners.begin(), corners.end(), end.corners[i]);
+      if (end.weights[i] > 0.0)
+      {
+        point.weights[place - corners.begin()] += share * end.weights[i];
+      }
+    }
+  };
+  addWeights(a, 1.0 - fraction);
+  addWeights(b, fraction);
+  return point;
+}
+
+}
+
+Carriers unionOf(const PathPoint& a, const PathPoint& b)
+{
+  Carriers all = a.carriers();
+  for (Index vertex : b.carriers())
+  {
+    all.add(vertex);
+  }
+  return all;
+}
+
+Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b)
+{
+  const Carriers corners = unionOf(a, b);
+  if (corners.size() == 3)
+  {
+    return { corners[0], corners[1], corners[2] };
+  }
+  return mesh.triangle(mesh.trianglesWith({ corners.begin(), corners.end() }).front());
+}
+
+double weightOf(const PathPoint& point, Index vertex)
+{
+  double weight = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    weight += point.corners[i] == vertex ? point.weights[i] : 0.0;
+  }
+  return weight;
+}
+
+SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
+{
+  const Carriers carriers = point.carriers();
+  SurfacePoint result;
+  result.triangle = mesh.trianglesWith({ carriers.begin(), carriers.end() }).front();
+  for (int i = 0; i < 3; ++i)
+  {
+    result.weights[i] = weightOf(point, mesh.triangle(result.triangle)[i]);
+  }
+  return result;
+}
+
+double lengthOf(const TriangleMesh& mesh, const SurfacePath& path)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    length += norm(path[i].position(mesh) - path[i - 1].position(mesh));
+  }
+  return length;
+}
+
+SurfacePath beginningOf(const TriangleMesh& mesh, const SurfacePath& path, double maximumLength,
+  std::size_t maximumPoints, bool cutsEdges)
+{
+  SurfacePath beginning;
+  double length = 0.0;
+  for (std::size_t i = 0; i < path.size() && beginning.size() < maximumPoints; ++i)
+  {
+    const double step = i == 0 ? 0.0 : norm(path[i].position(mesh) - path[i - 1].position(mesh));
+    if (length + step > maximumLength)
+    {
+      if (cutsEdges && length < maximumLength)
+      {
+        beginning.push_back(between(path[i - 1], path[i], (maximumLength - length) / step));
+      }
+      break;
+    }
+    length += step;
+    beginning.push_back(path[i]);
+  }
+  return beginning;
+}
+
+}

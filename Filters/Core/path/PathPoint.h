@@ -1,0 +1,133 @@
+#ifndef geodesic_PathPoint_h
+#define geodesic_PathPoint_h
+
+#include "base/Index.h"
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace geodesic
+{
+
+/** Up to three vertices: one, the two ends of an edge, or the corners of a face. */
+class Carriers
+{
+public:
+  constexpr void add(Index vertex)
+  {
+    if (!this->contains(vertex))
+    {
+      this->Vertices[this->Count++] = vertex;
+    }
+  }
+  constexpr bool contains(Index vertex) const
+  {
+    return std::find(this->begin(), this->end(), vertex) != this->end();
+  }
+  constexpr int size() const { return this->Count; }
+  constexpr Index operator[](int i) const { return this->Vertices[i]; }
+  constexpr const Index* begin() const { return this->Vertices.data(); }
+  constexpr const Index* end() const { return this->Vertices.data() + this->Count; }
+
+private:
+  // Two faces' corners fit as well, so that a union need not be checked before it is made.
+  std::array<Index, 6> Vertices{};
+  int Count = 0;
+};
+
+/**
+ * A point of a path: weights (each in [0, 1], sum 1) of up to three vertices that share a face.
+ * Weights of exactly 0 put it on an edge or at a vertex; such a point belongs to all faces there.
+ */
+struct PathPoint
+{
+  Triangle corners{};
+  std::array<double, 3> weights{};
+
+  friend constexpr bool operator==(const PathPoint&, const PathPoint&) = default;
+
+  static constexpr PathPoint atVertex(Index vertex)
+  {
+    return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };
+  }
+  /** @param fraction of the way from a to b */
+  static constexpr PathPoint onEdge(Index a, Index b, double fraction)
+  {
+    return { { a, b, b }, { 1.0 - fraction, fraction, 0.0 } };
+  }
+  static PathPoint at(const TriangleMesh& mesh, const SurfacePoint& point)
+  {
+    return { mesh.triangle(point.triangle), point.weights };
+  }
+
+  /** The vertices with a weight. */
+  constexpr Carriers carriers() const
+  {
+    Carriers carriers;
+    for (int i = 0; i < 3; ++i)
+    {
+      if (this->weights[i] > 0.0)
+      {
+        carriers.add(this->corners[i]);
+      }
+    }
+    return carriers;
+  }
+
+  Vector3 position(const TriangleMesh& mesh) const
+  {
+    return this->weights[0] * mesh.position(this->corners[0]) +
+      this->weights[1] * mesh.position(this->corners[1]) +
+      this->weights[2] * mesh.position(this->corners[2]);
+  }
+};
+
+/** Whether all vertices that carry the point are corners of the face. */
+inline bool liesIn(const PathPoint& point, const Triangle& face)
+{
+  const Carriers carriers = point.carriers();
+  return std::all_of(carriers.begin(), carriers.end(),
+    [&](Index vertex) { return std::find(face.begin(), face.end(), vertex) != face.end(); });
+}
+
+inline bool isVertex(const PathPoint& point)
+{
+  return point.carriers().size() == 1;
+}
+
+inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
+{
+  return isVertex(a) && isVertex(b) && a.carriers()[0] == b.carriers()[0];
+}
+
+/** All vertices that carry one of two points, which may share no face. */
+Carriers unionOf(const PathPoint& a, const PathPoint& b);
+
+/** The weight that a vertex has in a point. */
+double weightOf(const PathPoint& point, Index vertex);
+
+/** The point on one of the triangles that it lies in. */
+SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point);
+
+/** A face that two consecutive points of a path lie in. */
+Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b);
+
+/** A polyline on the surface: consecutive points lie in one face, or on one edge. */
+using SurfacePath = std::vector<PathPoint>;
+
+/** In the mesh's length unit. */
+double lengthOf(const TriangleMesh& mesh, const SurfacePath& path);
+
+/**
+ * The beginning of a path, up to a length or a number of points, whichever comes first.
+ * @param cutsEdges whether a new last point is made where the length ends; else the path ends at
+ *                  its last point before that
+ */
+SurfacePath beginningOf(const TriangleMesh& mesh, const SurfacePath& path, double maximumLength,
+  std::size_t maximumPoints, bool cutsEdges);
+
+}
+
+#endif

@@ -1,0 +1,323 @@
+#include "path/StripFunnel.h"
+
+#include <cmath>
+#include <span>
+
+namespace geodesic
+{
+namespace
+{
+
+/** A point of the strip laid flat. */
+struct Flat
+{
+  double x;
+  double y;
+};
+
+double orientation(const Flat& a, const Flat& b, const Flat& c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool isSame(const Flat& a, const Flat& b)
+{
+  return a.x == b.x && a.y == b.y;
+}
+
+bool hasCorner(const Triangle& face, Index vertex)
+{
+  return std::find(face.begin(), face.end(), vertex) != face.end();
+}
+
+/** The edge between two faces of the strip; who walks along the strip sees left and right so. */
+struct Portal
+{
+  Index left;
+  Index right;
+  Flat flatLeft;
+  Flat flatRight;
+};
+
+/** The two corners that consecutive faces share, and the other corner of each. */
+struct SharedEdge
+{
+  Index first;
+  Index second;
+  Index before;
+  Index after;
+};
+
+SharedEdge sharedEdge(const Triangle& face, const Triangle& next)
+{
+  SharedEdge edge{ NoIndex, NoIndex, NoIndex, NoIndex };
+  for (Index corner : face)
+  {
+    if (!hasCorner(next, corner))
+    {
+      edge.before = corner;
+    }
+    else
+    {
+      (edge.first == NoIndex ? edge.first : edge.second) = corner;
+    }
+  }
+  for (Index corner : next)
+  {
+    edge.after = hasCorner(face, corner) ? edge.after : corner;
+  }
+  return edge;
+}
+
+/** Lays a strip flat, face by face. */
+class Unfolding
+{
+public:
+  Unfolding(const TriangleMesh& mesh, std::span<const Triangle> faces)
+    : Mesh(mesh)
+  {
+    this->Portals.reserve(faces.size());
+    for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+    {
+      const SharedEdge edge = sharedEdge(faces[i], faces[i + 1]);
+      if (i == 0)
+      {
+        const double length =
+          norm(this->Mesh.position(edge.second) - this->Mesh.position(edge.first));
+        this->Portals.push_back({ edge.first, edge.second, { 0.0, 0.0 }, { length, 0.0 } });
+        this->First = this->apex(this->Portals[0], edge.before, -1.0);
+        this->FirstApex = edge.before;
+      }
+      else
+      {
+        // One side stays, the other moves on to the last face's new corner.
+        Portal portal = this->Portals.back();
+        const bool leftStays = portal.left == edge.first || portal.left == edge.second;
+        (leftStays ? portal.right : portal.left) = this->LastApex;
+        (leftStays ? portal.flatRight : portal.flatLeft) = this->Last;
+        this->Portals.push_back(portal);
+      }
+      this->LastApex = edge.after;
+      this->Last = this->apex(this->Portals.back(), edge.after, 1.0);
+    }
+  }
+
+  std::span<const Portal> portals() const { return this->Portals; }
+  Flat start(const PathPoint& point) const
+  {
+    return this->place(point, this->Portals.front(), this->FirstApex, this->First);
+  }
+  Flat end(const PathPoint& point) const
+  {
+    return this->place(point, this->Portals.back(), this->LastApex, this->Last);
+  }
+
+private:
+  /** Where the corner beyond a portal lies; @p side is -1 for the one before it. */
+  Flat apex(const Portal& portal, Index corner, double side) const
+  {
+    const Vector3 edge = this->Mesh.position(portal.right) - this->Mesh.position(portal.left);
+    const Vector3 toCorner = this->Mesh.position(corner) - this->Mesh.position(portal.left);
+    const double length = norm(edge);
+    const Flat flatEdge{ portal.flatRight.x - portal.flatLeft.x,
+      portal.flatRight.y - portal.flatLeft.y };
+    const double flatLength = std::hypot(flatEdge.x, flatEdge.y);
+    if (!(length > 0.0 && flatLength > 0.0))
+    {
+      // Both ends are one point, which every way goes through: any direction will do.
+      return { portal.flatLeft.x, portal.flatLeft.y + side * norm(toCorner) };
+    }
+    const Flat along{ flatEdge.x / flatLength, flatEdge.y / flatLength };
+    const double x = dot(toCorner, edge) / length;
+    const double h = side * norm(cross(toCorner, edge)) / length;
+    return { portal.flatLeft.x + x * along.x - h * along.y,
+      portal.flatLeft.y + x * along.y + h * along.x };
+  }
+
+  static Flat place(const PathPoint& point, const Portal& portal, Index apex, const Flat& flatApex)
+  {
+    Flat flat{ 0.0, 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      const Flat& corner = point.corners[i] == apex ? flatApex
+        : point.corners[i] == portal.left           ? portal.flatLeft
+                                                    : portal.flatRight;
+      flat.x += point.weights[i] * corner.x;
+      flat.y += point.weights[i] * corner.y;
+    }
+    return flat;
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<Portal> Portals;
+  Index FirstApex = NoIndex;
+  Index LastApex = NoIndex;
+  Flat First{};
+  Flat Last{};
+};
+
+/** A vertex where the shortest way bends. */
+struct Bend
+{
+  Index vertex;
+  Flat flat;
+  /** A portal that ends in the vertex. */
+  std::size_t portal;
+};
+
+/**
+ * The bends of the shortest way through the portals. A vertex that the way only touches counts as a
+ * bend: on its other side it may be shorter.
+ */
+std::vector<Bend> bendsThrough(std::span<const Portal> portals, const Flat& start, const Flat& end)
+{
+  std::vector<Bend> bends;
+  Flat apex = start;
+  Bend left{ NoIndex, start, 0 };
+  Bend right = left;
+  for (std::size_t i = 0; i <= portals.size(); ++i)
+  {
+    const bool isEnd = i == portals.size();
+    const Bend newLeft{ isEnd ? NoIndex : portals[i].left, isEnd ? end : portals[i].flatLeft, i };
+    const Bend newRight{ isEnd ? NoIndex : portals[i].right, isEnd ? end : portals[i].flatRight,
+      i };
+    const bool isOpen = !isSame(apex, left.flat) && !isSame(apex, right.flat);
+    const bool narrowsLeft = orientation(apex, left.flat, newLeft.flat) <= 0.0;
+    const bool narrowsRight = orientation(apex, right.flat, newRight.flat) >= 0.0;
+    const bool passesLeft = isOpen && narrowsRight && newRight.vertex != right.vertex &&
+      orientation(apex, left.flat, newRight.flat) >= 0.0;
+    const bool passesRight = isOpen && narrowsLeft && newLeft.vertex != left.vertex &&
+      orientation(apex, right.flat, newLeft.flat) <= 0.0;
+    if (passesLeft || passesRight)
+    {
+      const Bend bend = passesLeft ? left : right;
+      bends.push_back(bend);
+      apex = bend.flat;
+      left = right = bend;
+      i = bend.portal;
+      continue;
+    }
+    left = narrowsLeft ? newLeft : left;
+    right = narrowsRight ? newRight : right;
+  }
+  return bends;
+}
+
+/** The strip's part that a piece crosses: faces from @p first to before @p last. */
+struct Range
+{
+  std::size_t first;
+  std::size_t last;
+};
+
+bool liesOnEdge(const PathPoint& point, const Triangle& face, const Triangle& next)
+{
+  return liesIn(point, face) && liesIn(point, next);
+}
+
+/** Drops faces at both ends of a strip that only touch start or end. */
+Range trimmed(
+  std::span<const Triangle> faces, Range range, const PathPoint& start, const PathPoint& end)
+{
+  while (
+    range.last - range.first > 1 && liesOnEdge(start, faces[range.first], faces[range.first + 1]))
+  {
+    ++range.first;
+  }
+  while (
+    range.last - range.first > 1 && liesOnEdge(end, faces[range.last - 2], faces[range.last - 1]))
+  {
+    --range.last;
+  }
+  return range;
+}
+
+/** Fractions of an edge nearer to its end than this are the end. */
+constexpr double VertexFraction = 1e-12;
+
+PathPoint crossingOf(const Portal& portal, const Flat& start, const Flat& end)
+{
+  const double left = orientation(start, end, portal.flatLeft);
+  const double right = orientation(start, end, portal.flatRight);
+  const double fraction = left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
+  if (fraction < VertexFraction)
+  {
+    return PathPoint::atVertex(portal.left);
+  }
+  if (fraction > 1.0 - VertexFraction)
+  {
+    return PathPoint::atVertex(portal.right);
+  }
+  return PathPoint::onEdge(portal.left, portal.right, fraction);
+}
+
+}
+
+void appendFace(std::vector<Triangle>& faces, const Triangle& face)
+{
+  const auto isFace = [&](const Triangle& other)
+  { return std::is_permutation(other.begin(), other.end(), face.begin()); };
+  if (!faces.empty() && isFace(faces.back()))
+  {
+    return;
+  }
+  if (faces.size() > 1 && isFace(faces[faces.size() - 2]))
+  {
+    faces.pop_back();
+    return;
+  }
+  faces.push_back(face);
+}
+
+std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathPoint& start,
+  const PathPoint& end, const std::vector<Triangle>& faces)
+{
+  const Range whole = trimmed(faces, { 0, faces.size() }, start, end);
+  const std::span<const Triangle> strip(faces.data() + whole.first, whole.last - whole.first);
+  if (strip.size() == 1)
+  {
+    if (isSameVertex(start, end))
+    {
+      return {};
+    }
+    return { { start, end, { strip[0] }, {}, norm(end.position(mesh) - start.position(mesh)) } };
+  }
+  const Unfolding unfolding(mesh, strip);
+  const std::span<const Portal> portals = unfolding.portals();
+  const Flat flatStart = unfolding.start(start);
+  const Flat flatEnd = unfolding.end(end);
+
+  std::vector<StraightPiece> pieces;
+  PathPoint from = start;
+  Flat flatFrom = flatStart;
+  std::size_t firstFace = 0;
+  const auto addPiece = [&](const PathPoint& to, const Flat& flatTo, std::size_t lastFace)
+  {
+    if (isSameVertex(from, to))
+    {
+      return;
+    }
+    const Range range = trimmed(strip, { firstFace, lastFace }, from, to);
+    StraightPiece piece{ from, to,
+      { strip.begin() + static_cast<std::ptrdiff_t>(range.first),
+        strip.begin() + static_cast<std::ptrdiff_t>(range.last) },
+      {}, std::hypot(flatTo.x - flatFrom.x, flatTo.y - flatFrom.y) };
+    piece.crossings.reserve(range.last - range.first - 1);
+    for (std::size_t i = range.first; i + 1 < range.last; ++i)
+    {
+      piece.crossings.push_back(crossingOf(portals[i], flatFrom, flatTo));
+    }
+    pieces.push_back(std::move(piece));
+    from = to;
+    flatFrom = flatTo;
+    firstFace = lastFace;
+  };
+  for (const Bend& bend : bendsThrough(portals, flatStart, flatEnd))
+  {
+    addPiece(PathPoint::atVertex(bend.vertex), bend.flat, bend.portal + 1);
+  }
+  addPiece(end, flatEnd, strip.size());
+  return pieces;
+}
+
+}

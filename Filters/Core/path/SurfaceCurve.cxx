@@ -1,0 +1,42 @@
+#include "path/SurfaceCurve.h"
+
+#include "path/PathFinder.h"
+#include "solve/DistanceSource.h"
+
+#include <stdexcept>
+
+namespace geodesic
+{
+
+SurfacePath joinedCurve(
+  DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name)
+{
+  const TriangleMesh& mesh = solver.mesh();
+  SurfacePath curve{ PathPoint::at(mesh, points[0]) };
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const PathPoint next = PathPoint::at(mesh, points[i]);
+    const Carriers corners = unionOf(curve.back(), next);
+    if (corners.size() <= 3 && !mesh.trianglesWith({ corners.begin(), corners.end() }).empty())
+    {
+      curve.push_back(next);
+      continue;
+    }
+    const auto way = shortestPath(solver, points[i - 1], points[i], {}, {});
+    if (!way)
+    {
+      throwUnjoined(name, i);
+    }
+    curve.insert(curve.end(), way->begin() + 1, way->end());
+  }
+  return curve;
+}
+
+void throwUnjoined(const std::string& name, std::size_t i)
+{
+  throw std::invalid_argument(name + " can't be joined from its point " + std::to_string(i - 1) +
+    " to its point " + std::to_string(i) +
+    ": no way over the surface leads there. Connect the parts of the surface, or split the line.");
+}
+
+}

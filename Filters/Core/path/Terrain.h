@@ -1,0 +1,90 @@
+#ifndef geodesic_Terrain_h
+#define geodesic_Terrain_h
+
+#include "mesh/TriangleMesh.h"
+#include "path/PathPoint.h"
+#include "solve/ClosedFans.h"
+#include "solve/SolveOptions.h"
+
+namespace geodesic
+{
+
+/** A mesh with its costs and barriers, as a path sees it. */
+class Terrain
+{
+public:
+  /** @param options as they were for the field; what they refer to must live as long as this */
+  Terrain(const TriangleMesh& mesh, const SolveOptions& options)
+    : Mesh(mesh)
+    , Options(options)
+    , Closed(mesh, options.closedTriangles)
+  {
+  }
+
+  const TriangleMesh& mesh() const { return this->Mesh; }
+  /** The triangles round a vertex. @throws IncompleteRing */
+  std::span<const RingEntry> ring(Index vertex) const
+  {
+    if (this->Options.isIncomplete(vertex))
+    {
+      throw IncompleteRing(vertex);
+    }
+    return this->Mesh.ring(vertex);
+  }
+
+  bool isExcluded(Index vertex) const { return this->Options.isExcluded(vertex); }
+  /** Whether entry @p i of the ring of @p vertex opens a triangle that is no barrier. */
+  bool isOpen(Index vertex, std::size_t i) const { return this->Closed.isOpen(vertex, i); }
+  /** Whether a path may run along the edge to entry @p i of the ring of @p vertex. */
+  bool isOpenEdge(Index vertex, std::size_t i) const { return this->Closed.isOpenEdge(vertex, i); }
+  /** The same for a path across the triangle: like a front it keeps off excluded corners. */
+  bool isCrossable(Index vertex, std::size_t i) const
+  {
+    if (!this->isOpen(vertex, i))
+    {
+      return false;
+    }
+    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+    return !this->isExcluded(vertex) && !this->isExcluded(ring[i].neighbour()) &&
+      !this->isExcluded(ring[i + 1].neighbour());
+  }
+
+  /** Whether a length may count other than once. */
+  bool hasCosts() const { return !this->Options.cost.empty(); }
+  double costOf(Index vertex) const { return this->hasCosts() ? this->Options.cost[vertex] : 1.0; }
+  double costOf(const Triangle& face) const
+  {
+    return this->hasCosts()
+      ? (this->costOf(face[0]) + this->costOf(face[1]) + this->costOf(face[2])) / 3.0
+      : 1.0;
+  }
+
+private:
+  const TriangleMesh& Mesh;
+  const SolveOptions& Options;
+  ClosedFans Closed;
+};
+
+/** Calls @p visit with every open face that the point lies in. */
+template <class Visit>
+inline void visitFaces(const Terrain& surface, const PathPoint& point, Visit&& visit)
+{
+  const Carriers carriers = point.carriers();
+  const Index centre = carriers[0];
+  const std::span<const RingEntry> ring = surface.ring(centre);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (surface.isOpen(centre, i))
+    {
+      const Triangle face{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      if (liesIn(point, face))
+      {
+        visit(face);
+      }
+    }
+  }
+}
+
+}
+
+#endif

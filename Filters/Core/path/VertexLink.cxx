@@ -1,0 +1,167 @@
+#include "path/VertexLink.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace geodesic
+{
+namespace
+{
+
+/** A turn is worth its while when this much less than half a turn; its gain goes by the square. */
+constexpr double LeastTurn = 1e-7;
+
+}
+
+VertexLink::VertexLink(const Terrain& terrain, Index vertex)
+  : Surface(terrain)
+  , Vertex(vertex)
+{
+  const std::span<const RingEntry> ring = terrain.ring(vertex);
+  this->Nodes.reserve(ring.size());
+  for (const RingEntry& entry : ring)
+  {
+    this->Nodes.push_back(entry.neighbour());
+  }
+  std::sort(this->Nodes.begin(), this->Nodes.end());
+  this->Nodes.erase(std::unique(this->Nodes.begin(), this->Nodes.end()), this->Nodes.end());
+  this->Arcs.reserve(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (terrain.isCrossable(vertex, i))
+    {
+      const Index a = ring[i].neighbour();
+      const Index b = ring[i + 1].neighbour();
+      this->Arcs.push_back({ this->nodeOf(a), this->nodeOf(b),
+        this->angleBetween(terrain.mesh().position(a), terrain.mesh().position(b)) });
+    }
+  }
+}
+
+std::size_t VertexLink::nodeOf(Index neighbour) const
+{
+  return std::lower_bound(this->Nodes.begin(), this->Nodes.end(), neighbour) - this->Nodes.begin();
+}
+
+double VertexLink::angleBetween(const Vector3& a, const Vector3& b) const
+{
+  const Vector3 centre = this->Surface.mesh().position(this->Vertex);
+  return std::atan2(norm(cross(a - centre, b - centre)), dot(a - centre, b - centre));
+}
+
+std::optional<VertexLink::Direction> VertexLink::directionTo(const PathPoint& point) const
+{
+  Carriers others;
+  for (Index carrier : point.carriers())
+  {
+    if (carrier != this->Vertex)
+    {
+      others.add(carrier);
+    }
+  }
+  if (others.size() == 1)
+  {
+    const std::size_t node = this->nodeOf(others[0]);
+    return Direction{ { node, node }, { 0.0, 0.0 } };
+  }
+  const Vector3 position = point.position(this->Surface.mesh());
+  const std::size_t first = this->nodeOf(others[0]);
+  const std::size_t second = this->nodeOf(others[1]);
+  const bool isCrossable = std::any_of(this->Arcs.begin(), this->Arcs.end(),
+    [&](const Arc& arc)
+    {
+      return (arc.first == first && arc.second == second) ||
+        (arc.first == second && arc.second == first);
+    });
+  if (!isCrossable)
+  {
+    return std::nullopt;
+  }
+  return Direction{ { first, second },
+    { this->angleBetween(position, this->Surface.mesh().position(others[0])),
+      this->angleBetween(position, this->Surface.mesh().position(others[1])) } };
+}
+
+std::optional<std::vector<Triangle>> VertexLink::shorterSide(
+  const PathPoint& from, const PathPoint& to) const
+{
+  const std::optional<Direction> source = this->directionTo(from);
+  const std::optional<Direction> target = this->directionTo(to);
+  if (!source || !target)
+  {
+    return std::nullopt;
+  }
+  // Where both points lie in one face, that face is the shorter side.
+  const bool sharesFace = source->nodes[0] != source->nodes[1] &&
+    std::is_permutation(source->nodes.begin(), source->nodes.end(), target->nodes.begin());
+  const auto face = [&](std::size_t a, std::size_t b) -> Triangle {
+    return { this->Vertex, this->Nodes[a], this->Nodes[b] };
+  };
+  if (sharesFace)
+  {
+    return std::vector<Triangle>{ face(source->nodes[0], source->nodes[1]) };
+  }
+
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<double> angles(this->Nodes.size(), unknown);
+  std::vector<std::size_t> previous(this->Nodes.size(), none);
+  for (int i = 0; i < 2; ++i)
+  {
+    angles[source->nodes[i]] = source->angles[i];
+  }
+  // Arcs follow each other round the vertex, so one sweep forwards and one back settle most links.
+  const auto relax = [&](const Arc& arc)
+  {
+    bool changes = false;
+    for (const auto& [a, b] :
+      { std::pair{ arc.first, arc.second }, std::pair{ arc.second, arc.first } })
+    {
+      if (angles[a] + arc.angle < angles[b])
+      {
+        angles[b] = angles[a] + arc.angle;
+        previous[b] = a;
+        changes = true;
+      }
+    }
+    return changes;
+  };
+  for (bool changes = true; changes;)
+  {
+    changes = false;
+    for (auto arc = this->Arcs.begin(); arc != this->Arcs.end(); ++arc)
+    {
+      changes = relax(*arc) || changes;
+    }
+    for (auto arc = this->Arcs.rbegin(); arc != this->Arcs.rend(); ++arc)
+    {
+      changes = relax(*arc) || changes;
+    }
+  }
+
+  const double first = angles[target->nodes[0]] + target->angles[0];
+  const double second = angles[target->nodes[1]] + target->angles[1];
+  if (!(std::min(first, second) < std::numbers::pi - LeastTurn))
+  {
+    return std::nullopt;
+  }
+  std::vector<Triangle> faces;
+  if (target->nodes[0] != target->nodes[1])
+  {
+    faces.push_back(face(target->nodes[0], target->nodes[1]));
+  }
+  std::size_t node = target->nodes[first <= second ? 0 : 1];
+  for (; previous[node] != none; node = previous[node])
+  {
+    faces.push_back(face(previous[node], node));
+  }
+  if (source->nodes[0] != source->nodes[1])
+  {
+    faces.push_back(face(source->nodes[0], source->nodes[1]));
+  }
+  std::reverse(faces.begin(), faces.end());
+  return faces;
+}
+
+}

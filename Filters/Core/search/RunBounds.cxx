@@ -1,0 +1,201 @@
+#include "search/RunBounds.h"
+
+#include "base/Lanes.h"
+#include "mesh/MortonCurve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+float roundedDown(double x)
+{
+  const float rounded = static_cast<float>(x);
+  return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
+
+float roundedUp(double x)
+{
+  return -roundedDown(-x);
+}
+
+/** What is left of a vector without its part along an axis, also where that is shorter than 1. */
+Vector3 across(const Vector3& axis, const Vector3& x)
+{
+  return x - dot(axis, x) * axis;
+}
+
+void setAxis(RunBounds& bounds, const Vector3& direction)
+{
+  // Not beyond 1 when rounded.
+  constexpr double wantedLength = 1.0 - 1e-6;
+  const double length = norm(direction);
+  const double scale = length > 0.0 && std::isfinite(length) ? wantedLength / length : 0.0;
+  bounds.axisParts = { static_cast<float>(scale * direction.x),
+    static_cast<float>(scale * direction.y), static_cast<float>(scale * direction.z) };
+}
+
+/** A cylinder that grows. */
+struct Cylinder
+{
+  double alongLow = Infinity;
+  double alongHigh = -Infinity;
+  double radius = 0.0;
+
+  void add(double lowest, double highest, double farthest)
+  {
+    this->alongLow = std::min(this->alongLow, lowest);
+    this->alongHigh = std::max(this->alongHigh, highest);
+    this->radius = std::max(this->radius, farthest);
+  }
+
+  void roundTo(RunBounds& bounds) const
+  {
+    bounds.alongLow = roundedDown(this->alongLow);
+    bounds.alongHigh = roundedUp(this->alongHigh);
+    bounds.radius = roundedUp(this->radius);
+  }
+};
+
+}
+
+Vector3 RunBounds::centre() const
+{
+  const auto middle = [this](int i)
+  { return 0.5 * (static_cast<double>(this->low[i]) + static_cast<double>(this->high[i])); };
+  return { middle(0), middle(1), middle(2) };
+}
+
+RunBounds RunBounds::ofTriangles(std::span<const Vector3> corners)
+{
+  BoundingBox box;
+  Vector3 normal;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    box.add(corners[i]);
+    box.add(corners[i + 1]);
+    box.add(corners[i + 2]);
+    normal = normal + cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
+  }
+  RunBounds bounds;
+  bounds.low = { roundedDown(box.low.x), roundedDown(box.low.y), roundedDown(box.low.z) };
+  bounds.high = { roundedUp(box.high.x), roundedUp(box.high.y), roundedUp(box.high.z) };
+  setAxis(bounds, normal);
+  const Vector3 axis = bounds.axis();
+  const Vector3 centre = bounds.centre();
+  Cylinder cylinder;
+  for (const Vector3& corner : corners)
+  {
+    const Vector3 x = corner - centre;
+    const double along = dot(axis, x);
+    cylinder.add(along, along, norm(across(axis, x)));
+  }
+  cylinder.roundTo(bounds);
+  return bounds;
+}
+
+RunBounds RunBounds::ofRuns(std::span<const RunBounds> runs)
+{
+  RunBounds bounds = runs[0];
+  Vector3 direction;
+  for (const RunBounds& run : runs)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      bounds.low[i] = std::min(bounds.low[i], run.low[i]);
+      bounds.high[i] = std::max(bounds.high[i], run.high[i]);
+    }
+    direction = direction + run.axis();
+  }
+  setAxis(bounds, direction);
+  const Vector3 axis = bounds.axis();
+  const Vector3 centre = bounds.centre();
+  Cylinder cylinder;
+  for (const RunBounds& run : runs)
+  {
+    // Any point of the run is x + s + h a, with x the centre of its cylinder and a the axis. s is
+    // at most as long as the radius and, but for a shorter than 1, at right angles to a; h is in
+    // [alongLow, alongHigh].
+    const Vector3 x = run.centre() - centre;
+    const Vector3 a = run.axis();
+    const double squaredLength = dot(a, a);
+    const double cosine = squaredLength > 0.0 ? dot(axis, a) / squaredLength : 0.0;
+    const double tilt = norm(axis - cosine * a) * run.radius;
+    const double along = dot(axis, x);
+    const auto [least, most] = std::minmax({ cosine * run.alongLow, cosine * run.alongHigh });
+    const double height = std::max(std::abs(run.alongLow), std::abs(run.alongHigh));
+    cylinder.add(along + least - tilt, along + most + tilt,
+      norm(across(axis, x)) + run.radius + norm(across(axis, a)) * height);
+  }
+  cylinder.roundTo(bounds);
+  return bounds;
+}
+
+void FourRunBounds::set(std::size_t run, const RunBounds& bounds)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Low[i][run] = bounds.low[i];
+    this->High[i][run] = bounds.high[i];
+    this->Axis[i][run] = bounds.axisParts[i];
+  }
+  this->AlongLow[run] = bounds.alongLow;
+  this->AlongHigh[run] = bounds.alongHigh;
+  this->Radius[run] = bounds.radius;
+}
+
+FourRunBounds::SquaredDistances FourRunBounds::squaredDistances(const Vector3& query) const
+{
+  // Two at a time, as compilers make branches of plain loops, which no processor can foretell. A
+  // gap that is NaN, as where no float can hold the box, is none: largest() takes its second number
+  // then.
+  const auto outside = [](Pair x, Pair low, Pair high)
+  { return largest(largest(low - x, x - high), Pair()); };
+
+  SquaredDistances result;
+  for (std::size_t first = 0; first < Runs; first += 2)
+  {
+    const auto pairIn = [first](const Numbers& numbers) {
+      return Pair{ numbers[first], numbers[first + 1] };
+    };
+    const auto vectorIn = [&](const std::array<Numbers, 3>& numbers) {
+      return Vector3Of<Pair>{ pairIn(numbers[0]), pairIn(numbers[1]), pairIn(numbers[2]) };
+    };
+    const Vector3Of<Pair> q = pairOf(query, query);
+    const Vector3Of<Pair> low = vectorIn(this->Low);
+    const Vector3Of<Pair> high = vectorIn(this->High);
+    const Vector3Of<Pair> axis = vectorIn(this->Axis);
+    const Vector3Of<Pair> toBox{ outside(q.x, low.x, high.x), outside(q.y, low.y, high.y),
+      outside(q.z, low.z, high.z) };
+    const Vector3Of<Pair> x = q - Pair{ 0.5, 0.5 } * (low + high);
+    const Pair along = dot(axis, x);
+    // With an axis a not longer than 1, (a x)^2 + |x - (a x) a|^2 is not above x^2.
+    const Pair gapAlong = outside(along, pairIn(this->AlongLow), pairIn(this->AlongHigh));
+    const Pair gapAcross = largest(norm(x - along * axis) - pairIn(this->Radius), Pair());
+    const Pair toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;
+    const Pair least = largest(toCylinder, dot(toBox, toBox));
+    const Pair toCentre = dot(x, x);
+    std::memcpy(&result.least[first], &least, sizeof least);
+    std::memcpy(&result.toCentre[first], &toCentre, sizeof toCentre);
+  }
+  return result;
+}
+
+std::array<double, 3> FourRunBounds::low(std::size_t run) const
+{
+  return { this->Low[0][run], this->Low[1][run], this->Low[2][run] };
+}
+
+std::array<double, 3> FourRunBounds::high(std::size_t run) const
+{
+  return { this->High[0][run], this->High[1][run], this->High[2][run] };
+}
+
+}

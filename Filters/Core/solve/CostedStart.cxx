@@ -1,0 +1,240 @@
+#include "solve/CostedStart.h"
+
+#include "mesh/TriangleMesh.h"
+#include "solve/DistanceSolver.h"
+#include "solve/Partition.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr double DiscInMeanEdges = 3.0;
+
+/**
+ * Three numbers for each neighbour of a vertex: where it is as seen from there. Pieces of a surface
+ * have some neighbours in common, which are told apart by that.
+ */
+std::vector<double> offsetsAround(const TriangleMesh& mesh, Index vertex)
+{
+  std::vector<double> offsets;
+  for (const RingEntry& entry : mesh.ring(vertex))
+  {
+    const Vector3 offset = mesh.position(entry.neighbour()) - mesh.position(vertex);
+    offsets.insert(offsets.end(), { offset.x, offset.y, offset.z });
+  }
+  return offsets;
+}
+
+/** The mean length of the edges at a vertex, on all pieces; the same to the last bit on each. */
+double meanOfOffsets(std::span<const double> coordinates)
+{
+  std::vector<std::array<double, 3>> offsets;
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    offsets.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
+  }
+  std::sort(offsets.begin(), offsets.end());
+  offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+  double sum = 0.0;
+  for (const auto& [x, y, z] : offsets)
+  {
+    sum += norm(Vector3{ x, y, z });
+  }
+  return sum / static_cast<double>(offsets.size());
+}
+
+/**
+ * The radius of the disc round a label's origin. At the vertices that carry the origin, in the
+ * order of their positions, the edges are those of all pieces.
+ */
+double discRadius(const TriangleMesh& mesh, const SurfacePoint& origin, Partition& partition)
+{
+  std::vector<Index> carriers;
+  if (origin.triangle != NoIndex)
+  {
+    carriers = carriersOf(mesh, origin);
+  }
+  const auto coordinates = [&](Index vertex)
+  {
+    const Vector3& p = mesh.position(vertex);
+    return std::array{ p.x, p.y, p.z };
+  };
+  std::sort(carriers.begin(), carriers.end(),
+    [&](Index a, Index b) { return coordinates(a) < coordinates(b); });
+  std::vector<StartValue> numbered;
+  for (Index i = 0; i < carriers.size(); ++i)
+  {
+    numbered.push_back({ carriers[i], i, 0.0, false });
+  }
+  // Also pieces that have a carrier, but no triangle with the origin.
+  constexpr std::size_t mostCarriers = 3;
+  carriers.resize(mostCarriers, NoIndex);
+  for (const StartValue& other : partition.exchange(numbered))
+  {
+    carriers[other.label] = other.vertex;
+  }
+  double radius = 0.0;
+  for (const Index carrier : carriers)
+  {
+    const auto own = carrier != NoIndex ? offsetsAround(mesh, carrier) : std::vector<double>{};
+    const std::vector<double> offsets = partition.gather(own);
+    if (!offsets.empty())
+    {
+      radius = std::max(radius, DiscInMeanEdges * meanOfOffsets(offsets));
+    }
+  }
+  return radius;
+}
+
+/** Whether the cost is the same at all these vertices on all pieces. */
+bool isConstant(
+  std::span<const double> cost, std::span<const StartValue> values, Partition& partition)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  const auto include = [&](double value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  };
+  for (const StartValue& value : values)
+  {
+    include(cost[value.vertex]);
+  }
+  const std::array own{ least, most };
+  for (double bound : partition.gather(values.empty() ? std::span<const double>{} : own))
+  {
+    include(bound);
+  }
+  return most <= least * (1.0 + 1e-12);
+}
+
+/** The starts of the label, and the vertices of its disc, with lengths as values. */
+std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const Label& source,
+  std::span<const FrontStart> starts, const SolveOptions& options, Partition& partition,
+  DistanceSolver& unitSolver)
+{
+  SolveOptions near;
+  near.excluded = options.excluded;
+  near.closedTriangles = options.closedTriangles;
+  near.maximumDistance = discRadius(mesh, source.origin, partition);
+  near.partition = options.partition;
+  std::vector<SurfacePoint> origin;
+  if (source.origin.triangle != NoIndex)
+  {
+    origin.push_back(source.origin);
+  }
+  const Seed seed = Seed::atPosition(source.position, origin);
+  const DistanceField& lengths = unitSolver.solve({ &seed, 1 }, near);
+  std::vector<StartValue> disc;
+  for (Index vertex : lengths.reached())
+  {
+    disc.push_back({ vertex, label, lengths.distance(vertex), true });
+  }
+  for (const FrontStart& start : starts)
+  {
+    if (!lengths.isReached(start.vertex))
+    {
+      disc.push_back({ start.vertex, label, start.length, true });
+    }
+  }
+  return disc;
+}
+
+/** Adds what other pieces start with at shared vertices. */
+void addStartsOfOthers(std::vector<StartValue>& starts, Partition& partition)
+{
+  const std::vector<StartValue> others = partition.exchange(starts);
+  if (others.empty())
+  {
+    return;
+  }
+  starts.insert(starts.end(), others.begin(), others.end());
+  const auto key = [](const StartValue& start)
+  { return std::tuple(start.label, start.vertex, start.value, !start.isFinal); };
+  std::sort(starts.begin(), starts.end(),
+    [&](const StartValue& a, const StartValue& b) { return key(a) < key(b); });
+  const auto isSame = [](const StartValue& a, const StartValue& b)
+  { return a.label == b.label && a.vertex == b.vertex; };
+  starts.erase(std::unique(starts.begin(), starts.end(), isSame), starts.end());
+}
+
+}
+
+std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
+{
+  std::vector<StartValue> values;
+  values.reserve(front.starts.size());
+  for (const FrontStart& start : front.starts)
+  {
+    values.push_back({ start.vertex, start.label, start.length, true });
+  }
+  addStartsOfOthers(values, partition);
+  return values;
+}
+
+std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
+  const SolveOptions& options, Partition& partition, DistanceSolver& unitSolver)
+{
+  std::vector<StartValue> values;
+  // The starts of a label stand together.
+  auto last = front.starts.begin();
+  for (Index label = 0; label < front.labels.size(); ++label)
+  {
+    auto first = last;
+    last = std::find_if(
+      first, front.starts.end(), [&](const FrontStart& start) { return start.label != label; });
+    const Label& source = front.labels[label];
+    if (source.shape == FrontShape::Straight)
+    {
+      for (; first != last; ++first)
+      {
+        const bool isFinal = first->length == 0.0;
+        values.push_back(
+          { first->vertex, label, first->length * options.cost[first->vertex], isFinal });
+      }
+      continue;
+    }
+    auto disc = discRound(mesh, label, source, { first, last }, options, partition, unitSolver);
+    const double atOrigin = costAtOrigin(mesh, options.cost, source, partition);
+    if (isConstant(options.cost, disc, partition))
+    {
+      disc.erase(std::remove_if(disc.begin(), disc.end(),
+                   [&](const StartValue& value)
+                   {
+                     return std::none_of(first, last,
+                       [&](const FrontStart& start) { return start.vertex == value.vertex; });
+                   }),
+        disc.end());
+    }
+    for (StartValue& value : disc)
+    {
+      value.value *= 0.5 * (atOrigin + options.cost[value.vertex]);
+    }
+    values.insert(values.end(), disc.begin(), disc.end());
+  }
+  addStartsOfOthers(values, partition);
+  return values;
+}
+
+double costAtOrigin(
+  const TriangleMesh& mesh, std::span<const double> cost, const Label& label, Partition& partition)
+{
+  std::vector<double> own;
+  const SurfacePoint& point = label.origin;
+  if (point.triangle != NoIndex)
+  {
+    const Triangle& corners = mesh.triangle(point.triangle);
+    own.push_back(point.weights[0] * cost[corners[0]] + point.weights[1] * cost[corners[1]] +
+      point.weights[2] * cost[corners[2]]);
+  }
+  return partition.gather(own).front();
+}
+
+}

@@ -1,0 +1,82 @@
+#include "solve/DistanceField.h"
+
+#include "base/Lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace geodesic
+{
+
+void DistanceField::reset()
+{
+  this->fillReached(std::span(this->Distances), Unreached);
+  this->setNearestSeed(NoIndex);
+  this->Reached.clear();
+  this->LargestDistance = 0.0;
+  this->Reason = StopReason::Exhausted;
+}
+
+void DistanceField::orderReached()
+{
+  if (this->isWhole())
+  {
+    std::iota(this->Reached.begin(), this->Reached.end(), Index{ 0 });
+    return;
+  }
+  constexpr std::size_t least = 8;
+  if (this->Reached.size() < this->Distances.size() / least)
+  {
+    return;
+  }
+  std::size_t count = 0;
+  for (Index vertex = 0; count < this->Reached.size(); ++vertex)
+  {
+    this->Reached[count] = vertex;
+    count += this->isReached(vertex) ? 1 : 0;
+  }
+}
+
+void DistanceField::finish(double limit, StopReason reason)
+{
+  this->Reason = reason;
+  this->LargestDistance = this->largestReached();
+  if (this->LargestDistance <= limit)
+  {
+    return;
+  }
+  std::erase_if(this->Reached,
+    [&](Index vertex)
+    {
+      if (this->Distances[vertex] > limit)
+      {
+        this->Distances[vertex] = Unreached;
+        this->NearestSeeds[vertex] = NoIndex;
+        return true;
+      }
+      return false;
+    });
+  this->LargestDistance = this->largestReached();
+}
+
+double DistanceField::largestReached() const
+{
+  // Several at a time, as each would wait for the one before.
+  std::array<double, 4> most{};
+  std::size_t i = 0;
+  for (; i + most.size() <= this->Reached.size(); i += most.size())
+  {
+    for (std::size_t lane = 0; lane < most.size(); ++lane)
+    {
+      most[lane] = largest(this->Distances[this->Reached[i + lane]], most[lane]);
+    }
+  }
+  for (; i < this->Reached.size(); ++i)
+  {
+    most[0] = largest(this->Distances[this->Reached[i]], most[0]);
+  }
+  return *std::max_element(most.begin(), most.end());
+}
+
+}

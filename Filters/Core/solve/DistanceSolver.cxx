@@ -1,0 +1,54 @@
+#include "solve/DistanceSolver.h"
+
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedFans.h"
+#include "solve/Partition.h"
+#include "solve/RequestCheck.h"
+#include "solve/StopLimit.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace geodesic
+{
+
+DistanceSolver::DistanceSolver(std::shared_ptr<const TriangleMesh> mesh)
+  : Mesh(std::move(mesh))
+  , Field(this->Mesh->numberOfVertices())
+{
+}
+
+const DistanceField& DistanceSolver::solve(std::span<const Seed> seeds, const SolveOptions& options)
+{
+  Partition onePiece;
+  Partition& partition = options.partition ? *options.partition : onePiece;
+  partition.together(
+    [&]
+    {
+      if (seeds.empty())
+      {
+        throw std::invalid_argument("There is no seed to measure from; give at least one.");
+      }
+      checkOptions(*this->Mesh, options);
+      checkSeeds(*this->Mesh, seeds, partition);
+    });
+  const double ownCost = options.cost.empty() ? 0.0 : 1.0;
+  const std::vector<double> costs = partition.gather({ &ownCost, 1 });
+  const bool hasCost = *std::max_element(costs.begin(), costs.end()) > 0.0;
+  const ClosedFans closed(*this->Mesh, options.closedTriangles);
+  SeedFront front = seedFront(*this->Mesh, closed, seeds, partition);
+  checkSeedsAreOpen(*this->Mesh, seeds, options, closed, partition);
+  std::erase_if(
+    front.starts, [&](const FrontStart& start) { return options.isExcluded(start.vertex); });
+
+  this->Field.reset();
+  StopLimit limit(options, this->Field);
+  const bool finished =
+    this->march({ front, closed, options, partition, hasCost }, limit, this->Field);
+  limit.update();
+  this->Field.finish(limit.value(), finished ? limit.reason() : StopReason::Cancelled);
+  return this->Field;
+}
+
+}

@@ -1,0 +1,167 @@
+#include "solve/RequestCheck.h"
+
+#include "base/NumberText.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedFans.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace geodesic
+{
+namespace
+{
+
+void checkSize(const char* what, std::size_t size, std::size_t expected, const char* of)
+{
+  if (size != 0 && size != expected)
+  {
+    throw std::invalid_argument(std::string(what) + " has " + std::to_string(size) +
+      " entries, but the mesh has " + std::to_string(expected) + " " + of + ".");
+  }
+}
+
+void checkCost(const TriangleMesh& mesh, std::span<const double> cost)
+{
+  Index firstBad = NoIndex;
+  Index vertex = 0;
+  for (Index v = 0; v < cost.size(); ++v)
+  {
+    if (!(cost[v] > 0.0 && std::isfinite(cost[v])) && mesh.pointOfVertex(v) < firstBad)
+    {
+      firstBad = mesh.pointOfVertex(v);
+      vertex = v;
+    }
+  }
+  if (firstBad != NoIndex)
+  {
+    throw std::invalid_argument("The cost of point " + std::to_string(firstBad) + " is " +
+      textOf(cost[vertex]) + "; every cost must be positive and finite.");
+  }
+}
+
+/** Calls @p visit with each point of the seeds on this piece, and the number of its seed. */
+template <class Visit>
+void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& visit)
+{
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    for (const SurfacePoint& point : seeds[s].points)
+    {
+      visit(point, s);
+    }
+    for (Index vertex : seeds[s].vertices)
+    {
+      visit(mesh.pointAtVertex(vertex), s);
+    }
+  }
+}
+
+/** The vertices that carry seeds and have a triangle which is not closed, on any piece. */
+std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
+  const ClosedFans& closed, Partition& partition)
+{
+  std::set<Index> open;
+  visitPoints(mesh, seeds,
+    [&](const SurfacePoint& point, std::size_t)
+    {
+      for (Index vertex : carriersOf(mesh, point))
+      {
+        if (closed.hasOpenTriangle(vertex))
+        {
+          open.insert(vertex);
+        }
+      }
+    });
+  std::vector<StartValue> own;
+  own.reserve(open.size());
+  for (Index vertex : open)
+  {
+    own.push_back({ vertex, 0, 0.0, false });
+  }
+  for (const StartValue& other : partition.exchange(own))
+  {
+    open.insert(other.vertex);
+  }
+  return open;
+}
+
+/** Throws where a front can't leave the point. */
+void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
+  const SolveOptions& options, const std::set<Index>& open)
+{
+  const std::vector<Index> carriers = carriersOf(mesh, point);
+  const auto excluded = std::find_if(
+    carriers.begin(), carriers.end(), [&](Index vertex) { return options.isExcluded(vertex); });
+  const bool allExcluded = std::all_of(
+    carriers.begin(), carriers.end(), [&](Index vertex) { return options.isExcluded(vertex); });
+  if (allExcluded)
+  {
+    throw std::invalid_argument(seed + " is at excluded point " +
+      std::to_string(mesh.pointOfVertex(*excluded)) +
+      ", where no front may be; move it off the barrier.");
+  }
+  const bool isInside = carriers.size() == 3 && options.isClosed(point.triangle);
+  const bool isSurrounded = std::none_of(
+    carriers.begin(), carriers.end(), [&](Index vertex) { return open.contains(vertex); });
+  if (isInside || isSurrounded)
+  {
+    throw std::invalid_argument(seed + " lies inside a barrier cell, beside point " +
+      std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
+  }
+}
+
+}
+
+void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
+{
+  checkSize("The cost", options.cost.size(), mesh.numberOfVertices(), "vertices");
+  checkSize(
+    "The mask of excluded vertices", options.excluded.size(), mesh.numberOfVertices(), "vertices");
+  checkSize("The mask of closed triangles", options.closedTriangles.size(),
+    mesh.numberOfTriangles(), "triangles");
+  checkCost(mesh, options.cost);
+  if (!(options.maximumDistance >= 0.0))
+  {
+    throw std::invalid_argument(
+      "The maximum distance is " + textOf(options.maximumDistance) + "; it must be at least 0.");
+  }
+  for (const Triangle& target : options.targets)
+  {
+    for (Index vertex : target)
+    {
+      const bool isElsewhere = options.partition && vertex == NoIndex;
+      if (vertex >= mesh.numberOfVertices() && !isElsewhere)
+      {
+        throw std::invalid_argument("Target vertex " + std::to_string(vertex) +
+          " does not exist; the mesh has " + std::to_string(mesh.numberOfVertices()) +
+          " vertices.");
+      }
+    }
+  }
+}
+
+void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
+  const SolveOptions& options, const ClosedFans& closed, Partition& partition)
+{
+  if (!partition.isDivided() && options.excluded.empty() && options.closedTriangles.empty())
+  {
+    return;
+  }
+  const std::set<Index> open = openCarriers(mesh, seeds, closed, partition);
+  partition.together(
+    [&]
+    {
+      visitPoints(mesh, seeds,
+        [&](const SurfacePoint& point, std::size_t s)
+        { checkPointIsOpen(mesh, point, "Seed " + std::to_string(s), options, open); });
+    });
+}
+
+}

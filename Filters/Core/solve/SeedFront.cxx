@@ -1,0 +1,463 @@
+#include "solve/SeedFront.h"
+
+#include "base/NumberText.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedFans.h"
+#include "solve/Partition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace geodesic
+{
+namespace
+{
+
+void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& name)
+{
+  const auto& weights = point.weights;
+  const double sum = weights[0] + weights[1] + weights[2];
+  const bool inside =
+    std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0.0; });
+  if (point.triangle >= mesh.numberOfTriangles())
+  {
+    throw std::invalid_argument(name + " lies in triangle " + std::to_string(point.triangle) +
+      ", but the mesh has " + std::to_string(mesh.numberOfTriangles()) + " triangles.");
+  }
+  if (!inside || !(std::abs(sum - 1.0) < 1e-6))
+  {
+    throw std::invalid_argument(name + " has barycentric weights " + textOf(weights[0]) + ", " +
+      textOf(weights[1]) + ", " + textOf(weights[2]) +
+      "; each must be at least 0 and their sum 1.");
+  }
+}
+
+void checkSeed(
+  const TriangleMesh& mesh, const Seed& seed, const std::string& name, bool mayBeElsewhere)
+{
+  if (seed.points.empty() && seed.vertices.empty() && !mayBeElsewhere)
+  {
+    throw std::invalid_argument(name + " has no point.");
+  }
+  if (!(seed.value >= 0.0 && std::isfinite(seed.value)))
+  {
+    throw std::invalid_argument(
+      name + " has the value " + textOf(seed.value) + "; it must be finite and at least 0.");
+  }
+  for (const SurfacePoint& point : seed.points)
+  {
+    checkPoint(mesh, point, name);
+  }
+  for (Index vertex : seed.vertices)
+  {
+    if (vertex >= mesh.numberOfVertices())
+    {
+      throw std::invalid_argument(name + " has vertex " + std::to_string(vertex) +
+        ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
+    }
+  }
+}
+
+void sortUnique(std::vector<Index>& vertices)
+{
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+/** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
+ */
+std::vector<Index> cornersRound(
+  const TriangleMesh& mesh, const ClosedFans& closed, const std::vector<Index>& carriers)
+{
+  std::vector<Index> corners;
+  const Index centre = carriers[0];
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (closed.isOpen(centre, i))
+    {
+      const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
+        [&](Index carrier) { return std::find(t.begin(), t.end(), carrier) != t.end(); });
+      if (hasAll)
+      {
+        corners.insert(corners.end(), t.begin(), t.end());
+      }
+    }
+  }
+  sortUnique(corners);
+  return corners;
+}
+
+double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
+{
+  const Vector3 side = b - a;
+  const double length2 = dot(side, side);
+  const double t = length2 > 0.0 ? std::clamp(dot(p - a, side) / length2, 0.0, 1.0) : 0.0;
+  return norm(p - (a + t * side));
+}
+
+/** Gathers the labels and starts of one seed after the other. */
+class FrontBuilder
+{
+public:
+  FrontBuilder(
+    const TriangleMesh& mesh, const ClosedFans& closed, Partition& partition, SeedFront& front)
+    : Mesh(mesh)
+    , Closed(closed)
+    , Pieces(partition)
+    , Front(front)
+  {
+  }
+
+  void add(const Seed& seed, Index number)
+  {
+    this->Number = number;
+    this->Value = seed.value;
+    switch (seed.kind)
+    {
+      case Seed::Kind::Point:
+        this->addSeedPoint(seed);
+        break;
+      case Seed::Kind::Curve:
+        this->addCurve(seed.points);
+        break;
+      case Seed::Kind::Region:
+        this->addRegion(seed.vertices);
+        break;
+    }
+  }
+
+private:
+  /** Of more bends, or border vertices, than this none gets a round label of its own. */
+  static constexpr std::size_t MostRoundLabels = 256;
+  /** Cosine of the angle from which on a curve bends. */
+  static constexpr double StraightCosine = 0.985;
+
+  Index addLabel(FrontShape shape, const SurfacePoint& origin = {}, const Vector3& position = {})
+  {
+    this->Front.labels.push_back({ this->Number, shape, this->Value, origin, position });
+    return static_cast<Index>(this->Front.labels.size() - 1);
+  }
+
+  void addSeedPoint(const Seed& seed)
+  {
+    if (seed.points.empty())
+    {
+      this->addLabel(FrontShape::Round, {}, *seed.position);
+      return;
+    }
+    this->addPoint(
+      seed.points[0], seed.position ? *seed.position : this->Mesh.positionOf(seed.points[0]));
+  }
+
+  void addPoint(const SurfacePoint& point) { this->addPoint(point, this->Mesh.positionOf(point)); }
+
+  void addPoint(const SurfacePoint& point, const Vector3& position)
+  {
+    const Index label = this->addLabel(FrontShape::Round, point, position);
+    const std::vector<Index> carriers = carriersOf(this->Mesh, point);
+    if (carriers.size() == 1)
+    {
+      this->Front.starts.push_back({ carriers[0], label, 0.0 });
+      return;
+    }
+    for (Index vertex : cornersRound(this->Mesh, this->Closed, carriers))
+    {
+      this->Front.starts.push_back({ vertex, label, norm(this->Mesh.position(vertex) - position) });
+    }
+  }
+
+  /** @param points all of the curve's, on one of the pieces; none on the others */
+  void addCurve(const std::vector<SurfacePoint>& points)
+  {
+    const std::size_t first = this->Front.labels.size();
+    if (!points.empty())
+    {
+      this->addWholeCurve(points);
+    }
+    if (this->Pieces.isDivided())
+    {
+      this->addLabelsOfOthers(first);
+    }
+  }
+
+  /** The labels of the piece that has some from @p first on, for those that have none. */
+  void addLabelsOfOthers(std::size_t first)
+  {
+    const bool hasOwn = this->Front.labels.size() > first;
+    std::vector<double> own;
+    for (std::size_t i = first; i < this->Front.labels.size(); ++i)
+    {
+      const Label& label = this->Front.labels[i];
+      own.insert(own.end(),
+        { label.shape == FrontShape::Round ? 1.0 : 0.0, label.position.x, label.position.y,
+          label.position.z });
+    }
+    const std::vector<double> all = this->Pieces.gather(own);
+    for (std::size_t i = 0; i < all.size() && !hasOwn; i += 4)
+    {
+      this->addLabel(all[i] == 1.0 ? FrontShape::Round : FrontShape::Straight, {},
+        { all[i + 1], all[i + 2], all[i + 3] });
+    }
+  }
+
+  void addWholeCurve(const std::vector<SurfacePoint>& points)
+  {
+    std::vector<std::size_t> bends = this->bendsOf(points);
+    if (bends.size() > MostRoundLabels)
+    {
+      bends.clear();
+    }
+    for (std::size_t bend : bends)
+    {
+      this->addPoint(points[bend]);
+    }
+    // Each straight piece marches by itself: on the inner side of a bend two fronts meet.
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      if (i + 1 == points.size() || std::binary_search(bends.begin(), bends.end(), i))
+      {
+        this->addStraightPiece(points, first, i);
+        first = i;
+      }
+    }
+  }
+
+  /** The segments of a curve from its point @p first to its point @p last. */
+  void addStraightPiece(
+    const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last)
+  {
+    const Index label = this->addLabel(FrontShape::Straight);
+    std::map<Index, double> lengths;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Vector3 a = this->Mesh.positionOf(points[i]);
+      const Vector3 b = this->Mesh.positionOf(points[i + 1]);
+      for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1], i))
+      {
+        const double length = distanceToSegment(this->Mesh.position(vertex), a, b);
+        const auto [place, isNew] = lengths.emplace(vertex, length);
+        place->second = std::min(place->second, length);
+      }
+    }
+    for (const auto& [vertex, length] : lengths)
+    {
+      this->Front.starts.push_back({ vertex, label, length });
+    }
+  }
+
+  std::vector<Index> cornersRoundSegment(
+    const SurfacePoint& a, const SurfacePoint& b, std::size_t number) const
+  {
+    std::vector<Index> carriers = carriersOf(this->Mesh, a);
+    const std::vector<Index> others = carriersOf(this->Mesh, b);
+    carriers.insert(carriers.end(), others.begin(), others.end());
+    sortUnique(carriers);
+    std::vector<Index> corners;
+    if (carriers.size() <= 3)
+    {
+      corners = cornersRound(this->Mesh, this->Closed, carriers);
+    }
+    if (corners.empty())
+    {
+      throw std::invalid_argument("Seed " + std::to_string(this->Number) +
+        " is a curve whose segment " + std::to_string(number) +
+        " lies neither in one face nor along one edge of the surface. Give "
+        "it a point on each edge that it crosses.");
+    }
+    return corners;
+  }
+
+  /** Numbers of the curve's points where it is not straight, its ends among them. */
+  std::vector<std::size_t> bendsOf(const std::vector<SurfacePoint>& points) const
+  {
+    std::vector<Vector3> positions;
+    positions.reserve(points.size());
+    for (const SurfacePoint& point : points)
+    {
+      positions.push_back(this->Mesh.positionOf(point));
+    }
+    std::vector<std::size_t> bends{ 0 };
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    {
+      const Vector3 in = positions[i] - positions[i - 1];
+      const Vector3 out = positions[i + 1] - positions[i];
+      if (!(dot(in, out) >= StraightCosine * norm(in) * norm(out)))
+      {
+        bends.push_back(i);
+      }
+    }
+    bends.push_back(points.size() - 1);
+    return bends;
+  }
+
+  void addRegion(std::vector<Index> vertices)
+  {
+    vertices = this->withThoseOfOthers(std::move(vertices));
+    const auto isInside = [&](Index vertex)
+    { return std::binary_search(vertices.begin(), vertices.end(), vertex); };
+    std::vector<Index> besideInside;
+    std::vector<Index> besideOutside;
+    for (Index vertex : vertices)
+    {
+      bool hasInside = false;
+      bool hasOutside = false;
+      for (const RingEntry& entry : this->Mesh.ring(vertex))
+      {
+        (isInside(entry.neighbour()) ? hasInside : hasOutside) = true;
+      }
+      if (hasInside)
+      {
+        besideInside.push_back(vertex);
+      }
+      if (hasOutside)
+      {
+        besideOutside.push_back(vertex);
+      }
+    }
+    const std::vector<Index> joined = this->withThoseOfOthers(std::move(besideInside));
+    besideOutside = this->withThoseOfOthers(std::move(besideOutside));
+    std::vector<Index> isolated;
+    std::set_difference(
+      vertices.begin(), vertices.end(), joined.begin(), joined.end(), std::back_inserter(isolated));
+    std::vector<Index> border;
+    std::set_intersection(joined.begin(), joined.end(), besideOutside.begin(), besideOutside.end(),
+      std::back_inserter(border));
+
+    this->addVertices(isolated);
+    if (this->isAnywhere(joined))
+    {
+      const Index label = this->addLabel(FrontShape::Straight);
+      for (Index vertex : joined)
+      {
+        this->Front.starts.push_back({ vertex, label, 0.0 });
+      }
+    }
+    if (this->countOf(border) <= static_cast<double>(MostRoundLabels))
+    {
+      this->addVertices(border);
+    }
+  }
+
+  /** A set of vertices with those shared ones that other pieces have in theirs, sorted. */
+  std::vector<Index> withThoseOfOthers(std::vector<Index> vertices)
+  {
+    std::vector<StartValue> own;
+    own.reserve(vertices.size());
+    for (Index vertex : vertices)
+    {
+      own.push_back({ vertex, 0, 0.0, false });
+    }
+    for (const StartValue& other : this->Pieces.exchange(own))
+    {
+      vertices.push_back(other.vertex);
+    }
+    sortUnique(vertices);
+    return vertices;
+  }
+
+  /** How many vertices these sets of all pieces have together. */
+  double countOf(const std::vector<Index>& vertices)
+  {
+    const auto owned = static_cast<double>(std::count_if(
+      vertices.begin(), vertices.end(), [&](Index vertex) { return this->Pieces.owns(vertex); }));
+    const std::vector<double> counts = this->Pieces.gather({ &owned, 1 });
+    return std::accumulate(counts.begin(), counts.end(), 0.0);
+  }
+
+  bool isAnywhere(const std::vector<Index>& vertices) { return this->countOf(vertices) > 0.0; }
+
+  /** One round label at each vertex of these sets of all pieces. */
+  void addVertices(const std::vector<Index>& vertices)
+  {
+    if (!this->Pieces.isDivided())
+    {
+      for (Index vertex : vertices)
+      {
+        this->addPoint(this->Mesh.pointAtVertex(vertex));
+      }
+      return;
+    }
+    std::vector<double> own;
+    std::map<std::array<double, 3>, Index> vertexAt;
+    for (Index vertex : vertices)
+    {
+      const Vector3& p = this->Mesh.position(vertex);
+      // Adding 0 makes -0 one with 0.
+      const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
+      vertexAt.emplace(place, vertex);
+      own.insert(own.end(), place.begin(), place.end());
+    }
+    const std::vector<double> all = this->Pieces.gather(own);
+    std::set<std::array<double, 3>> places;
+    for (std::size_t i = 0; i < all.size(); i += 3)
+    {
+      places.insert({ all[i], all[i + 1], all[i + 2] });
+    }
+    for (const std::array<double, 3>& place : places)
+    {
+      const Vector3 position{ place[0], place[1], place[2] };
+      if (const auto here = vertexAt.find(place); here != vertexAt.end())
+      {
+        this->addPoint(this->Mesh.pointAtVertex(here->second), position);
+      }
+      else
+      {
+        this->addLabel(FrontShape::Round, {}, position);
+      }
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const ClosedFans& Closed;
+  Partition& Pieces;
+  SeedFront& Front;
+  Index Number = 0;
+  double Value = 0.0;
+};
+
+}
+
+std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  const Triangle& triangle = mesh.triangle(point.triangle);
+  std::vector<Index> carriers;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (point.weights[c] > 0.0)
+    {
+      carriers.push_back(triangle[c]);
+    }
+  }
+  return carriers;
+}
+
+void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition)
+{
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    checkSeed(mesh, seeds[s], "Seed " + std::to_string(s), partition.isDivided());
+  }
+}
+
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds,
+  Partition& partition)
+{
+  SeedFront front;
+  FrontBuilder builder(mesh, closed, partition, front);
+  for (Index s = 0; s < seeds.size(); ++s)
+  {
+    builder.add(seeds[s], s);
+  }
+  return front;
+}
+
+}

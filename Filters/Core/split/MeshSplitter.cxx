@@ -1,0 +1,393 @@
+#include "split/MeshSplitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace geodesic
+{
+namespace
+{
+
+/** Places nearer to each other than this part of an edge, or of a face, are one. */
+constexpr double Tolerance = 1e-9;
+
+/** The point with weights below the tolerance set to 0. */
+PathPoint snappedPoint(const PathPoint& point)
+{
+  const SurfacePoint snappedWeights = snapped({ 0, point.weights }, Tolerance);
+  return { point.corners, snappedWeights.weights };
+}
+
+/** Below this height over the longest side a triangle is drawn with another shape. */
+constexpr double ThinHeight = 1e-6;
+
+/**
+ * A triangle of a mesh laid in the plane; one without a height, to speak of, as an equilateral one.
+ * Straight lines stay straight, and points that are apart stay so.
+ */
+std::array<PlanePoint, 3> laidFlat(const TriangleMesh& mesh, const Triangle& corners)
+{
+  const Vector3 side = mesh.position(corners[1]) - mesh.position(corners[0]);
+  const Vector3 other = mesh.position(corners[2]) - mesh.position(corners[0]);
+  const double length = norm(side);
+  const double longest = std::max({ length, norm(other), norm(other - side) });
+  const double doubleArea = norm(cross(side, other));
+  if (!(doubleArea > ThinHeight * longest * longest))
+  {
+    return { { {}, { 1.0, 0.0 }, { 0.5, 0.5 * std::numbers::sqrt3 } } };
+  }
+  return { { {}, { length, 0.0 }, { dot(other, side) / length, doubleArea / length } } };
+}
+
+PlanePoint placed(
+  const PathPoint& point, const Triangle& corners, const std::array<PlanePoint, 3>& flat)
+{
+  PlanePoint place;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double weight = weightOf(point, corners[i]);
+    place.x += weight * flat[i].x;
+    place.y += weight * flat[i].y;
+  }
+  return place;
+}
+
+/** The other way round. */
+PathPoint originOf(
+  const PlanePoint& place, const Triangle& corners, const std::array<PlanePoint, 3>& flat)
+{
+  const double second = std::clamp(place.y / flat[2].y, 0.0, 1.0);
+  const double first = std::clamp((place.x - second * flat[2].x) / flat[1].x, 0.0, 1.0);
+  return { corners, { std::max(0.0, 1.0 - first - second), first, second } };
+}
+
+std::pair<Index, Index> edgeOf(Index a, Index b)
+{
+  return std::minmax(a, b);
+}
+
+}
+
+MeshSplitter::MeshSplitter(const TriangleMesh& base)
+  : Base(base)
+{
+  this->Origins.reserve(base.numberOfVertices());
+  for (Index vertex = 0; vertex < base.numberOfVertices(); ++vertex)
+  {
+    this->Origins.push_back(PathPoint::atVertex(vertex));
+  }
+}
+
+std::size_t MeshSplitter::add(const SurfacePath& curve)
+{
+  std::vector<Index> points;
+  for (const PathPoint& place : curve)
+  {
+    const Index point = this->pointAt(place);
+    if (points.empty() || point != points.back())
+    {
+      points.push_back(point);
+    }
+  }
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const Carriers corners = unionOf(this->Origins[points[i - 1]], this->Origins[points[i]]);
+    const std::vector<Index> faces = corners.size() > 3
+      ? std::vector<Index>{}
+      : this->Base.trianglesWith({ corners.begin(), corners.end() });
+    if (faces.empty())
+    {
+      throw std::invalid_argument("Points " + std::to_string(i - 1) + " and " + std::to_string(i) +
+        " of a curve share no face of the surface; join them over it.");
+    }
+    if (corners.size() == 3)
+    {
+      this->FaceSegments[faces.front()].push_back(edgeOf(points[i - 1], points[i]));
+    }
+  }
+  this->Curves.push_back(std::move(points));
+  return this->Curves.size() - 1;
+}
+
+Index MeshSplitter::addPoint(const PathPoint& origin)
+{
+  this->Origins.push_back(origin);
+  return static_cast<Index>(this->Origins.size() - 1);
+}
+
+Index MeshSplitter::pointAt(const PathPoint& place)
+{
+  const PathPoint point = snappedPoint(place);
+  const Carriers carriers = point.carriers();
+  if (carriers.size() == 1)
+  {
+    return carriers[0];
+  }
+  if (carriers.size() == 2)
+  {
+    const Edge edge = edgeOf(carriers[0], carriers[1]);
+    const double fraction = weightOf(point, edge.second);
+    auto& points = this->EdgePoints[edge];
+    const auto near = points.lower_bound(fraction - Tolerance);
+    if (near != points.end() && near->first <= fraction + Tolerance)
+    {
+      return near->second;
+    }
+    const Index added = this->addPoint(PathPoint::onEdge(edge.first, edge.second, fraction));
+    points.emplace(fraction, added);
+    return added;
+  }
+  const Index face = this->Base.trianglesWith({ carriers.begin(), carriers.end() }).front();
+  for (Index known : this->FacePoints[face])
+  {
+    const bool isSame = std::all_of(carriers.begin(), carriers.end(),
+      [&](Index vertex)
+      {
+        return std::abs(weightOf(point, vertex) - weightOf(this->Origins[known], vertex)) <=
+          Tolerance;
+      });
+    if (isSame)
+    {
+      return known;
+    }
+  }
+  const Index added = this->addPoint(point);
+  this->FacePoints[face].push_back(added);
+  return added;
+}
+
+void MeshSplitter::split()
+{
+  std::set<Index> isSplit;
+  for (const auto& [edge, points] : this->EdgePoints)
+  {
+    const std::array<Index, 2> ends{ edge.first, edge.second };
+    const std::vector<Index> faces = this->Base.trianglesWith(ends);
+    isSplit.insert(faces.begin(), faces.end());
+  }
+  for (const auto& [face, points] : this->FacePoints)
+  {
+    isSplit.insert(face);
+  }
+  for (const auto& [face, segments] : this->FaceSegments)
+  {
+    isSplit.insert(face);
+  }
+  auto next = isSplit.begin();
+  this->Triangles.reserve(this->Base.numberOfTriangles() + 4 * isSplit.size());
+  this->BaseTriangles.reserve(this->Triangles.capacity());
+  for (Index triangle = 0; triangle < this->Base.numberOfTriangles(); ++triangle)
+  {
+    if (next != isSplit.end() && *next == triangle)
+    {
+      ++next;
+      continue;
+    }
+    this->Triangles.push_back(this->Base.triangle(triangle));
+    this->BaseTriangles.push_back(triangle);
+  }
+  this->FirstPiece = this->Triangles.size();
+  for (Index triangle : isSplit)
+  {
+    this->splitTriangle(triangle);
+  }
+}
+
+void MeshSplitter::splitTriangle(Index triangle)
+{
+  const Triangle& corners = this->Base.triangle(triangle);
+  const std::array<PlanePoint, 3> flat = laidFlat(this->Base, corners);
+  FaceTriangulation pieces(flat);
+  std::vector<Index> points(corners.begin(), corners.end());
+  std::map<Index, Index> numbers{ { corners[0], 0 }, { corners[1], 1 }, { corners[2], 2 } };
+  const auto place = [&](Index point) { return placed(this->Origins[point], corners, flat); };
+  const auto note = [&](Index point, Index number)
+  {
+    numbers[point] = number;
+    if (number == points.size())
+    {
+      points.push_back(point);
+    }
+  };
+  for (Index c = 0; c < 3; ++c)
+  {
+    const Index a = corners[c];
+    const Index b = corners[(c + 1) % 3];
+    const auto onEdge = this->EdgePoints.find(edgeOf(a, b));
+    if (onEdge == this->EdgePoints.end())
+    {
+      continue;
+    }
+    // From the smaller vertex on, as the points are sorted.
+    Index before = numbers[onEdge->first.first];
+    const Index end = numbers[onEdge->first.second];
+    for (const auto& [fraction, point] : onEdge->second)
+    {
+      note(point, pieces.addOnBorder(before, end, place(point)));
+      before = numbers[point];
+    }
+  }
+  const auto inside = this->FacePoints.find(triangle);
+  if (inside != this->FacePoints.end())
+  {
+    for (Index point : inside->second)
+    {
+      note(point, pieces.addInside(place(point)));
+    }
+  }
+  const auto segments = this->FaceSegments.find(triangle);
+  if (segments != this->FaceSegments.end())
+  {
+    for (const auto& [a, b] : segments->second)
+    {
+      pieces.addSegment(numbers[a], numbers[b]);
+    }
+    while (points.size() < pieces.points().size())
+    {
+      points.push_back(this->addPoint(originOf(pieces.points()[points.size()], corners, flat)));
+    }
+    for (const Edge& segment : segments->second)
+    {
+      std::vector<Index>& way = this->Ways[segment];
+      way.clear();
+      for (Index number : pieces.addSegment(numbers[segment.first], numbers[segment.second]))
+      {
+        way.push_back(points[number]);
+      }
+    }
+  }
+  for (const Triangle& piece : pieces.triangles())
+  {
+    this->Triangles.push_back({ points[piece[0]], points[piece[1]], points[piece[2]] });
+    this->BaseTriangles.push_back(triangle);
+  }
+}
+
+std::vector<Index> MeshSplitter::alongEdge(Index a, Index b) const
+{
+  const Carriers ends = unionOf(this->Origins[a], this->Origins[b]);
+  std::vector<Index> way{ a };
+  const auto onEdge =
+    ends.size() == 2 ? this->EdgePoints.find(edgeOf(ends[0], ends[1])) : this->EdgePoints.end();
+  if (onEdge != this->EdgePoints.end())
+  {
+    const Index last = onEdge->first.second;
+    const double from = weightOf(this->Origins[a], last);
+    const double to = weightOf(this->Origins[b], last);
+    for (const auto& [fraction, point] : onEdge->second)
+    {
+      if (fraction > std::min(from, to) && fraction < std::max(from, to))
+      {
+        way.push_back(point);
+      }
+    }
+    if (from > to)
+    {
+      std::reverse(way.begin() + 1, way.end());
+    }
+  }
+  way.push_back(b);
+  return way;
+}
+
+std::vector<Index> MeshSplitter::curve(std::size_t number) const
+{
+  const std::vector<Index>& points = this->Curves[number];
+  std::vector<Index> all(points.begin(), points.begin() + (points.empty() ? 0 : 1));
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const Edge segment = edgeOf(points[i - 1], points[i]);
+    const auto inFace = this->Ways.find(segment);
+    std::vector<Index> way =
+      inFace == this->Ways.end() ? this->alongEdge(points[i - 1], points[i]) : inFace->second;
+    if (inFace != this->Ways.end() && points[i - 1] != segment.first)
+    {
+      std::reverse(way.begin(), way.end());
+    }
+    all.insert(all.end(), way.begin() + 1, way.end());
+  }
+  return all;
+}
+
+void MeshSplitter::cutAlong(std::span<const std::size_t> curves)
+{
+  for (std::size_t number : curves)
+  {
+    const std::vector<Index> points = this->curve(number);
+    this->OnCut.insert(points.begin(), points.end());
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      this->CutEdges.insert(edgeOf(points[i - 1], points[i]));
+    }
+  }
+  std::map<Index, std::vector<Index>> trianglesAt;
+  for (std::size_t t = this->FirstPiece; t < this->Triangles.size(); ++t)
+  {
+    for (Index point : this->Triangles[t])
+    {
+      if (point >= this->Base.numberOfVertices() && this->isOnCut(point))
+      {
+        trianglesAt[point].push_back(static_cast<Index>(t));
+      }
+    }
+  }
+  const std::vector<Triangle> uncut = this->Triangles;
+  for (const auto& [point, triangles] : trianglesAt)
+  {
+    this->openAt(point, triangles, uncut);
+  }
+  const std::set<Edge> uncutEdges = this->CutEdges;
+  for (std::size_t t = this->FirstPiece; t < this->Triangles.size(); ++t)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const int next = (c + 1) % 3;
+      if (uncutEdges.count(edgeOf(uncut[t][c], uncut[t][next])) > 0)
+      {
+        this->CutEdges.insert(edgeOf(this->Triangles[t][c], this->Triangles[t][next]));
+      }
+    }
+  }
+}
+
+void MeshSplitter::openAt(
+  Index point, const std::vector<Index>& triangles, const std::vector<Triangle>& uncut)
+{
+  // Triangles round the point that hang together over edges that are no cuts are one side.
+  std::vector<Index> todo = triangles;
+  for (bool isFirst = true; !todo.empty(); isFirst = false)
+  {
+    std::vector<Index> side{ todo.back() };
+    todo.pop_back();
+    for (std::size_t i = 0; i < side.size(); ++i)
+    {
+      const Triangle& triangle = uncut[side[i]];
+      const auto isBeside = [&](Index other)
+      {
+        return std::any_of(triangle.begin(), triangle.end(),
+          [&](Index corner)
+          {
+            return corner != point && this->CutEdges.count(edgeOf(corner, point)) == 0 &&
+              std::find(uncut[other].begin(), uncut[other].end(), corner) != uncut[other].end();
+          });
+      };
+      const auto beside =
+        std::partition(todo.begin(), todo.end(), [&](Index other) { return !isBeside(other); });
+      side.insert(side.end(), beside, todo.end());
+      todo.erase(beside, todo.end());
+    }
+    if (!isFirst)
+    {
+      const Index twin = this->addPoint(this->Origins[point]);
+      this->OnCut.insert(twin);
+      for (Index t : side)
+      {
+        std::replace(this->Triangles[t].begin(), this->Triangles[t].end(), point, twin);
+      }
+    }
+  }
+}
+
+}
