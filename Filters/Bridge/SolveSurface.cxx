@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolveSurface.h"
 
-#include "split/BasePath.h"
+#include "split/BaseMeshPath.h"
 #include "split/SplitMesh.h"
 
 #include <algorithm>

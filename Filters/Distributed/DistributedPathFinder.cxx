@@ -6,7 +6,7 @@
 #include "ErrorMessage.h"
 #include "GatheredSurface.h"
 #include "GlobalSeeds.h"
-#include "split/BasePath.h"
+#include "split/BaseMeshPath.h"
 
 #include <algorithm>
 #include <map>
@@ -68,10 +68,10 @@ Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const S
 }
 
 /** Gives the field that all ranks make, on the corridor. */
-class DistributedPathFinder::CorridorSource final : public DistanceSource
+class DistributedPathFinder::CorridorSolver final : public DistanceSolver
 {
 public:
-  CorridorSource(DistributedPathFinder& finder, Corridor& corridor, CorridorGround& ground)
+  CorridorSolver(DistributedPathFinder& finder, Corridor& corridor, CorridorGround& ground)
     : Finder(finder)
     , Collected(corridor)
     , Ground(ground)
@@ -202,7 +202,7 @@ Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Act
     const auto ground = std::make_shared<CorridorGround>(corridor, this->HasCost);
     try
     {
-      CorridorSource source(*this, corridor, *ground);
+      CorridorSolver source(*this, corridor, *ground);
       PathFinder finder(
         source, ground->pointsOf(this->Ends), ground->options(), this->Request.style);
       return action(finder, ground);

@@ -86,7 +86,7 @@ public:
   vtkIdType mostPointsOnARank();
 
 private:
-  class CorridorSource;
+  class CorridorSolver;
   /** @return what is told to all ranks */
   using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorGround>&)>;
 

@@ -110,7 +110,7 @@ struct Excess
 
 /** +infinity where there is no path, which no excess hides. */
 double lengthBetween(
-  DistanceSolver& solver, const SurfacePoint& from, const SurfacePoint& to, const PathStyle& style)
+  FrontSolver& solver, const SurfacePoint& from, const SurfacePoint& to, const PathStyle& style)
 {
   const auto path = shortestPath(solver, from, to, {}, style);
   return path ? lengthOf(solver.mesh(), *path) : DistanceField::Unreached;

@@ -173,7 +173,7 @@ TEST(CurveSeed, SeedsOfAllKindsKeepTheirNumbers)
       { mesh->vertexOfPoint(30 * (cells + 1)), mesh->vertexOfPoint(30 * (cells + 1) + 1) }) };
   FastMarchingSolver march(mesh);
   DijkstraSolver edges(mesh);
-  for (DistanceSolver* solver : std::initializer_list<DistanceSolver*>{ &march, &edges })
+  for (FrontSolver* solver : std::initializer_list<FrontSolver*>{ &march, &edges })
   {
     const DistanceField& field = solver->solve(seeds);
     EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(2 * (cells + 1) + 4)), 0u);

@@ -71,8 +71,8 @@ TEST(FrontQueues, OfABucketBestValuesComeFirst)
   FrontQueues queues;
   queues.start(1.0, Span, 1);
   FrontGroup& group = queues.group(0);
-  group.further.push(1, 0.5);
-  group.further.push(2, 0.5);
+  group.secondary.push(1, 0.5);
+  group.secondary.push(2, 0.5);
   group.best.push(3, 1.5);
   group.best.push(4, 0.5);
   std::array<Index, 1> room;
@@ -90,7 +90,7 @@ TEST(FrontQueues, NothingIsHandedOutBeyondTheEnd)
   queues.start(1.0, Span, 2);
   queues.group(0).best.push(1, 2.5);
   queues.group(0).best.push(2, 20.5);
-  queues.group(1).further.push(3, 10.5);
+  queues.group(1).secondary.push(3, 10.5);
   queues.group(1).best.push(4, 50.5);
   EXPECT_EQ(emptied(queues, 2), Items());
   EXPECT_EQ(emptied(queues, 11), (Items{ 1, 3 }));
@@ -108,7 +108,7 @@ TEST(FrontQueues, WhoGoesBackComesBeforeWhatWaits)
   EXPECT_EQ(emptied(queues, 60), Items());
   queues.goBackTo(queues.group(1), 7.5);
   queues.group(1).best.push(3, 8.5);
-  queues.group(1).further.push(4, 7.5);
+  queues.group(1).secondary.push(4, 7.5);
   EXPECT_EQ(queues.nextKey(), 7.0);
   EXPECT_EQ(emptied(queues, 40), (Items{ 4, 3 }));
   EXPECT_EQ(emptied(queues), (Items{ 1, 2 }));
@@ -136,7 +136,7 @@ TEST(FrontQueues, WhatIsAddedToAGroupAfterItsTurnWaitsForTheNext)
   std::array<Index, 1> room;
   ASSERT_TRUE(queues.hasBefore(10));
   EXPECT_EQ(queues.take(room)[0], 1u);
-  queues.group(0).further.push(2, 4.5);
+  queues.group(0).secondary.push(2, 4.5);
   EXPECT_FALSE(queues.hasBefore(10));
   EXPECT_EQ(emptied(queues), Items{ 2 });
 }

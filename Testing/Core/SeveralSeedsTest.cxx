@@ -120,7 +120,7 @@ TEST(SeveralSeeds, TiesGoToTheSmallerNumber)
   const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 0), seedAt(*mesh, 0) };
   FastMarchingSolver march(mesh);
   DijkstraSolver edges(mesh);
-  for (DistanceSolver* solver : std::initializer_list<DistanceSolver*>{ &march, &edges })
+  for (FrontSolver* solver : std::initializer_list<FrontSolver*>{ &march, &edges })
   {
     const DistanceField& field = solver->solve(seeds);
     EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(5)), 0u);

@@ -4,7 +4,7 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "path/SurfaceCurve.h"
-#include "split/BasePath.h"
+#include "split/BaseMeshPath.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Sizes of triangles that are known, and what is made of them, which has to be on the safe side.
 
-#include "mesh/TriangleMeasure.h"
+#include "march/TriangleMeasure.h"
 #include "march/LabelMargin.h"
 
 #include <gtest/gtest.h>

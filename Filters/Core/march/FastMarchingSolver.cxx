@@ -3,12 +3,12 @@
 #include "march/FieldValues.h"
 #include "march/LabelMargin.h"
 #include "march/LabelValues.h"
+#include "march/NeighbourUpdate.h"
 #include "march/OneLabelValues.h"
 #include "march/QueuedFront.h"
-#include "march/RingSweep.h"
 #include "march/TriangleCost.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/MarchControl.h"
 #include "solve/Partition.h"
 #include "solve/StopLimit.h"
@@ -25,7 +25,7 @@ namespace
 /** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
  * another. Meanwhile the mesh round the next ones is fetched, and where it is for those after the
  * next. */
-constexpr std::size_t Handful = 12;
+constexpr std::size_t BatchSize = 12;
 
 /**
  * Width of the queue's buckets, in heights of triangles: a front gains about as much by each
@@ -47,10 +47,10 @@ std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const Sol
 }
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads)
-  : DistanceSolver(std::move(mesh))
+  : FrontSolver(std::move(mesh))
   , MayUseQuads(mayUseQuads)
 {
-  this->Marks.resize(this->mesh().numberOfVertices());
+  this->States.resize(this->mesh().numberOfVertices());
 }
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
@@ -84,7 +84,7 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
     numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
   const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queues, this->Marks };
+    this->Queues, this->States };
   if (request.front.labels.size() == 1)
   {
     OneLabelValues<Cost> values(context, request.front.labels[0]);
@@ -98,7 +98,8 @@ template <class Cost, class Values>
 bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
 {
-  RingSweep<Cost, Values> ringSweep(this->mesh(), request.closed, cost, values, this->MayUseQuads);
+  NeighbourUpdate<Cost, Values> neighbourUpdate(
+    this->mesh(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
     values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);
@@ -107,23 +108,23 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
     values.firstDistance(), values,
     [&](std::uint64_t end)
     {
-      std::array<Index, Handful> room;
-      std::array<Index, Handful> roomOfNext;
+      std::array<Index, BatchSize> room;
+      std::array<Index, BatchSize> roomOfNext;
       while (this->Queues.hasBefore(end))
       {
-        const std::span<const Index> handful = this->Queues.take(room);
-        if (!control.mayGoOn(handful.size()))
+        const std::span<const Index> batch = this->Queues.take(room);
+        if (!control.mayGoOn(batch.size()))
         {
           break;
         }
-        const std::span<const Index> soon = this->Queues.next(3 * Handful);
-        for (Index later : soon.subspan(std::min(soon.size(), 2 * Handful)))
+        const std::span<const Index> soon = this->Queues.next(3 * BatchSize);
+        for (Index later : soon.subspan(std::min(soon.size(), 2 * BatchSize)))
         {
           this->mesh().prefetchRingStart(values.vertexOf(later));
         }
-        const auto next = soon.first(std::min(soon.size(), Handful));
+        const auto next = soon.first(std::min(soon.size(), BatchSize));
         std::copy(next.begin(), next.end(), roomOfNext.begin());
-        ringSweep.sweep(handful, std::span(roomOfNext).first(next.size()));
+        neighbourUpdate.update(batch, std::span(roomOfNext).first(next.size()));
       }
     });
   const bool finished = request.partition.march(front, limit);

@@ -2,10 +2,10 @@
 #define geodesic_FastMarchingSolver_h
 
 #include "march/FrontQueues.h"
-#include "march/LabelSets.h"
-#include "march/ValueMark.h"
+#include "march/SecondaryValues.h"
+#include "march/VertexState.h"
 #include "solve/CostedStart.h"
-#include "solve/DistanceSolver.h"
+#include "solve/FrontSolver.h"
 
 #include <cstdint>
 #include <memory>
@@ -27,12 +27,12 @@ class MarchControl;
  * their value falls. As the updates are monotone the result is their greatest fixed point, the same
  * (to 1e-10) for any order, numbering or partition. Exact on developable surfaces at constant cost,
  * first order accurate in the edge length elsewhere. With several labels each keeps values of its
- * own near the border between them (LabelSets), so that no update mixes two sources.
+ * own near the border between them (SecondaryValues), so that no update mixes two sources.
  *
  * Time O(n) on meshes whose edges do not vary wildly, memory 24 bytes a vertex beside the mesh for
- * one label, with several 16 more and 20 for each value beyond a vertex's second.
+ * one label, with several 16 more and 20 for each value beyond a vertex's inPlace.
  */
-class FastMarchingSolver : public DistanceSolver
+class FastMarchingSolver : public FrontSolver
 {
 public:
   /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
@@ -52,8 +52,8 @@ private:
 
   bool MayUseQuads;
   FrontQueues Queues;
-  std::vector<ValueMark> Marks;
-  LabelSets Labels;
+  std::vector<VertexState> States;
+  SecondaryValues Labels;
   /** Measures the discs round seeds where the cost varies; made when first needed. */
   std::unique_ptr<FastMarchingSolver> UnitSolver;
 };

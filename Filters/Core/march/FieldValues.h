@@ -3,9 +3,9 @@
 
 #include "base/Lanes.h"
 #include "march/FrontQueues.h"
-#include "march/KnownValues.h"
-#include "march/MarchedLabel.h"
-#include "march/ValueMark.h"
+#include "march/NeighbourValues.h"
+#include "march/SourceFront.h"
+#include "march/VertexState.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceField.h"
 #include "solve/MarchControl.h"
@@ -18,7 +18,7 @@
 namespace geodesic
 {
 
-/** What the values of every label have in common; see RingSweep. */
+/** What the values of every label have in common; see NeighbourUpdate. */
 template <class Cost>
 struct MarchContext
 {
@@ -29,18 +29,18 @@ struct MarchContext
   const MarchControl& control;
   DistanceField& field;
   FrontQueues& queues;
-  std::span<ValueMark> marks;
+  std::span<VertexState> states;
 };
 
 /** What it takes to look at many vertices, at hand: the best values less that of a label's seed,
- * and their marks. */
-class FieldSight
+ * and their states. */
+class FieldReader
 {
 public:
-  FieldSight(
-    std::span<const double> distances, std::span<const ValueMark> marks, const MarchedLabel& label)
+  FieldReader(std::span<const double> distances, std::span<const VertexState> states,
+    const SourceFront& label)
     : Distances(distances.data())
-    , Marks(marks.data())
+    , States(states.data())
     , SeedValue(label.seedValue)
   {
   }
@@ -52,14 +52,14 @@ public:
       this->SeedValue;
   }
   template <class Real>
-  GEODESIC_INLINED BitsOf<Real> marks(const Indices<Real>& vertices) const
+  GEODESIC_INLINED BitsOf<Real> states(const Indices<Real>& vertices) const
   {
-    return bitsWith<Real>([&](int lane) { return this->Marks[vertices[lane]].bits(); });
+    return bitsWith<Real>([&](int lane) { return this->States[vertices[lane]].bits(); });
   }
 
 private:
   const double* Distances;
-  const ValueMark* Marks;
+  const VertexState* States;
   double SeedValue;
 };
 
@@ -79,7 +79,7 @@ protected:
     , MayStop(context.limit.isPossible())
     , HasExcluded(!context.options.excluded.empty())
     , First(firstDistance)
-    , Marks(context.marks)
+    , States(context.states)
     , Distances(context.field.distances())
     , Positions(context.mesh.positions())
   {
@@ -87,20 +87,20 @@ protected:
 
   const MarchContext<Cost>& context() const { return this->Context; }
   const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
-  ValueMark& mark(Index vertex) { return this->Marks[vertex]; }
-  const ValueMark& mark(Index vertex) const { return this->Marks[vertex]; }
-  FieldSight fieldSight(const MarchedLabel& label) const
+  VertexState& state(Index vertex) { return this->States[vertex]; }
+  const VertexState& state(Index vertex) const { return this->States[vertex]; }
+  FieldReader fieldReader(const SourceFront& label) const
   {
-    return { this->Distances, this->Marks, label };
+    return { this->Distances, this->States, label };
   }
 
-  double value(const MarchedLabel& label, Index vertex) const
+  double value(const SourceFront& label, Index vertex) const
   {
     return this->Distances[vertex] - label.seedValue;
   }
 
   /** What a value has to be below in order to count where there is @p old. */
-  double ceiling(const MarchedLabel& label, Index vertex, double old) const
+  double ceiling(const SourceFront& label, Index vertex, double old) const
   {
     const double counts = old * this->Control.keptFraction();
     // Until a target is reached there is no limit, and no need to look up the reach.
@@ -117,7 +117,7 @@ protected:
 
   /** Lowers the value of a vertex that waits, as no excluded one does, if that counts; returns what
    * then holds. Whether it counts is not to be guessed, so there is no branch on it. */
-  KnownValue lower(const MarchedLabel& label, Index vertex, double value)
+  NeighbourValue lower(const SourceFront& label, Index vertex, double value)
   {
     const double ceiling = this->ceiling(label, vertex, this->value(label, vertex));
     const Pair distance = select(Pair{ value } < Pair{ ceiling }, Pair{ value + label.seedValue },
@@ -129,34 +129,34 @@ protected:
 
   /** Gives a vertex that has no value or one of the same label a value, which it takes if that
    * counts; returns what then holds. */
-  KnownValue offer(const MarchedLabel& label, Index vertex, double value)
+  NeighbourValue offer(const SourceFront& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
-    if (!this->mark(vertex).isPinned() && !this->isExcluded(vertex) &&
+    if (!this->state(vertex).isPinned() && !this->isExcluded(vertex) &&
       value < this->ceiling(label, vertex, old))
     {
       this->set(label, vertex, value);
       return { value, value, true };
     }
-    return { old, old, this->mark(vertex).isQueued() };
+    return { old, old, this->state(vertex).isQueued() };
   }
 
-  void set(const MarchedLabel& label, Index vertex, double value)
+  void set(const SourceFront& label, Index vertex, double value)
   {
-    if (this->mark(vertex).isQueued())
+    if (this->state(vertex).isQueued())
     {
       this->Field.lowerDistance(vertex, value + label.seedValue);
     }
     else
     {
       this->Field.setDistance(vertex, value + label.seedValue);
-      this->mark(vertex).queueFor(label.labelBits);
+      this->state(vertex).queueFor(label.labelBits);
       this->queue(label, label.group->best, vertex, value);
     }
   }
 
   /** @param item  a vertex, or what else stands for a value of the label */
-  void queue(const MarchedLabel& label, BucketQueue& into, Index item, double value)
+  void queue(const SourceFront& label, BucketQueue& into, Index item, double value)
   {
     into.push(item, value + label.seedValue - this->First);
   }
@@ -169,7 +169,7 @@ private:
   bool MayStop;
   bool HasExcluded;
   double First;
-  std::span<ValueMark> Marks;
+  std::span<VertexState> States;
   std::span<const double> Distances;
   std::span<const Vector3> Positions;
 };

@@ -20,7 +20,7 @@ struct FrontGroup
   /** Of values that are the best of their vertices. */
   BucketQueue best;
   /** Of others. */
-  BucketQueue further;
+  BucketQueue secondary;
 };
 
 /**
@@ -35,7 +35,7 @@ class FrontQueues
 {
 public:
   /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
-   * and the further it goes in vain. */
+   * and the secondary it goes in vain. */
   static constexpr std::uint64_t Slice = 20;
   /** So many items end a turn. */
   static constexpr std::size_t ItemsOfTurn = 1 << 15;
@@ -49,7 +49,7 @@ public:
     for (FrontGroup& group : this->Groups)
     {
       group.best.start(width, span);
-      group.further.start(width, span);
+      group.secondary.start(width, span);
     }
     this->startSlice(0);
   }
@@ -95,7 +95,7 @@ public:
   void goBackTo(FrontGroup& group, double key)
   {
     group.best.goBackTo(key);
-    group.further.goBackTo(key);
+    group.secondary.goBackTo(key);
     this->startSlice(std::min(this->SliceStart, this->bucketOf(key)));
   }
 
@@ -131,8 +131,8 @@ private:
           this->SliceEnd = this->Bucket + 1;
           break;
         }
-        // Best values first: what further ones are kept for depends on them.
-        for (BucketQueue* queue : { &group.best, &group.further })
+        // Best values first: what secondary ones are kept for depends on them.
+        for (BucketQueue* queue : { &group.best, &group.secondary })
         {
           if (queue->hasBefore(this->Bucket + 1))
           {
@@ -152,7 +152,7 @@ private:
     std::uint64_t next = None;
     for (const FrontGroup& group : this->Groups)
     {
-      for (const BucketQueue* queue : { &group.best, &group.further })
+      for (const BucketQueue* queue : { &group.best, &group.secondary })
       {
         next = queue->isEmpty() ? next : std::min(next, queue->nextBucket());
       }

@@ -11,7 +11,7 @@ constexpr double LabelMarginPerSpread = 2.5;
 
 /**
  * How much more than a vertex's best value a value of another label may be there to be kept, as far
- * as a triangle round the vertex asks for it; see LabelSets.
+ * as a triangle round the vertex asks for it; see SecondaryValues.
  *
  * Where a seed wins at a point of an edge, its value at the ends of the edge exceeds the best one
  * there by at most twice the edge's length. More is needed, as a value beside one that was dropped

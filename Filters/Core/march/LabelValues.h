@@ -2,7 +2,7 @@
 #define geodesic_LabelValues_h
 
 #include "march/FieldValues.h"
-#include "march/LabelSets.h"
+#include "march/SecondaryValues.h"
 #include "solve/MarchingFront.h"
 
 #include <algorithm>
@@ -16,16 +16,17 @@ namespace geodesic
 {
 
 /**
- * The values of several labels. The field holds a vertex's best value, LabelSets what else the
- * vertex keeps. In the queue are vertices for their best values, and behind their numbers those of
- * further values. When a further value becomes the best, the two change places; what the queue then
- * holds of either is passed over.
+ * The values of several labels. The field holds a vertex's best value, SecondaryValues what else
+ * the vertex keeps. In the queue are vertices for their best values, and behind their numbers those
+ * of secondary values. When a secondary value becomes the best, the two change places; what the
+ * queue then holds of either is passed over.
  */
 template <class Cost>
 class LabelValues : public FieldValues<Cost>
 {
 public:
-  LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels, LabelSets& sets)
+  LabelValues(
+    const MarchContext<Cost>& context, std::span<const Label> labels, SecondaryValues& sets)
     : FieldValues<Cost>(context, smallestOf(labels))
     , Labels(labels)
     , Sets(sets)
@@ -35,18 +36,18 @@ public:
     this->Fronts.reserve(labels.size());
     for (const Label& label : labels)
     {
-      const Index bits = ValueMark::bitsOf(static_cast<Index>(this->Fronts.size()));
+      const Index bits = VertexState::bitsOf(static_cast<Index>(this->Fronts.size()));
       this->Fronts.emplace_back(label, bits, context.cost.smallest());
     }
   }
 
-  static constexpr bool hasOthers = true;
+  static constexpr bool hasOtherLabels = true;
 
   /** The label of a number, which is to have a value at a vertex. Where that is first decides on
    * its group: what is near each other on the surface is so in memory too. */
-  const MarchedLabel& enter(Index number, Index vertex)
+  const SourceFront& enter(Index number, Index vertex)
   {
-    MarchedLabel& label = this->Fronts[number];
+    SourceFront& label = this->Fronts[number];
     if (label.group == nullptr)
     {
       FrontQueues& queues = this->context().queues;
@@ -56,38 +57,38 @@ public:
     return label;
   }
 
-  class Sight
+  class Reader
   {
   public:
-    Sight(const FieldSight& field, Index labelBits)
+    Reader(const FieldReader& field, Index labelBits)
       : Field(field)
       , LabelBits(labelBits)
     {
     }
     template <class Real>
-    GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+    GEODESIC_INLINED BestValues<Real> look(const Indices<Real>& vertices) const
     {
       constexpr unsigned all = (1u << lanes<Real>)-1;
-      const BitsOf<Real> marks = this->Field.template marks<Real>(vertices);
-      const BitsOf<Real> labels = marks & ValueMark::LabelBits;
+      const BitsOf<Real> states = this->Field.template states<Real>(vertices);
+      const BitsOf<Real> labels = states & VertexState::LabelBits;
       const unsigned areOwn = highestBits<Real>((labels == 0) | (labels == this->LabelBits));
       return { this->Field.template values<Real>(vertices), areOwn ^ all,
-        areOwn & highestBits<Real>(marks) };
+        areOwn & highestBits<Real>(states) };
     }
 
   private:
-    FieldSight Field;
+    FieldReader Field;
     Index LabelBits;
   };
-  Sight sight(const MarchedLabel& label) const
+  Reader reader(const SourceFront& label) const
   {
-    return { this->fieldSight(label), label.labelBits };
+    return { this->fieldReader(label), label.labelBits };
   }
 
   /** Has the processor fetch what others() reads of a vertex. */
   [[gnu::always_inline]] void prefetchOther(Index vertex) const
   {
-    this->Sets.prefetchSecond(vertex);
+    this->Sets.prefetchInPlace(vertex);
     this->context().cost.prefetchMargin(vertex);
   }
 
@@ -97,60 +98,61 @@ public:
    * @param best      their best values, less the one of the label's seed
    */
   template <class Real>
-  GEODESIC_INLINED KnownValues<Real> others(const Indices<Real>& vertices, unsigned areOther,
-    const MarchedLabel& label, const Real& best) const
+  GEODESIC_INLINED NeighbourValues<Real> others(const Indices<Real>& vertices, unsigned areOther,
+    const SourceFront& label, const Real& best) const
   {
-    const auto second = [&](int lane) -> const LabelSets::Further&
-    { return this->Sets.second(vertices[lane]); };
-    const BitsOf<Real> marks = bitsWith<Real>([&](int lane) { return second(lane).mark.bits(); });
-    const BitsTestOf<Real> areSecond = (marks & ValueMark::LabelBits) == label.labelBits;
+    const auto inPlace = [&](int lane) -> const SecondaryValues::SecondaryValue&
+    { return this->Sets.inPlace(vertices[lane]); };
+    const BitsOf<Real> states =
+      bitsWith<Real>([&](int lane) { return inPlace(lane).state.bits(); });
+    const BitsTestOf<Real> areInPlace = (states & VertexState::LabelBits) == label.labelBits;
     const BitsTestOf<Real> areLast =
-      bitsWith<Real>([&](int lane) { return second(lane).next(); }) == NoIndex;
-    const Real values =
-      select(widened<Real>(areSecond), lanesOf<Real>([&](int lane) { return second(lane).value; }),
-        Real() + DistanceField::Unreached);
+      bitsWith<Real>([&](int lane) { return inPlace(lane).next(); }) == NoIndex;
+    const Real values = select(widened<Real>(areInPlace),
+      lanesOf<Real>([&](int lane) { return inPlace(lane).value; }),
+      Real() + DistanceField::Unreached);
     const Real keptUpTo =
       best + lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
-    KnownValues<Real> known{ values, least(values, keptUpTo),
-      highestBits<Real>(areSecond) & highestBits<Real>(marks) };
-    unsigned inChain = areOther & ~highestBits<Real>(areSecond | areLast);
+    NeighbourValues<Real> known{ values, least(values, keptUpTo),
+      highestBits<Real>(areInPlace) & highestBits<Real>(states) };
+    unsigned inChain = areOther & ~highestBits<Real>(areInPlace | areLast);
     for (; inChain != 0; inChain &= inChain - 1)
     {
       const int lane = std::countr_zero(inChain);
-      const KnownValue further =
-        this->knownFurther(this->Sets.findInChain(vertices[lane], label.number()), keptUpTo[lane]);
-      known.values[lane] = further.value;
-      known.ceilings[lane] = further.ceiling;
-      known.areQueued |= static_cast<unsigned>(further.isQueued) << lane;
+      const NeighbourValue secondary = this->knownSecondary(
+        this->Sets.findInChain(vertices[lane], label.number()), keptUpTo[lane]);
+      known.values[lane] = secondary.value;
+      known.ceilings[lane] = secondary.ceiling;
+      known.areQueued |= static_cast<unsigned>(secondary.isQueued) << lane;
     }
     return known;
   }
 
-  KnownValue propose(const MarchedLabel& label, Index vertex, double value)
+  NeighbourValue propose(const SourceFront& label, Index vertex, double value)
   {
     value = label.leastOf.raised(value, this->position(vertex));
-    if (this->mark(vertex).isQueuedFor(label.labelBits))
+    if (this->state(vertex).isQueuedFor(label.labelBits))
     {
       return this->lower(label, vertex, value);
     }
-    if (this->mark(vertex).hasOtherLabel(label.labelBits)) [[unlikely]]
+    if (this->state(vertex).hasOtherLabel(label.labelBits)) [[unlikely]]
     {
-      return this->proposeFurther(label, vertex, value);
+      return this->proposeSecondary(label, vertex, value);
     }
     return this->offer(label, vertex, value);
   }
 
-  void start(const MarchedLabel& label, Index vertex, double value, bool isFinal)
+  void start(const SourceFront& label, Index vertex, double value, bool isFinal)
   {
-    if (!this->mark(vertex).hasOtherLabel(label.labelBits))
+    if (!this->state(vertex).hasOtherLabel(label.labelBits))
     {
       this->setBest(label, vertex, value);
-      this->mark(vertex).setPinned(isFinal);
+      this->state(vertex).setPinned(isFinal);
       return;
     }
     const Index number = this->Sets.findOrAdd(vertex, label.number());
-    this->Sets.further(number).mark.setPinned(isFinal);
-    this->setFurther(label, vertex, number, value);
+    this->Sets.secondary(number).state.setPinned(isFinal);
+    this->setSecondary(label, vertex, number, value);
   }
 
   Index vertexOf(Index taken) const
@@ -165,13 +167,13 @@ public:
   {
     const Index vertex = this->vertexOf(taken);
     this->context().mesh.prefetch(vertex);
-    __builtin_prefetch(&this->mark(vertex));
+    __builtin_prefetch(&this->state(vertex));
   }
 
-  TakenValue take(Index taken)
+  PoppedValue pop(Index taken)
   {
-    return taken < this->NumberOfVertices ? this->takeBest(taken)
-                                          : this->takeFurther(taken - this->NumberOfVertices);
+    return taken < this->NumberOfVertices ? this->popBest(taken)
+                                          : this->popSecondary(taken - this->NumberOfVertices);
   }
 
   /** The values that the vertex keeps, by label. */
@@ -181,15 +183,15 @@ public:
     {
       return;
     }
-    const MarchedLabel& best = this->labelOf(this->mark(vertex));
+    const SourceFront& best = this->labelOf(this->state(vertex));
     visit(best.number(), this->value(best, vertex));
-    this->Sets.visitFurther(vertex,
-      [&](const LabelSets::Further& further)
+    this->Sets.visitSecondary(vertex,
+      [&](const SecondaryValues::SecondaryValue& secondary)
       {
-        const MarchedLabel& label = this->labelOf(further.mark);
-        if (further.value <= this->keptUpTo(label, vertex))
+        const SourceFront& label = this->labelOf(secondary.state);
+        if (secondary.value <= this->keptUpTo(label, vertex))
         {
-          visit(label.number(), further.value);
+          visit(label.number(), secondary.value);
         }
       });
   }
@@ -200,68 +202,68 @@ public:
     DistanceField& field = this->context().field;
     for (Index vertex : field.reached())
     {
-      ValueMark& mark = this->mark(vertex);
-      field.setNearestSeed(vertex, this->Labels[mark.label()].seed);
-      if (this->Sets.hasFurther(vertex))
+      VertexState& state = this->state(vertex);
+      field.setNearestSeed(vertex, this->Labels[state.label()].seed);
+      if (this->Sets.hasSecondary(vertex))
       {
-        field.setNearestSeed(vertex, this->nearestOfFurther(vertex, field.nearestSeed(vertex)));
+        field.setNearestSeed(vertex, this->nearestOfSecondary(vertex, field.nearestSeed(vertex)));
         this->Sets.clear(vertex);
       }
-      mark = {};
+      state = {};
     }
     this->Sets.finish();
   }
 
 private:
-  const MarchedLabel& labelOf(const ValueMark& mark) const { return this->Fronts[mark.label()]; }
+  const SourceFront& labelOf(const VertexState& state) const { return this->Fronts[state.label()]; }
 
   /** The largest value of a label that a vertex keeps beside its best one. */
-  double keptUpTo(const MarchedLabel& label, Index vertex) const
+  double keptUpTo(const SourceFront& label, Index vertex) const
   {
     return this->value(label, vertex) + this->context().cost.margin(vertex);
   }
 
-  TakenValue takeBest(Index vertex)
+  PoppedValue popBest(Index vertex)
   {
-    ValueMark& mark = this->mark(vertex);
-    if (!mark.isQueued())
+    VertexState& state = this->state(vertex);
+    if (!state.isQueued())
     {
       return { NoIndex, nullptr, 0.0 };
     }
-    mark.setQueued(false);
-    const MarchedLabel& label = this->labelOf(mark);
+    state.setQueued(false);
+    const SourceFront& label = this->labelOf(state);
     return { vertex, &label, this->value(label, vertex) };
   }
 
-  TakenValue takeFurther(Index number)
+  PoppedValue popSecondary(Index number)
   {
-    LabelSets::Further& further = this->Sets.further(number);
-    if (!further.mark.isQueued())
+    SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
+    if (!secondary.state.isQueued())
     {
       return { NoIndex, nullptr, 0.0 };
     }
-    further.mark.setQueued(false);
-    const MarchedLabel& label = this->labelOf(further.mark);
+    secondary.state.setQueued(false);
+    const SourceFront& label = this->labelOf(secondary.state);
     const Index vertex = this->Sets.vertexOf(number);
-    const bool isKept = further.value <= this->keptUpTo(label, vertex);
-    return { isKept ? vertex : NoIndex, &label, further.value };
+    const bool isKept = secondary.value <= this->keptUpTo(label, vertex);
+    return { isKept ? vertex : NoIndex, &label, secondary.value };
   }
 
-  /** @param number  of a further value or NoIndex */
-  KnownValue knownFurther(Index number, double keptUpTo) const
+  /** @param number  of a secondary value or NoIndex */
+  NeighbourValue knownSecondary(Index number, double keptUpTo) const
   {
     if (number == NoIndex)
     {
       return { DistanceField::Unreached, keptUpTo, false };
     }
-    const LabelSets::Further& further = this->Sets.further(number);
-    return { further.value, std::min(further.value, keptUpTo), further.mark.isQueued() };
+    const SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
+    return { secondary.value, std::min(secondary.value, keptUpTo), secondary.state.isQueued() };
   }
 
-  KnownValue proposeFurther(const MarchedLabel& label, Index vertex, double value)
+  NeighbourValue proposeSecondary(const SourceFront& label, Index vertex, double value)
   {
     Index number = this->Sets.find(vertex, label.number());
-    const KnownValue known = this->knownFurther(number, this->keptUpTo(label, vertex));
+    const NeighbourValue known = this->knownSecondary(number, this->keptUpTo(label, vertex));
     if (!(value < this->ceiling(label, vertex, known.ceiling)) || this->isExcluded(vertex))
     {
       return known;
@@ -270,25 +272,25 @@ private:
     {
       number = this->Sets.add(vertex, label.number());
     }
-    else if (this->Sets.further(number).mark.isPinned())
+    else if (this->Sets.secondary(number).state.isPinned())
     {
       return known;
     }
-    this->setFurther(label, vertex, number, value);
+    this->setSecondary(label, vertex, number, value);
     return { value, value, true };
   }
 
   /** The smallest seed among those whose value equals the best one of a vertex, rounding aside.
    * @param seed  that of the best one */
-  Index nearestOfFurther(Index vertex, Index seed) const
+  Index nearestOfSecondary(Index vertex, Index seed) const
   {
     constexpr double rounding = 1.0 + 1e-10;
     const double most = this->context().field.distance(vertex) * rounding;
-    this->Sets.visitFurther(vertex,
-      [&](const LabelSets::Further& further)
+    this->Sets.visitSecondary(vertex,
+      [&](const SecondaryValues::SecondaryValue& secondary)
       {
-        const Label& label = this->Labels[further.mark.label()];
-        if (further.value + label.value <= most)
+        const Label& label = this->Labels[secondary.state.label()];
+        if (secondary.value + label.value <= most)
         {
           seed = std::min(seed, label.seed);
         }
@@ -296,51 +298,53 @@ private:
     return seed;
   }
 
-  void setBest(const MarchedLabel& label, Index vertex, double value)
+  void setBest(const SourceFront& label, Index vertex, double value)
   {
-    this->mark(vertex).setLabel(label.number());
+    this->state(vertex).setLabel(label.number());
     this->set(label, vertex, value);
   }
 
-  /** @param number  of the label's value among the further ones of the vertex */
-  void setFurther(const MarchedLabel& label, Index vertex, Index number, double value)
+  /** @param number  of the label's value among the secondary ones of the vertex */
+  void setSecondary(const SourceFront& label, Index vertex, Index number, double value)
   {
-    LabelSets::Further& further = this->Sets.further(number);
-    further.value = value;
+    SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
+    secondary.value = value;
     if (value < this->value(label, vertex))
     {
-      this->makeBest(label, vertex, number, further);
+      this->makeBest(label, vertex, number, secondary);
     }
     else
     {
-      this->queueFurther(label, number, further);
+      this->queueSecondary(label, number, secondary);
     }
   }
 
-  void queueFurther(const MarchedLabel& label, Index number, LabelSets::Further& further)
+  void queueSecondary(
+    const SourceFront& label, Index number, SecondaryValues::SecondaryValue& secondary)
   {
-    if (!further.mark.isQueued())
+    if (!secondary.state.isQueued())
     {
-      further.mark.setQueued(true);
-      this->queue(label, label.group->further, this->NumberOfVertices + number, further.value);
+      secondary.state.setQueued(true);
+      this->queue(label, label.group->secondary, this->NumberOfVertices + number, secondary.value);
     }
   }
 
-  /** A further value, of @p label, and the best one change places. */
-  void makeBest(const MarchedLabel& label, Index vertex, Index number, LabelSets::Further& further)
+  /** A secondary value, of @p label, and the best one change places. */
+  void makeBest(const SourceFront& label, Index vertex, Index number,
+    SecondaryValues::SecondaryValue& secondary)
   {
-    const double value = further.value;
-    ValueMark& mark = this->mark(vertex);
-    const MarchedLabel& before = this->labelOf(mark);
-    further.value = this->value(before, vertex);
-    std::swap(mark, further.mark);
+    const double value = secondary.value;
+    VertexState& state = this->state(vertex);
+    const SourceFront& before = this->labelOf(state);
+    secondary.value = this->value(before, vertex);
+    std::swap(state, secondary.state);
     // Wherever the queue has them, they go to it again under their new numbers.
-    if (further.mark.isQueued())
+    if (secondary.state.isQueued())
     {
-      further.mark.setQueued(false);
-      this->queueFurther(before, number, further);
+      secondary.state.setQueued(false);
+      this->queueSecondary(before, number, secondary);
     }
-    mark.setQueued(false);
+    state.setQueued(false);
     this->setBest(label, vertex, value);
   }
 
@@ -352,10 +356,10 @@ private:
   }
 
   std::span<const Label> Labels;
-  LabelSets& Sets;
+  SecondaryValues& Sets;
   Index NumberOfVertices;
   /** By the number of the label. */
-  std::vector<MarchedLabel> Fronts;
+  std::vector<SourceFront> Fronts;
 };
 
 }

@@ -20,47 +20,47 @@ public:
     this->Only.group = &context.queues.group(0);
   }
 
-  static constexpr bool hasOthers = false;
-  const MarchedLabel& label() const { return this->Only; }
-  const MarchedLabel& enter(Index, Index) const { return this->Only; }
+  static constexpr bool hasOtherLabels = false;
+  const SourceFront& label() const { return this->Only; }
+  const SourceFront& enter(Index, Index) const { return this->Only; }
 
-  class Sight
+  class Reader
   {
   public:
-    explicit Sight(const FieldSight& field)
+    explicit Reader(const FieldReader& field)
       : Field(field)
     {
     }
     template <class Real>
-    GEODESIC_INLINED SeenValues<Real> look(const Indices<Real>& vertices) const
+    GEODESIC_INLINED BestValues<Real> look(const Indices<Real>& vertices) const
     {
       return { this->Field.template values<Real>(vertices), 0,
-        highestBits<Real>(this->Field.template marks<Real>(vertices)) };
+        highestBits<Real>(this->Field.template states<Real>(vertices)) };
     }
 
   private:
-    FieldSight Field;
+    FieldReader Field;
   };
-  Sight sight(const MarchedLabel&) const { return Sight(this->fieldSight(this->Only)); }
+  Reader reader(const SourceFront&) const { return Reader(this->fieldReader(this->Only)); }
 
-  KnownValue propose(const MarchedLabel&, Index vertex, double value)
+  NeighbourValue propose(const SourceFront&, Index vertex, double value)
   {
     value = this->Only.leastOf.raised(value, this->position(vertex));
-    return this->mark(vertex).isQueuedFor(0) ? this->lower(this->Only, vertex, value)
-                                             : this->offer(this->Only, vertex, value);
+    return this->state(vertex).isQueuedFor(0) ? this->lower(this->Only, vertex, value)
+                                              : this->offer(this->Only, vertex, value);
   }
 
-  void start(const MarchedLabel&, Index vertex, double value, bool isFinal)
+  void start(const SourceFront&, Index vertex, double value, bool isFinal)
   {
     this->set(this->Only, vertex, value);
-    this->mark(vertex).setPinned(isFinal);
+    this->state(vertex).setPinned(isFinal);
   }
 
   Index vertexOf(Index taken) const { return taken; }
   [[gnu::always_inline]] void prefetch(Index taken) const { this->context().mesh.prefetch(taken); }
-  TakenValue take(Index vertex)
+  PoppedValue pop(Index vertex)
   {
-    this->mark(vertex).setQueued(false);
+    this->state(vertex).setQueued(false);
     return { vertex, &this->Only, this->value(this->Only, vertex) };
   }
 
@@ -76,11 +76,11 @@ public:
   void finish()
   {
     this->context().field.setNearestSeed(this->Seed);
-    this->context().field.fillReached(this->context().marks, ValueMark());
+    this->context().field.fillReached(this->context().states, VertexState());
   }
 
 private:
-  MarchedLabel Only;
+  SourceFront Only;
   Index Seed;
 };
 

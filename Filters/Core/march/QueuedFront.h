@@ -2,7 +2,7 @@
 #define geodesic_QueuedFront_h
 
 #include "march/FrontQueues.h"
-#include "march/MarchedLabel.h"
+#include "march/SourceFront.h"
 #include "solve/DistanceField.h"
 #include "solve/MarchControl.h"
 #include "solve/MarchingFront.h"
@@ -49,9 +49,9 @@ public:
 
   void lower(Index vertex, Index label, double value) override
   {
-    const MarchedLabel& marched = this->FrontValues.enter(label, vertex);
-    this->Queues.goBackTo(*marched.group, marched.distance(value) - this->FirstDistance);
-    this->FrontValues.propose(marched, vertex, value);
+    const SourceFront& front = this->FrontValues.enter(label, vertex);
+    this->Queues.goBackTo(*front.group, front.distance(value) - this->FirstDistance);
+    this->FrontValues.propose(front, vertex, value);
   }
 
 private:

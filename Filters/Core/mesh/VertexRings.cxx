@@ -1,7 +1,7 @@
 #include "mesh/VertexRings.h"
 
-#include "mesh/FanChainer.h"
-#include "mesh/TriangleMeasure.h"
+#include "march/TriangleMeasure.h"
+#include "mesh/RingBuilder.h"
 
 #include <algorithm>
 #include <bit>
@@ -246,8 +246,8 @@ private:
   TriangleMeasurer Measures;
   Index NextVertex;
   std::size_t NextStart;
-  ClosedFanChainer ClosedFan;
-  FanChainer AnyFans;
+  ClosedRingBuilder ClosedFan;
+  RingBuilder AnyFans;
   std::vector<OppositeSide> Sides;
   std::vector<RingEntry> Fans;
   std::vector<Ring> Others;

@@ -35,19 +35,19 @@ struct Trial
 /** Calls @p visit with each open vertex that a path along edges goes to from a point, or comes
  * from. */
 template <class Visitor>
-void visitEdgeEnds(const Terrain& terrain, const PathPoint& point, Visitor&& visit)
+void visitEdgeEnds(const WeightedMesh& weighted, const PathPoint& point, Visitor&& visit)
 {
   if (isVertex(point))
   {
     visit(point.carriers()[0]);
     return;
   }
-  visitFaces(terrain, point,
+  visitFaces(weighted, point,
     [&](const Triangle& face)
     {
       for (Index corner : face)
       {
-        if (!terrain.isExcluded(corner))
+        if (!weighted.isExcluded(corner))
         {
           visit(corner);
         }
@@ -57,16 +57,16 @@ void visitEdgeEnds(const Terrain& terrain, const PathPoint& point, Visitor&& vis
 
 }
 
-std::optional<SurfacePath> shorterEdgePath(const Terrain& terrain, const DistanceField& field,
+std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const DistanceField& field,
   const PathPoint& from, const PathPoint& to, double length)
 {
-  const TriangleMesh& mesh = terrain.mesh();
+  const TriangleMesh& mesh = weighted.mesh();
   const Vector3 start = to.position(mesh);
   const Vector3 end = from.position(mesh);
   // Where the path along edges leaves the mesh's vertices for `from`.
   std::unordered_map<Index, double> lastSteps;
   visitEdgeEnds(
-    terrain, from, [&](Index vertex) { lastSteps[vertex] = norm(mesh.position(vertex) - end); });
+    weighted, from, [&](Index vertex) { lastSteps[vertex] = norm(mesh.position(vertex) - end); });
 
   double best = length * (1.0 - LeastGain);
   Index last = NoIndex;
@@ -82,7 +82,7 @@ std::optional<SurfacePath> shorterEdgePath(const Terrain& terrain, const Distanc
       queue.push({ way + left, way, vertex });
     }
   };
-  visitEdgeEnds(terrain, to,
+  visitEdgeEnds(weighted, to,
     [&](Index vertex) { propose(vertex, norm(mesh.position(vertex) - start), NoIndex); });
   while (!queue.empty() && queue.top().bound < best)
   {
@@ -98,11 +98,11 @@ std::optional<SurfacePath> shorterEdgePath(const Terrain& terrain, const Distanc
       best = trial.length + lastStep->second;
       last = trial.vertex;
     }
-    const std::span<const RingEntry> ring = terrain.ring(trial.vertex);
+    const std::span<const RingEntry> ring = weighted.ring(trial.vertex);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index neighbour = ring[i].neighbour();
-      if (terrain.isOpenEdge(trial.vertex, i) && !terrain.isExcluded(neighbour))
+      if (weighted.isOpenEdge(trial.vertex, i) && !weighted.isExcluded(neighbour))
       {
         propose(neighbour,
           trial.length + norm(mesh.position(neighbour) - mesh.position(trial.vertex)),

@@ -2,7 +2,7 @@
 #define geodesic_EdgePathSearch_h
 
 #include "path/PathPoint.h"
-#include "path/Terrain.h"
+#include "path/WeightedMesh.h"
 #include "solve/DistanceField.h"
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace geodesic
  * vertices that a shorter path can pass: few, since edges rarely run along the shortest way.
  * @param field fast marching distances from @p from, final up to its largest distance
  */
-std::optional<SurfacePath> shorterEdgePath(const Terrain& terrain, const DistanceField& field,
+std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const DistanceField& field,
   const PathPoint& from, const PathPoint& to, double length);
 
 }

@@ -2,7 +2,7 @@
 
 #include "path/EdgePathSearch.h"
 #include "path/PathStraightener.h"
-#include "solve/DistanceSource.h"
+#include "solve/DistanceSolver.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -41,7 +41,7 @@ private:
 
 }
 
-PathFinder::PathFinder(DistanceSource& solver, std::span<const SurfacePoint> seeds,
+PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
   const SolveOptions& options, const PathStyle& style)
   : Solver(solver)
   , Options(options)
@@ -235,7 +235,7 @@ Carriers PathFinder::cornersOffThePath(const SurfacePath& path, const PathPoint&
   return corners;
 }
 
-std::optional<SurfacePath> shortestPath(DistanceSource& solver, const SurfacePoint& from,
+std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
   const SurfacePoint& to, const SolveOptions& options, const PathStyle& style)
 {
   PathFinder finder(solver, { &from, 1 }, options, style);

@@ -12,7 +12,7 @@
 namespace geodesic
 {
 
-class DistanceSource;
+class DistanceSolver;
 
 /** How a path is made from a field of distances. */
 struct PathStyle
@@ -38,13 +38,13 @@ public:
    * @throws std::invalid_argument where paths of varying cost, or of PathOrder::Vertices, are to be
    * straightened
    */
-  PathFinder(DistanceSource& solver, std::span<const SurfacePoint> seeds,
+  PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
     const SolveOptions& options, const PathStyle& style);
 
   /**
    * Marches as far as paths from these points need.
    * @return false when cancelled
-   * @throws as DistanceSolver::solve
+   * @throws as FrontSolver::solve
    */
   bool march(std::span<const SurfacePoint> points);
 
@@ -84,9 +84,9 @@ private:
    */
   bool addTargetsAlong(const SurfacePath& path);
 
-  DistanceSource& Solver;
+  DistanceSolver& Solver;
   SolveOptions Options;
-  Terrain Surface;
+  WeightedMesh Surface;
   PathStyle Style;
   std::vector<Seed> Seeds;
   std::vector<PathPoint> Ends;
@@ -99,7 +99,7 @@ private:
  * @return none where there is no way, or the march was cancelled
  * @throws as PathFinder
  */
-std::optional<SurfacePath> shortestPath(DistanceSource& solver, const SurfacePoint& from,
+std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,
   const SurfacePoint& to, const SolveOptions& options, const PathStyle& style);
 
 }

@@ -3,7 +3,7 @@
 
 #include "path/PathPoint.h"
 #include "path/StripFunnel.h"
-#include "path/Terrain.h"
+#include "path/WeightedMesh.h"
 
 #include <optional>
 #include <vector>
@@ -26,10 +26,10 @@ namespace geodesic
 class PathStraightener
 {
 public:
-  /** @param terrain its costs play no part: on a surface of varying cost shortest is not straight
+  /** @param weighted its costs play no part: on a surface of varying cost shortest is not straight
    */
-  explicit PathStraightener(const Terrain& terrain)
-    : Surface(terrain)
+  explicit PathStraightener(const WeightedMesh& weighted)
+    : Surface(weighted)
   {
   }
 
@@ -43,7 +43,7 @@ private:
   std::optional<std::vector<StraightPiece>> ledRound(
     const StraightPiece& piece, const StraightPiece& next) const;
 
-  const Terrain& Surface;
+  const WeightedMesh& Surface;
 };
 
 }

@@ -14,7 +14,7 @@ namespace
 /** Fractions of an edge nearer to its end than this are the end. */
 constexpr double VertexFraction = 1e-9;
 
-double costAt(const Terrain& surface, const PathPoint& point)
+double costAt(const WeightedMesh& surface, const PathPoint& point)
 {
   double cost = 0.0;
   for (int i = 0; i < 3; ++i)

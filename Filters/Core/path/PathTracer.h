@@ -2,7 +2,7 @@
 #define geodesic_PathTracer_h
 
 #include "path/PathPoint.h"
-#include "path/Terrain.h"
+#include "path/WeightedMesh.h"
 #include "solve/DistanceField.h"
 
 #include <optional>
@@ -37,8 +37,9 @@ public:
    * @param field with a distance at every vertex on the way
    * @param seeds the points it was measured from, by the numbers of DistanceField::nearestSeed
    */
-  PathTracer(const Terrain& terrain, const DistanceField& field, std::span<const PathPoint> seeds)
-    : Surface(terrain)
+  PathTracer(
+    const WeightedMesh& weighted, const DistanceField& field, std::span<const PathPoint> seeds)
+    : Surface(weighted)
     , Field(field)
     , Seeds(seeds)
   {
@@ -89,7 +90,7 @@ private:
   void tryVertex(
     const PathPoint& point, Index vertex, double cost, std::optional<Step>& best) const;
 
-  const Terrain& Surface;
+  const WeightedMesh& Surface;
   const DistanceField& Field;
   std::span<const PathPoint> Seeds;
   /** The number of the seed that the path is to end at; NoIndex: any. */

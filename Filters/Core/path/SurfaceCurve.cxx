@@ -1,7 +1,7 @@
 #include "path/SurfaceCurve.h"
 
 #include "path/PathFinder.h"
-#include "solve/DistanceSource.h"
+#include "solve/DistanceSolver.h"
 
 #include <stdexcept>
 
@@ -9,7 +9,7 @@ namespace geodesic
 {
 
 SurfacePath joinedCurve(
-  DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name)
+  DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name)
 {
   const TriangleMesh& mesh = solver.mesh();
   SurfacePath curve{ PathPoint::at(mesh, points[0]) };

@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-class DistanceSource;
+class DistanceSolver;
 
 /**
  * The curve on the surface through some points: where consecutive ones share a face the straight
@@ -19,7 +19,7 @@ class DistanceSource;
  * @throws std::invalid_argument where no way over the surface joins two consecutive points
  */
 SurfacePath joinedCurve(
-  DistanceSource& solver, std::span<const SurfacePoint> points, const std::string& name);
+  DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name);
 
 /** Throws what joinedCurve does where no way leads to point @p i of a curve. */
 [[noreturn]] void throwUnjoined(const std::string& name, std::size_t i);

@@ -14,11 +14,11 @@ constexpr double LeastTurn = 1e-7;
 
 }
 
-VertexLink::VertexLink(const Terrain& terrain, Index vertex)
-  : Surface(terrain)
+VertexLink::VertexLink(const WeightedMesh& weighted, Index vertex)
+  : Surface(weighted)
   , Vertex(vertex)
 {
-  const std::span<const RingEntry> ring = terrain.ring(vertex);
+  const std::span<const RingEntry> ring = weighted.ring(vertex);
   this->Nodes.reserve(ring.size());
   for (const RingEntry& entry : ring)
   {
@@ -29,12 +29,12 @@ VertexLink::VertexLink(const Terrain& terrain, Index vertex)
   this->Arcs.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    if (terrain.isCrossable(vertex, i))
+    if (weighted.isCrossable(vertex, i))
     {
       const Index a = ring[i].neighbour();
       const Index b = ring[i + 1].neighbour();
       this->Arcs.push_back({ this->nodeOf(a), this->nodeOf(b),
-        this->angleBetween(terrain.mesh().position(a), terrain.mesh().position(b)) });
+        this->angleBetween(weighted.mesh().position(a), weighted.mesh().position(b)) });
     }
   }
 }

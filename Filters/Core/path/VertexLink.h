@@ -2,7 +2,7 @@
 #define geodesic_VertexLink_h
 
 #include "path/StripFunnel.h"
-#include "path/Terrain.h"
+#include "path/WeightedMesh.h"
 
 #include <optional>
 #include <vector>
@@ -18,7 +18,7 @@ namespace geodesic
 class VertexLink
 {
 public:
-  VertexLink(const Terrain& terrain, Index vertex);
+  VertexLink(const WeightedMesh& weighted, Index vertex);
 
   /**
    * A path comes to the vertex from @p from and leaves it to @p to.
@@ -47,7 +47,7 @@ private:
   std::optional<Direction> directionTo(const PathPoint& point) const;
   double angleBetween(const Vector3& a, const Vector3& b) const;
 
-  const Terrain& Surface;
+  const WeightedMesh& Surface;
   Index Vertex;
   std::vector<Index> Nodes;
   std::vector<Arc> Arcs;

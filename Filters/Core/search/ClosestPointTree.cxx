@@ -1,7 +1,7 @@
 #include "search/ClosestPointTree.h"
 
 #include "mesh/TriangleMesh.h"
-#include "search/RunCuts.h"
+#include "search/BvhSplit.h"
 #include "search/SearchedTriangle.h"
 #include "search/ShearedRay.h"
 
@@ -23,12 +23,12 @@ public:
   }
 
   /** Adds a node, and all below it, for the triangles from @p first to before @p last. */
-  RunBounds addNode(Index first, Index last)
+  BvhBounds addNode(Index first, Index last)
   {
     const std::size_t number = this->Tree.Nodes.size();
     this->Tree.Nodes.emplace_back();
     const Parts parts = this->partsOf(first, last);
-    std::array<RunBounds, FourRunBounds::Runs> bounds;
+    std::array<BvhBounds, FourBvhBounds::Runs> bounds;
     for (std::size_t i = 0; i < parts.count; ++i)
     {
       const Index begin = parts.begins[i];
@@ -47,7 +47,7 @@ public:
       node.runs[i] = run;
       node.bounds.set(i, bounds[i]);
     }
-    return RunBounds::ofRuns({ bounds.data(), parts.count });
+    return BvhBounds::ofRuns({ bounds.data(), parts.count });
   }
 
 private:
@@ -57,7 +57,7 @@ private:
   {
     std::size_t count;
     /** Of each part, and the end of the last one. */
-    std::array<Index, FourRunBounds::Runs + 1> begins;
+    std::array<Index, FourBvhBounds::Runs + 1> begins;
   };
 
   /** Cuts the largest part again and again. */
@@ -65,7 +65,7 @@ private:
   {
     Parts parts{ 1, { first, last } };
     auto& [count, begins] = parts;
-    while (count < FourRunBounds::Runs)
+    while (count < FourBvhBounds::Runs)
     {
       std::size_t largest = 0;
       for (std::size_t i = 1; i < count; ++i)
@@ -84,7 +84,7 @@ private:
     return parts;
   }
 
-  RunBounds boundsOf(Index first, Index last) const
+  BvhBounds boundsOf(Index first, Index last) const
   {
     std::array<Vector3, std::size_t{ 3 } * TrianglesPerLeaf> corners;
     std::size_t count = 0;
@@ -95,11 +95,11 @@ private:
         corners[count++] = corner - this->Tree.Origin;
       }
     }
-    return RunBounds::ofTriangles({ corners.data(), count });
+    return BvhBounds::ofTriangles({ corners.data(), count });
   }
 
   ClosestPointTree& Tree;
-  RunCuts Cuts;
+  BvhSplit Cuts;
 };
 
 ClosestPointTree::ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh)
@@ -187,7 +187,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     const Node& node = this->Nodes[first];
     const auto [least, toCentre] = node.bounds.squaredDistances(fromOrigin);
     const std::size_t start = pending.size();
-    for (std::size_t i = 0; i < FourRunBounds::Runs && node.runs[i].first != NoIndex; ++i)
+    for (std::size_t i = 0; i < FourBvhBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
       if (least[i] < best.squaredDistance)
       {
@@ -254,7 +254,7 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
     // Nearest child last, so that it is looked at first.
     const Node& node = this->Nodes[first];
     const std::size_t start = pending.size();
-    for (std::size_t i = 0; i < FourRunBounds::Runs && node.runs[i].first != NoIndex; ++i)
+    for (std::size_t i = 0; i < FourBvhBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
       const double entry = toBoxes.entry(node.bounds.low(i), node.bounds.high(i));
       if (entry <= best.along && entry < std::numeric_limits<double>::infinity())

@@ -3,7 +3,7 @@
 
 #include "base/Vector3.h"
 #include "mesh/SurfacePoint.h"
-#include "search/RunBounds.h"
+#include "search/BvhBounds.h"
 
 #include <array>
 #include <memory>
@@ -21,8 +21,8 @@ class TriangleMesh;
  *
  * The triangles of a TriangleMesh already follow a space filling curve, so consecutive ones lie
  * together: a hierarchy of bounds over runs of them needs no sorting. A run is cut where the curve
- * jumps farthest (see RunCuts), so that its parts lie in one place each, and is bounded by a box
- * and by a flat cylinder (see RunBounds): boxes alone would tell little wherever the surface is
+ * jumps farthest (see BvhSplit), so that its parts lie in one place each, and is bounded by a box
+ * and by a flat cylinder (see BvhBounds): boxes alone would tell little wherever the surface is
  * smooth and much of it is nearly as near as its nearest point. Holds about 20 bytes a triangle.
  */
 class ClosestPointTree
@@ -68,8 +68,8 @@ private:
   /** The parts that a run is cut into; missing ones come last and have no first. */
   struct Node
   {
-    FourRunBounds bounds;
-    std::array<Run, FourRunBounds::Runs> runs;
+    FourBvhBounds bounds;
+    std::array<Run, FourBvhBounds::Runs> runs;
   };
 
   std::array<Vector3, 3> cornersOf(Index triangle) const;

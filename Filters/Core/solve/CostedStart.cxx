@@ -1,7 +1,7 @@
 #include "solve/CostedStart.h"
 
 #include "mesh/TriangleMesh.h"
-#include "solve/DistanceSolver.h"
+#include "solve/FrontSolver.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ bool isConstant(
 /** The starts of the label, and the vertices of its disc, with lengths as values. */
 std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const Label& source,
   std::span<const FrontStart> starts, const SolveOptions& options, Partition& partition,
-  DistanceSolver& unitSolver)
+  FrontSolver& unitSolver)
 {
   SolveOptions near;
   near.excluded = options.excluded;
@@ -180,7 +180,7 @@ std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
 }
 
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, Partition& partition, DistanceSolver& unitSolver)
+  const SolveOptions& options, Partition& partition, FrontSolver& unitSolver)
 {
   std::vector<StartValue> values;
   // The starts of a label stand together.

@@ -11,7 +11,7 @@
 namespace geodesic
 {
 
-class DistanceSolver;
+class FrontSolver;
 class Partition;
 class TriangleMesh;
 
@@ -32,7 +32,7 @@ std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
  * @param unitSolver any solver on the mesh; its field is overwritten
  */
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, Partition& partition, DistanceSolver& unitSolver);
+  const SolveOptions& options, Partition& partition, FrontSolver& unitSolver);
 
 /** The cost at the origin of a round label, which may be on another piece. Collective. */
 double costAtOrigin(

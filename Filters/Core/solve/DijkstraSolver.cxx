@@ -1,7 +1,7 @@
 #include "solve/DijkstraSolver.h"
 
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/CostedStart.h"
 #include "solve/MarchControl.h"
 #include "solve/Partition.h"
@@ -26,7 +26,7 @@ bool isAfter(const EdgeTrial& a, const EdgeTrial& b)
 class EdgeFront final : public MarchingFront
 {
 public:
-  EdgeFront(const TriangleMesh& mesh, const ClosedFans& closed, const SolveOptions& options,
+  EdgeFront(const TriangleMesh& mesh, const ClosedTriangles& closed, const SolveOptions& options,
     const StopLimit& limit, MarchControl& control, DistanceField& field,
     std::vector<EdgeTrial>& heap)
     : Mesh(mesh)
@@ -121,7 +121,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  const ClosedFans& Closed;
+  const ClosedTriangles& Closed;
   const SolveOptions& Options;
   const StopLimit& Limit;
   MarchControl& Control;
@@ -132,7 +132,7 @@ private:
 }
 
 DijkstraSolver::DijkstraSolver(std::shared_ptr<const TriangleMesh> mesh)
-  : DistanceSolver(std::move(mesh))
+  : FrontSolver(std::move(mesh))
 {
 }
 

@@ -1,7 +1,7 @@
 #ifndef geodesic_DijkstraSolver_h
 #define geodesic_DijkstraSolver_h
 
-#include "solve/DistanceSolver.h"
+#include "solve/FrontSolver.h"
 #include "solve/StartValue.h"
 
 #include <memory>
@@ -26,7 +26,7 @@ struct EdgeTrial
  *
  * Time O(n log n), memory 16 bytes for each vertex of the front.
  */
-class DijkstraSolver : public DistanceSolver
+class DijkstraSolver : public FrontSolver
 {
 public:
   explicit DijkstraSolver(std::shared_ptr<const TriangleMesh> mesh);

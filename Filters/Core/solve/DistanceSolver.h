@@ -1,66 +1,32 @@
 #ifndef geodesic_DistanceSolver_h
 #define geodesic_DistanceSolver_h
 
-#include "solve/DistanceSource.h"
-#include "solve/SeedFront.h"
+#include "solve/DistanceField.h"
+#include "solve/Seed.h"
+#include "solve/SolveOptions.h"
 
-#include <memory>
 #include <span>
 
 namespace geodesic
 {
 
-class ClosedFans;
-class Partition;
-class StopLimit;
 class TriangleMesh;
 
-/**
- * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a
- * second run on it allocates nothing and touches only what its front reaches.
- */
-class DistanceSolver : public DistanceSource
+/** What gives distances from seeds to the vertices of a mesh. */
+class DistanceSolver
 {
 public:
-  DistanceSolver(const DistanceSolver&) = delete;
-  DistanceSolver& operator=(const DistanceSolver&) = delete;
+  virtual ~DistanceSolver() = default;
 
-  const TriangleMesh& mesh() const final { return *this->Mesh; }
-
-  /**
-   * See DistanceSource.
-   * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
-   * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
-   * @throws std::runtime_error where fast marching does not settle (see MarchControl). After any
-   *         exception from within a run the solver's workspace is undefined: make a new solver.
-   */
-  const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {}) final;
-
-protected:
-  explicit DistanceSolver(std::shared_ptr<const TriangleMesh> mesh);
-
-  /** What a run is asked for, checked. */
-  struct Request
-  {
-    const SeedFront& front;
-    const ClosedFans& closed;
-    const SolveOptions& options;
-    Partition& partition;
-    /** On all pieces of the surface alike, also on one without vertices. */
-    bool hasCost;
-  };
+  virtual const TriangleMesh& mesh() const = 0;
 
   /**
-   * Lowers the field until it is final up to the limit.
-   * @return false when cancelled
+   * @param seeds   at least one
+   * @param options see there; what its spans refer to must live as long as the call
+   * @return the field, which the next call overwrites. A target that can't be reached, or a
+   * cancelled run, is no error: see DistanceField::stopReason.
    */
-  virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;
-
-  const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Mesh; }
-
-private:
-  std::shared_ptr<const TriangleMesh> Mesh;
-  DistanceField Field;
+  virtual const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options) = 0;
 };
 
 }

@@ -2,7 +2,7 @@
 
 #include "base/NumberText.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 #include "solve/SeedFront.h"
 
@@ -65,7 +65,7 @@ void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& 
 
 /** The vertices that carry seeds and have a triangle which is not closed, on any piece. */
 std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
-  const ClosedFans& closed, Partition& partition)
+  const ClosedTriangles& closed, Partition& partition)
 {
   std::set<Index> open;
   visitPoints(mesh, seeds,
@@ -148,7 +148,7 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
 }
 
 void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
-  const SolveOptions& options, const ClosedFans& closed, Partition& partition)
+  const SolveOptions& options, const ClosedTriangles& closed, Partition& partition)
 {
   if (!partition.isDivided() && options.excluded.empty() && options.closedTriangles.empty())
   {

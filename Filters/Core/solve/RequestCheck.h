@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-class ClosedFans;
+class ClosedTriangles;
 class Partition;
 class TriangleMesh;
 
@@ -23,7 +23,7 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
  * point that is excluded, or on an edge between excluded vertices, or inside a closed triangle
  */
 void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
-  const SolveOptions& options, const ClosedFans& closed, Partition& partition);
+  const SolveOptions& options, const ClosedTriangles& closed, Partition& partition);
 
 }
 

@@ -2,7 +2,7 @@
 
 #include "base/NumberText.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ void sortUnique(std::vector<Index>& vertices)
 /** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
  */
 std::vector<Index> cornersRound(
-  const TriangleMesh& mesh, const ClosedFans& closed, const std::vector<Index>& carriers)
+  const TriangleMesh& mesh, const ClosedTriangles& closed, const std::vector<Index>& carriers)
 {
   std::vector<Index> corners;
   const Index centre = carriers[0];
@@ -108,7 +108,7 @@ class FrontBuilder
 {
 public:
   FrontBuilder(
-    const TriangleMesh& mesh, const ClosedFans& closed, Partition& partition, SeedFront& front)
+    const TriangleMesh& mesh, const ClosedTriangles& closed, Partition& partition, SeedFront& front)
     : Mesh(mesh)
     , Closed(closed)
     , Pieces(partition)
@@ -417,7 +417,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  const ClosedFans& Closed;
+  const ClosedTriangles& Closed;
   Partition& Pieces;
   SeedFront& Front;
   Index Number = 0;
@@ -448,8 +448,8 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
   }
 }
 
-SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds,
-  Partition& partition)
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
+  std::span<const Seed> seeds, Partition& partition)
 {
   SeedFront front;
   FrontBuilder builder(mesh, closed, partition, front);

@@ -11,7 +11,7 @@
 namespace geodesic
 {
 
-class ClosedFans;
+class ClosedTriangles;
 class Partition;
 class TriangleMesh;
 
@@ -73,8 +73,8 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
  * @throws std::invalid_argument for a curve with a segment that is neither in one face nor along
  * one edge
  */
-SeedFront seedFront(const TriangleMesh& mesh, const ClosedFans& closed, std::span<const Seed> seeds,
-  Partition& partition);
+SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
+  std::span<const Seed> seeds, Partition& partition);
 
 /** The vertices whose weights carry the point: a vertex, the ends of an edge, a face's corners. */
 std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point);

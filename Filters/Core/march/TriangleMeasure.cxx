@@ -1,4 +1,4 @@
-#include "mesh/TriangleMeasure.h"
+#include "march/TriangleMeasure.h"
 
 #include "base/Lanes.h"
 #include "march/LabelMargin.h"

@@ -1,5 +1,5 @@
-#ifndef geodesic_ClosedFans_h
-#define geodesic_ClosedFans_h
+#ifndef geodesic_ClosedTriangles_h
+#define geodesic_ClosedTriangles_h
 
 #include "mesh/TriangleMesh.h"
 
@@ -12,12 +12,12 @@ namespace geodesic
 
 /** Which triangles of the rings a front may not cross. Their vertices and border edges stay open.
  */
-class ClosedFans
+class ClosedTriangles
 {
 public:
   /** @param closed one flag a triangle, or none. Time O(n) if there is one, memory 7 bytes a
    * vertex. */
-  ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
+  ClosedTriangles(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
 
   /** Whether every triangle may be crossed. */
   bool isEmpty() const { return this->Closed.empty(); }

@@ -1,6 +1,6 @@
-// What rings are stored and worked on in: entries, masks of windows, lists of their bits.
+// What rings are stored and worked on in: entries, masks of batch, lists of their bits.
 
-#include "march/RingWays.h"
+#include "march/CandidateLists.h"
 #include "mesh/VertexRings.h"
 
 #include <gtest/gtest.h>
@@ -15,29 +15,29 @@ using namespace geodesic;
 namespace
 {
 
-using Mask = WindowMasks::Mask;
+using Mask = BatchMasks::Mask;
 
-constexpr std::size_t AllSlots = WindowMasks::Most * WindowMasks::Size;
+constexpr std::size_t AllSlots = BatchMasks::Most * BatchMasks::Size;
 
 /** Masks in which each bit is set with a probability. */
-WindowMasks randomMasks(double probability, std::mt19937& random)
+BatchMasks randomMasks(double probability, std::mt19937& random)
 {
   std::bernoulli_distribution isSet(probability);
-  WindowMasks masks;
+  BatchMasks masks;
   for (std::size_t slot = 0; slot < AllSlots; ++slot)
   {
-    masks[slot / WindowMasks::Size] |=
-      static_cast<Mask>(static_cast<unsigned>(isSet(random)) << slot % WindowMasks::Size);
+    masks[slot / BatchMasks::Size] |=
+      static_cast<Mask>(static_cast<unsigned>(isSet(random)) << slot % BatchMasks::Size);
   }
   return masks;
 }
 
-std::vector<Slot> slotsOf(const WindowMasks& masks)
+std::vector<Slot> slotsOf(const BatchMasks& masks)
 {
   std::vector<Slot> slots;
   for (std::size_t slot = 0; slot < AllSlots; ++slot)
   {
-    if (masks[slot / WindowMasks::Size] >> slot % WindowMasks::Size & 1)
+    if (masks[slot / BatchMasks::Size] >> slot % BatchMasks::Size & 1)
     {
       slots.push_back(static_cast<Slot>(slot));
     }
@@ -85,29 +85,28 @@ TEST(RingEntry, RoundsSlackDown)
   EXPECT_EQ(RingEntry(3, 0.0f, false).slack(), 0.0f);
 }
 
-TEST(WindowMasks, AreSeenOneByOneAndTogether)
+TEST(BatchMasks, AreSeenOneByOneAndTogether)
 {
   std::mt19937 random(2);
-  const WindowMasks a = randomMasks(0.3, random);
-  const WindowMasks b = randomMasks(0.3, random);
-  WindowMasks both;
+  const BatchMasks a = randomMasks(0.3, random);
+  const BatchMasks b = randomMasks(0.3, random);
+  BatchMasks both;
   both.set(a.all() & b.all());
-  for (std::size_t window = 0; window < WindowMasks::Most; ++window)
+  for (std::size_t row = 0; row < BatchMasks::Most; ++row)
   {
-    ASSERT_EQ(both[window], a[window] & b[window]);
-    const WindowMasks::Some some =
-      a.some(window / WindowMasks::SizeOfSome * WindowMasks::SizeOfSome);
-    ASSERT_EQ(some >> (window % WindowMasks::SizeOfSome * WindowMasks::Size) & 0xffffu, a[window]);
+    ASSERT_EQ(both[row], a[row] & b[row]);
+    const BatchMasks::Some some = a.some(row / BatchMasks::SizeOfSome * BatchMasks::SizeOfSome);
+    ASSERT_EQ(some >> (row % BatchMasks::SizeOfSome * BatchMasks::Size) & 0xffffu, a[row]);
   }
 }
 
-TEST(WindowMasks, HaveAnyBit)
+TEST(BatchMasks, HaveAnyBit)
 {
-  EXPECT_FALSE(WindowMasks().hasAny());
+  EXPECT_FALSE(BatchMasks().hasAny());
   for (std::size_t slot = 0; slot < AllSlots; ++slot)
   {
-    WindowMasks masks;
-    masks[slot / WindowMasks::Size] = static_cast<Mask>(1u << slot % WindowMasks::Size);
+    BatchMasks masks;
+    masks[slot / BatchMasks::Size] = static_cast<Mask>(1u << slot % BatchMasks::Size);
     ASSERT_TRUE(masks.hasAny()) << slot;
   }
 }
@@ -120,12 +119,12 @@ TEST(BitList, TakesOnEveryBitInOrder)
   {
     for (int i = 0; i < 20; ++i)
     {
-      const WindowMasks masks = randomMasks(probability, random);
+      const BatchMasks masks = randomMasks(probability, random);
       BitList<Slot, AllSlots, 8> list;
-      for (std::size_t first = 0; first < WindowMasks::Most; first += WindowMasks::SizeOfSome)
+      for (std::size_t first = 0; first < BatchMasks::Most; first += BatchMasks::SizeOfSome)
       {
         list.add(masks.some(first),
-          [&](std::size_t bit) { return static_cast<Slot>(first * WindowMasks::Size + bit); });
+          [&](std::size_t bit) { return static_cast<Slot>(first * BatchMasks::Size + bit); });
       }
       std::vector<Slot> found;
       for (std::size_t k = 0; k < list.size(); ++k)
@@ -137,15 +136,15 @@ TEST(BitList, TakesOnEveryBitInOrder)
   }
 }
 
-TEST(WayOver, LeadsToTheNextSlot)
+TEST(EdgeCrossing, LeadsToTheNextSlot)
 {
-  for (std::size_t slot = 0; slot + 1 < RingWindows::Slots; ++slot)
+  for (std::size_t slot = 0; slot + 1 < UpdateBatch::Slots; ++slot)
   {
-    const WayOver back = WayOver(1, 0).later(slot);
-    ASSERT_EQ(back.over(), slot + 1);
+    const EdgeCrossing back = EdgeCrossing(1, 0).later(slot);
+    ASSERT_EQ(back.across(), slot + 1);
     ASSERT_EQ(back.target(), slot);
-    const WayOver on = WayOver(0, 1).later(slot);
-    ASSERT_EQ(on.over(), slot);
+    const EdgeCrossing on = EdgeCrossing(0, 1).later(slot);
+    ASSERT_EQ(on.across(), slot);
     ASSERT_EQ(on.target(), slot + 1);
   }
 }

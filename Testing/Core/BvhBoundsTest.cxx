@@ -1,7 +1,7 @@
 // Bounds of runs of triangles against the triangles themselves, by CGAL, and against formulas on
 // the sphere.
 
-#include "search/RunBounds.h"
+#include "search/BvhBounds.h"
 #include "ExactDistances.h"
 
 #include <gtest/gtest.h>
@@ -39,17 +39,17 @@ double distanceTo(const Corners& corners, const Vector3& query)
   return least;
 }
 
-FourRunBounds::SquaredDistances squaredDistances(const RunBounds& bounds, const Vector3& query)
+FourBvhBounds::SquaredDistances squaredDistances(const BvhBounds& bounds, const Vector3& query)
 {
-  FourRunBounds four;
-  for (std::size_t run = 0; run < FourRunBounds::Runs; ++run)
+  FourBvhBounds four;
+  for (std::size_t run = 0; run < FourBvhBounds::Runs; ++run)
   {
     four.set(run, bounds);
   }
   return four.squaredDistances(query);
 }
 
-void expectNothingNearer(const RunBounds& bounds, const Corners& corners, std::mt19937& random)
+void expectNothingNearer(const BvhBounds& bounds, const Corners& corners, std::mt19937& random)
 {
   for (double reach : { 0.1, 1.0, 10.0 })
   {
@@ -96,12 +96,12 @@ Corners capOfSphere(const Vector3& direction, double angle, std::mt19937& random
 
 }
 
-TEST(RunBounds, NothingOfARunIsNearer)
+TEST(BvhBounds, NothingOfARunIsNearer)
 {
   std::mt19937 random(5);
   for (double flatness : { 0.0, 1e-6, 0.1, 1.0 })
   {
-    std::vector<RunBounds> runs;
+    std::vector<BvhBounds> runs;
     Corners all;
     for (int run = 0; run < 4; ++run)
     {
@@ -112,45 +112,45 @@ TEST(RunBounds, NothingOfARunIsNearer)
         const Vector3 x = randomVector(random);
         corners.push_back(middle + 0.3 * Vector3{ x.x, x.y, flatness * x.z + 0.5 * x.x });
       }
-      runs.push_back(RunBounds::ofTriangles(corners));
+      runs.push_back(BvhBounds::ofTriangles(corners));
       expectNothingNearer(runs.back(), corners, random);
       all.insert(all.end(), corners.begin(), corners.end());
     }
-    expectNothingNearer(RunBounds::ofRuns(runs), all, random);
-    expectNothingNearer(RunBounds::ofTriangles(all), all, random);
+    expectNothingNearer(BvhBounds::ofRuns(runs), all, random);
+    expectNothingNearer(BvhBounds::ofTriangles(all), all, random);
   }
 }
 
 // A run of one triangle twice, with opposite normals.
-TEST(RunBounds, NormalsMayCancel)
+TEST(BvhBounds, NormalsMayCancel)
 {
   std::mt19937 random(6);
   const Vector3 a = randomVector(random);
   const Vector3 b = randomVector(random);
   const Vector3 c = randomVector(random);
   const Corners corners{ a, b, c, a, c, b };
-  const RunBounds bounds = RunBounds::ofTriangles(corners);
+  const BvhBounds bounds = BvhBounds::ofTriangles(corners);
   EXPECT_EQ(bounds.axis(), Vector3());
   expectNothingNearer(bounds, corners, random);
-  const std::vector<RunBounds> runs{ bounds, bounds };
-  expectNothingNearer(RunBounds::ofRuns(runs), corners, random);
+  const std::vector<BvhBounds> runs{ bounds, bounds };
+  expectNothingNearer(BvhBounds::ofRuns(runs), corners, random);
 }
 
 // A cap of the angle s lies in a cylinder of the height s^2 / 2, so that squares of distances are
 // known up to some s^2. A box that is askew is about s high.
-TEST(RunBounds, ASmoothRunIsBoundedToSecondOrder)
+TEST(BvhBounds, ASmoothRunIsBoundedToSecondOrder)
 {
   std::mt19937 random(8);
   const Vector3 middle{ 1.0, 2.0, 3.0 };
   const Vector3 besides{ 3.0, 0.0, -1.0 };
   for (double angle : { 0.1, 0.03, 0.01 })
   {
-    std::vector<RunBounds> runs;
+    std::vector<BvhBounds> runs;
     Corners all;
     for (int i = 0; i < 4; ++i)
     {
       const Corners corners = capOfSphere(middle + angle * randomVector(random), angle, random);
-      runs.push_back(RunBounds::ofTriangles(corners));
+      runs.push_back(BvhBounds::ofTriangles(corners));
       all.insert(all.end(), corners.begin(), corners.end());
     }
     for (double radius : { 0.3, 1.5 })
@@ -160,28 +160,28 @@ TEST(RunBounds, ASmoothRunIsBoundedToSecondOrder)
       const double truth = distanceTo(all, query);
       const double allowed = 5.0 * angle * angle;
       EXPECT_NEAR(
-        squaredDistances(RunBounds::ofTriangles(all), query).least[0], truth * truth, allowed);
+        squaredDistances(BvhBounds::ofTriangles(all), query).least[0], truth * truth, allowed);
       EXPECT_NEAR(
-        squaredDistances(RunBounds::ofRuns(runs), query).least[0], truth * truth, 2.0 * allowed);
+        squaredDistances(BvhBounds::ofRuns(runs), query).least[0], truth * truth, 2.0 * allowed);
     }
   }
 }
 
-TEST(RunBounds, EachRunHasItsOwn)
+TEST(BvhBounds, EachRunHasItsOwn)
 {
   std::mt19937 random(9);
-  FourRunBounds four;
-  std::vector<RunBounds> runs;
-  for (std::size_t run = 0; run < FourRunBounds::Runs; ++run)
+  FourBvhBounds four;
+  std::vector<BvhBounds> runs;
+  for (std::size_t run = 0; run < FourBvhBounds::Runs; ++run)
   {
     Corners corners(6);
     std::generate(corners.begin(), corners.end(), [&] { return randomVector(random); });
-    runs.push_back(RunBounds::ofTriangles(corners));
+    runs.push_back(BvhBounds::ofTriangles(corners));
     four.set(run, runs.back());
   }
   const Vector3 query{ 1.0, 2.0, -3.0 };
   const auto [least, toCentre] = four.squaredDistances(query);
-  for (std::size_t run = 0; run < FourRunBounds::Runs; ++run)
+  for (std::size_t run = 0; run < FourBvhBounds::Runs; ++run)
   {
     EXPECT_EQ(least[run], squaredDistances(runs[run], query).least[0]);
     const Vector3 x = query - runs[run].centre();

@@ -1,20 +1,20 @@
-#ifndef geodesic_Terrain_h
-#define geodesic_Terrain_h
+#ifndef geodesic_WeightedMesh_h
+#define geodesic_WeightedMesh_h
 
 #include "mesh/TriangleMesh.h"
 #include "path/PathPoint.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/SolveOptions.h"
 
 namespace geodesic
 {
 
 /** A mesh with its costs and barriers, as a path sees it. */
-class Terrain
+class WeightedMesh
 {
 public:
   /** @param options as they were for the field; what they refer to must live as long as this */
-  Terrain(const TriangleMesh& mesh, const SolveOptions& options)
+  WeightedMesh(const TriangleMesh& mesh, const SolveOptions& options)
     : Mesh(mesh)
     , Options(options)
     , Closed(mesh, options.closedTriangles)
@@ -62,12 +62,12 @@ public:
 private:
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
-  ClosedFans Closed;
+  ClosedTriangles Closed;
 };
 
 /** Calls @p visit with every open face that the point lies in. */
 template <class Visit>
-inline void visitFaces(const Terrain& surface, const PathPoint& point, Visit&& visit)
+inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visit&& visit)
 {
   const Carriers carriers = point.carriers();
   const Index centre = carriers[0];

@@ -1,11 +1,11 @@
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 
 #include <algorithm>
 
 namespace geodesic
 {
 
-ClosedFans::ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> closed)
+ClosedTriangles::ClosedTriangles(const TriangleMesh& mesh, std::span<const std::uint8_t> closed)
   : Mesh(mesh)
 {
   if (std::find_if(closed.begin(), closed.end(), [](std::uint8_t c) { return c != 0; }) ==
@@ -35,7 +35,7 @@ ClosedFans::ClosedFans(const TriangleMesh& mesh, std::span<const std::uint8_t> c
   }
 }
 
-bool ClosedFans::hasOpenTriangle(Index vertex) const
+bool ClosedTriangles::hasOpenTriangle(Index vertex) const
 {
   for (std::size_t i = 0; i < this->Mesh.ring(vertex).size(); ++i)
   {

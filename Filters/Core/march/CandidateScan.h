@@ -1,11 +1,11 @@
-#ifndef geodesic_RingLook_h
-#define geodesic_RingLook_h
+#ifndef geodesic_CandidateScan_h
+#define geodesic_CandidateScan_h
 
 #include "base/Lanes.h"
-#include "march/KnownValues.h"
-#include "march/RingWindows.h"
+#include "march/NeighbourValues.h"
+#include "march/UpdateBatch.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,14 +19,14 @@ namespace geodesic
 /**
  * Looks at the rings of vertices and notes what there is to do, several neighbours at a time and
  * without a branch on what is found, so that the processor can go ahead to the next ring while it
- * waits for memory: a part of RingSweep, which see also for Cost and Values.
+ * waits for memory: a part of NeighbourUpdate, which see also for Cost and Values.
  */
 template <class Cost, class Values>
-class RingLook
+class CandidateScan
 {
 public:
-  RingLook(
-    const TriangleMesh& mesh, const ClosedFans& closed, const Cost& cost, const Values& values)
+  CandidateScan(
+    const TriangleMesh& mesh, const ClosedTriangles& closed, const Cost& cost, const Values& values)
     : Mesh(mesh)
     , Closed(closed)
     , IsAllOpen(Cost::isUnit && closed.isEmpty())
@@ -35,48 +35,48 @@ public:
   {
   }
 
-  /** Looks at a window of the ring of what was taken. Judges it where what other labels have plays
+  /** Looks at a row of the ring of what was taken. Judges it where what other labels have plays
    * no part. @pre at least two slots of it are in use */
   template <class Real>
-  void note(const TakenValue& taken, std::size_t number, RingWindows& windows) const
+  void scan(const PoppedValue& taken, std::size_t number, UpdateBatch& batch) const
   {
-    RingWindows::Window& window = windows.Windows[number];
-    const std::size_t base = number * RingWindows::Size;
-    const RingEntry* const entries = window.entries;
-    const std::size_t size = window.size;
+    UpdateBatch::Row& row = batch.Rows[number];
+    const std::size_t base = number * UpdateBatch::Size;
+    const RingEntry* const entries = row.entries;
+    const std::size_t size = row.size;
     const Vector3* const positions = this->Mesh.positions().data();
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ sameOf<Real>(centre.x), sameOf<Real>(centre.y),
       sameOf<Real>(centre.z) };
-    const typename Values::Sight sight = this->FrontValues.sight(*taken.label);
+    const typename Values::Reader reader = this->FrontValues.reader(*taken.label);
     Judgement<Real> judgement(taken.vertex, taken.value);
-    std::size_t others = windows.OthersCount;
+    std::size_t others = batch.OthersCount;
     unsigned isQueued = 0;
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
       // After the last neighbour come any others, with which nothing is done.
       const Entries<Real> some(entries + i);
-      store(some.neighbours(), &windows.Neighbours[base + i]);
+      store(some.neighbours(), &batch.Neighbours[base + i]);
       Indices<Real> neighbours;
       for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
       {
         neighbours[lane] = entries[i + lane].neighbour();
       }
-      const SeenValues<Real> seen = sight.template look<Real>(neighbours);
+      const BestValues<Real> seen = reader.template look<Real>(neighbours);
       const Vector3Of<Real> offset =
         sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
         origin;
       const Real squares = dot(offset, offset);
-      store(seen.values, &windows.Values[base + i]);
-      store(offset.x, &windows.X[base + i]);
-      store(offset.y, &windows.Y[base + i]);
-      store(offset.z, &windows.Z[base + i]);
-      store(squares, &windows.SquaredLengths[base + i]);
+      store(seen.values, &batch.Values[base + i]);
+      store(offset.x, &batch.X[base + i]);
+      store(offset.y, &batch.Y[base + i]);
+      store(offset.z, &batch.Z[base + i]);
+      store(squares, &batch.SquaredLengths[base + i]);
       isQueued |= seen.areQueued << i;
-      if constexpr (Values::hasOthers)
+      if constexpr (Values::hasOtherLabels)
       {
-        store(seen.values, &windows.Ceilings[base + i]);
-        windows.OthersSeen[others] = { base + i, seen.areOther };
+        store(seen.values, &batch.Ceilings[base + i]);
+        batch.OthersSeen[others] = { base + i, seen.areOther };
         others += seen.areOther != 0;
       }
       else
@@ -87,48 +87,48 @@ public:
     const std::size_t last = size - 1;
     const bool isRound = entries[0].neighbour() == entries[last].neighbour();
     const auto end = static_cast<Mask>(1u << size >> 1);
-    window.label = taken.label;
-    window.last = isRound ? static_cast<Index>(last) : 0;
-    windows.OwnValues[number] = taken.value;
-    windows.end[number] = end;
-    windows.again[number] = isRound ? end : Mask(0);
-    windows.isQueued[number] = static_cast<Mask>(isQueued);
+    row.label = taken.label;
+    row.last = isRound ? static_cast<Index>(last) : 0;
+    batch.OwnValues[number] = taken.value;
+    batch.end[number] = end;
+    batch.again[number] = isRound ? end : Mask(0);
+    batch.isQueued[number] = static_cast<Mask>(isQueued);
     if (!this->IsAllOpen)
     {
-      windows.isOpen[number] = this->openTriangles(window, last);
+      batch.isOpen[number] = this->openTriangles(row, last);
     }
-    if constexpr (Values::hasOthers)
+    if constexpr (Values::hasOtherLabels)
     {
-      windows.OthersCount = others;
-      windows.isStraight[number] = WindowMasks::allIf(taken.label->shape == FrontShape::Straight);
+      batch.OthersCount = others;
+      batch.isStraight[number] = BatchMasks::allIf(taken.label->shape == FrontShape::Straight);
     }
     else
     {
-      judgement.put(number, windows);
+      judgement.put(number, batch);
     }
   }
 
-  /** Notes in the masks of a window what is worth a closer look. */
+  /** Notes in the masks of a row what is worth a closer look. */
   template <class Real>
-  void judge(std::size_t number, RingWindows& windows) const
+  void judge(std::size_t number, UpdateBatch& batch) const
   {
-    const RingWindows::Window& window = windows.Windows[number];
-    const std::size_t base = number * RingWindows::Size;
-    const RingEntry* const entries = window.entries;
-    Judgement<Real> judgement(window.vertex, windows.OwnValues[number]);
-    for (std::size_t i = 0; i < window.size; i += lanes<Real>)
+    const UpdateBatch::Row& row = batch.Rows[number];
+    const std::size_t base = number * UpdateBatch::Size;
+    const RingEntry* const entries = row.entries;
+    Judgement<Real> judgement(row.vertex, batch.OwnValues[number]);
+    for (std::size_t i = 0; i < row.size; i += lanes<Real>)
     {
       Indices<Real> neighbours;
-      std::copy_n(&windows.Neighbours[base + i], lanes<Real>, neighbours.begin());
+      std::copy_n(&batch.Neighbours[base + i], lanes<Real>, neighbours.begin());
       judgement.add(i, Entries<Real>(entries + i), neighbours,
-        load<Real>(&windows.SquaredLengths[base + i]), load<Real>(&windows.Values[base + i]),
-        load<Real>(&windows.Ceilings[base + i]), this->TriangleCost);
+        load<Real>(&batch.SquaredLengths[base + i]), load<Real>(&batch.Values[base + i]),
+        load<Real>(&batch.Ceilings[base + i]), this->TriangleCost);
     }
-    judgement.put(number, windows);
+    judgement.put(number, batch);
   }
 
 private:
-  using Mask = WindowMasks::Mask;
+  using Mask = BatchMasks::Mask;
 
   /** As many entries of a ring as a Real has numbers. */
   template <class Real>
@@ -167,7 +167,7 @@ private:
     BitsOf<Real> Second;
   };
 
-  /** What is worth a closer look in a window, found for some neighbours after the other. */
+  /** What is worth a closer look in a row, found for some neighbours after the other. */
   template <class Real>
   class Judgement
   {
@@ -205,12 +205,12 @@ private:
       this->LastSlacks = slacks;
     }
 
-    void put(std::size_t number, RingWindows& windows) const
+    void put(std::size_t number, UpdateBatch& batch) const
     {
-      windows.along[number] = static_cast<Mask>(this->Along);
-      windows.first[number] = static_cast<Mask>(this->First >> 1);
-      windows.second[number] = static_cast<Mask>(this->Second >> 1);
-      windows.isThin[number] = static_cast<Mask>(this->IsThin);
+      batch.along[number] = static_cast<Mask>(this->Along);
+      batch.first[number] = static_cast<Mask>(this->First >> 1);
+      batch.second[number] = static_cast<Mask>(this->Second >> 1);
+      batch.isThin[number] = static_cast<Mask>(this->IsThin);
     }
 
   private:
@@ -228,20 +228,20 @@ private:
   };
 
   /** Those that may be crossed, @p count of them. */
-  Mask openTriangles(const RingWindows::Window& window, std::size_t count) const
+  Mask openTriangles(const UpdateBatch::Row& row, std::size_t count) const
   {
     const auto firstEntry =
-      static_cast<std::size_t>(window.entries - this->Mesh.ring(window.vertex).data());
+      static_cast<std::size_t>(row.entries - this->Mesh.ring(row.vertex).data());
     unsigned isOpen = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      isOpen |= static_cast<unsigned>(this->Closed.isOpen(window.vertex, firstEntry + i)) << i;
+      isOpen |= static_cast<unsigned>(this->Closed.isOpen(row.vertex, firstEntry + i)) << i;
     }
     return static_cast<Mask>(isOpen);
   }
 
   const TriangleMesh& Mesh;
-  const ClosedFans& Closed;
+  const ClosedTriangles& Closed;
   /** Then also what opens no triangle counts as open: it has no slack, and an edge no cost. */
   bool IsAllOpen;
   const Cost& TriangleCost;

@@ -1,7 +1,7 @@
-#include "solve/DistanceSolver.h"
+#include "solve/FrontSolver.h"
 
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedFans.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
 #include "solve/StopLimit.h"
@@ -13,13 +13,13 @@
 namespace geodesic
 {
 
-DistanceSolver::DistanceSolver(std::shared_ptr<const TriangleMesh> mesh)
+FrontSolver::FrontSolver(std::shared_ptr<const TriangleMesh> mesh)
   : Mesh(std::move(mesh))
   , Field(this->Mesh->numberOfVertices())
 {
 }
 
-const DistanceField& DistanceSolver::solve(std::span<const Seed> seeds, const SolveOptions& options)
+const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const SolveOptions& options)
 {
   Partition onePiece;
   Partition& partition = options.partition ? *options.partition : onePiece;
@@ -36,7 +36,7 @@ const DistanceField& DistanceSolver::solve(std::span<const Seed> seeds, const So
   const double ownCost = options.cost.empty() ? 0.0 : 1.0;
   const std::vector<double> costs = partition.gather({ &ownCost, 1 });
   const bool hasCost = *std::max_element(costs.begin(), costs.end()) > 0.0;
-  const ClosedFans closed(*this->Mesh, options.closedTriangles);
+  const ClosedTriangles closed(*this->Mesh, options.closedTriangles);
   SeedFront front = seedFront(*this->Mesh, closed, seeds, partition);
   checkSeedsAreOpen(*this->Mesh, seeds, options, closed, partition);
   std::erase_if(

@@ -1,6 +1,6 @@
 // Runs of triangles are cut where the space filling curve jumps.
 
-#include "search/RunCuts.h"
+#include "search/BvhSplit.h"
 #include "Solving.h"
 
 #include <gtest/gtest.h>
@@ -22,20 +22,20 @@ Surface moved(Surface surface, const Vector3& by)
 
 }
 
-TEST(RunCuts, ARunIsCutBetweenPartsOfASurface)
+TEST(BvhSplit, ARunIsCutBetweenPartsOfASurface)
 {
   // 800 triangles, and 200 far from them.
   const auto mesh = meshOf(
     joined(planeGrid(20, 20, 1.0, 1.0), moved(planeGrid(10, 10, 0.5, 0.5), { 9.0, 8.0, 7.0 })));
-  EXPECT_EQ(RunCuts(*mesh).cut(0, 1000), 800u);
+  EXPECT_EQ(BvhSplit(*mesh).cut(0, 1000), 800u);
 }
 
-TEST(RunCuts, PartsAreNotTooSmall)
+TEST(BvhSplit, PartsAreNotTooSmall)
 {
   // 800 triangles, and 18 far from them.
   const auto mesh = meshOf(
     joined(planeGrid(20, 20, 1.0, 1.0), moved(planeGrid(3, 3, 0.5, 0.5), { 9.0, 8.0, 7.0 })));
-  const RunCuts cuts(*mesh);
+  const BvhSplit cuts(*mesh);
   for (Index first : { 0u, 1u, 300u })
   {
     for (Index size : { 2u, 3u, 8u, 100u, 500u })
@@ -50,7 +50,7 @@ TEST(RunCuts, PartsAreNotTooSmall)
 }
 
 // All triangles round one point: the curve does not jump.
-TEST(RunCuts, WithoutAJumpTheMiddleIsCut)
+TEST(BvhSplit, WithoutAJumpTheMiddleIsCut)
 {
   constexpr Index triangles = 64;
   Surface fan{ { { 0.0, 0.0, 0.0 } }, {} };
@@ -62,7 +62,7 @@ TEST(RunCuts, WithoutAJumpTheMiddleIsCut)
   {
     fan.triangles.push_back({ 0, i, i + 1 });
   }
-  const RunCuts cuts(*meshOf(fan));
+  const BvhSplit cuts(*meshOf(fan));
   EXPECT_EQ(cuts.cut(0, triangles), triangles / 2);
   EXPECT_EQ(cuts.cut(10, 20), 15u);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_BasePath_h
-#define geodesic_BasePath_h
+#ifndef geodesic_BaseMeshPath_h
+#define geodesic_BaseMeshPath_h
 
 #include "path/PathPoint.h"
 

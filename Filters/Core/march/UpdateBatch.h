@@ -1,9 +1,9 @@
-#ifndef geodesic_RingWindows_h
-#define geodesic_RingWindows_h
+#ifndef geodesic_UpdateBatch_h
+#define geodesic_UpdateBatch_h
 
 #include "base/Index.h"
 #include "base/Lanes.h"
-#include "march/KnownValues.h"
+#include "march/NeighbourValues.h"
 #include "mesh/VertexRings.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace geodesic
 {
 
-/** The number of a slot of RingWindows. */
+/** The number of a slot of UpdateBatch. */
 using Slot = std::uint16_t;
 
 /** Numbers from a list, at the places that a lane's number leads to. */
@@ -27,27 +27,27 @@ GEODESIC_INLINED Real gathered(const std::array<double, Size>& numbers, SlotAt s
   return lanesOf<Real>([&](std::size_t lane) { return numbers[slotAt(lane)]; });
 }
 
-/** One mask for each of some windows, see RingWindows: treated all at once. */
-class WindowMasks
+/** One mask for each of some rows, see UpdateBatch: treated all at once. */
+class BatchMasks
 {
 public:
-  /** One bit for each slot of a window, or for each triangle between a slot and the next. */
+  /** One bit for each slot of a row, or for each triangle between a slot and the next. */
   using Mask = std::uint16_t;
-  /** Slots of a window. */
+  /** Slots of a row. */
   static constexpr std::size_t Size = 16;
   static constexpr std::size_t Most = 16;
   using All = Mask __attribute__((vector_size(Most * sizeof(Mask))));
-  /** Those of windows side by side, whose slots follow each other. */
+  /** Those of rows side by side, whose slots follow each other. */
   using Some = std::uint64_t;
   static constexpr std::size_t SizeOfSome = sizeof(Some) / sizeof(Mask);
 
   /** All bits or none. */
   static Mask allIf(bool test) { return static_cast<Mask>(test ? ~0u : 0u); }
 
-  WindowMasks() = default;
-  explicit WindowMasks(Mask mask) { this->Masks.fill(mask); }
-  Mask& operator[](std::size_t window) { return this->Masks[window]; }
-  Mask operator[](std::size_t window) const { return this->Masks[window]; }
+  BatchMasks() = default;
+  explicit BatchMasks(Mask mask) { this->Masks.fill(mask); }
+  Mask& operator[](std::size_t row) { return this->Masks[row]; }
+  Mask operator[](std::size_t row) const { return this->Masks[row]; }
 
   GEODESIC_INLINED All all() const
   {
@@ -70,7 +70,7 @@ public:
     }
     return any != 0;
   }
-  /** Of the windows from @p first on. */
+  /** Of the rows from @p first on. */
   Some some(std::size_t first) const
   {
     static_assert(std::endian::native == std::endian::little, "the first slot is in the first bit");
@@ -84,19 +84,19 @@ private:
 };
 
 /**
- * Some vertices with their rings, cut into windows of a size, and what a sweep knows of the
+ * Some vertices with their rings, cut into rows of a size, and what a update knows of the
  * neighbours: slot by slot in flat arrays, so that several can be treated at once, wherever they
  * are.
  */
-struct RingWindows
+struct UpdateBatch
 {
-  /** Slots of a window. */
-  static constexpr std::size_t Size = WindowMasks::Size;
+  /** Slots of a row. */
+  static constexpr std::size_t Size = BatchMasks::Size;
   static constexpr std::size_t Most = 12;
   static constexpr std::size_t Slots = Size * Most;
-  static_assert(Most <= WindowMasks::Most && Most % WindowMasks::SizeOfSome == 0);
+  static_assert(Most <= BatchMasks::Most && Most % BatchMasks::SizeOfSome == 0);
 
-  struct Window
+  struct Row
   {
     Index vertex;
     /** Slots in use; 0 where there is nothing to be done. */
@@ -104,20 +104,20 @@ struct RingWindows
     const RingEntry* entries;
     /** What of the queue the vertex is swept for. */
     Index item;
-    /** The slot in which the first neighbour comes again, where the window closes; else 0. */
+    /** The slot in which the first neighbour comes again, where the row closes; else 0. */
     Index last = 0;
     /** That the vertex is swept for. */
-    const MarchedLabel* label;
+    const SourceFront* label;
   };
 
-  /** Adds a window onto the first part of a ring, or of the rest of one. @pre Count < Most */
+  /** Adds a row onto the first part of a ring, or of the rest of one. @pre Count < Most */
   void add(Index vertex, Index item, std::span<const RingEntry> ring)
   {
-    Window& window = this->Windows[this->Count++];
-    window.vertex = vertex;
-    window.item = item;
-    window.entries = ring.data();
-    window.size = static_cast<Index>(std::min(Size, ring.size()));
+    Row& row = this->Rows[this->Count++];
+    row.vertex = vertex;
+    row.item = item;
+    row.entries = ring.data();
+    row.size = static_cast<Index>(std::min(Size, ring.size()));
   }
 
   /** Neighbours side by side, some of which have a best value of another label than the one that
@@ -144,49 +144,49 @@ struct RingWindows
   {
     this->Count = 0;
     this->OthersCount = 0;
-    for (WindowMasks* masks : { &this->along, &this->first, &this->second, &this->isThin })
+    for (BatchMasks* masks : { &this->along, &this->first, &this->second, &this->isThin })
     {
-      masks->set(WindowMasks::All());
+      masks->set(BatchMasks::All());
     }
   }
 
-  static std::size_t windowOf(Slot slot) { return slot / Size; }
-  Window& at(Slot slot) { return this->Windows[windowOf(slot)]; }
-  const Window& at(Slot slot) const { return this->Windows[windowOf(slot)]; }
+  static std::size_t rowOf(Slot slot) { return slot / Size; }
+  Row& at(Slot slot) { return this->Rows[rowOf(slot)]; }
+  const Row& at(Slot slot) const { return this->Rows[rowOf(slot)]; }
 
   std::size_t Count = 0;
-  std::array<Window, Most> Windows;
+  std::array<Row, Most> Rows;
   std::size_t OthersCount = 0;
   std::array<Others, Slots / lanes<Pair> + 1> OthersSeen;
-  /** Of the windows' vertices. */
+  /** Of the rows' vertices. */
   std::array<double, Most> OwnValues;
 
-  // Of the windows; of those that are not there along, first, second and isThin are 0.
+  // Of the rows; of those that are not there along, first, second and isThin are 0.
 
   /** The last slot in use. */
-  WindowMasks end;
-  /** The slot in which the first neighbour comes again, where the window closes. */
-  WindowMasks again;
+  BatchMasks end;
+  /** The slot in which the first neighbour comes again, where the row closes. */
+  BatchMasks again;
   /** Whether the front is straight: all bits or none. */
-  WindowMasks isStraight;
+  BatchMasks isStraight;
   /** Neighbours that wait to be swept with their values. */
-  WindowMasks isQueued;
+  BatchMasks isQueued;
   /** Triangles that may be crossed. */
-  WindowMasks isOpen{ WindowMasks::allIf(true) };
-  WindowMasks isThin;
+  BatchMasks isOpen{ BatchMasks::allIf(true) };
+  BatchMasks isThin;
   /** Neighbours that may gain, along the edge to them. */
-  WindowMasks along;
+  BatchMasks along;
   /** Triangles in which the neighbour that opens them, or the one after it, may gain over the
    * edge to the other. */
-  WindowMasks first;
-  WindowMasks second;
+  BatchMasks first;
+  BatchMasks second;
 
-  // Of the neighbours; the first one in a window comes again in the last slot, where it closes.
+  // Of the neighbours; the first one in a row comes again in the last slot, where it closes.
   std::array<Index, Slots> Neighbours;
-  /** As in KnownValue. */
+  /** As in NeighbourValue. */
   alignas(Quad) std::array<double, Slots> Values{};
   alignas(Quad) std::array<double, Slots> Ceilings{};
-  /** From the window's vertex. */
+  /** From the row's vertex. */
   alignas(Quad) std::array<double, Slots> X;
   alignas(Quad) std::array<double, Slots> Y;
   alignas(Quad) std::array<double, Slots> Z;

@@ -1,5 +1,5 @@
-#ifndef geodesic_RunCuts_h
-#define geodesic_RunCuts_h
+#ifndef geodesic_BvhSplit_h
+#define geodesic_BvhSplit_h
 
 #include "base/Index.h"
 
@@ -16,10 +16,10 @@ class TriangleMesh;
  * jumps: a run that goes on behind a large jump is in two places, and tells little of either. The
  * farther the curve jumps, the higher is the first bit in which the codes before and behind differ.
  */
-class RunCuts
+class BvhSplit
 {
 public:
-  explicit RunCuts(const TriangleMesh& mesh);
+  explicit BvhSplit(const TriangleMesh& mesh);
 
   /**
    * Where the second part of a run of at least two triangles begins: at the farthest jump, of equal

@@ -1,8 +1,8 @@
-#ifndef geodesic_MarchedLabel_h
-#define geodesic_MarchedLabel_h
+#ifndef geodesic_SourceFront_h
+#define geodesic_SourceFront_h
 
 #include "base/Vector3.h"
-#include "march/ValueMark.h"
+#include "march/VertexState.h"
 #include "solve/SeedFront.h"
 
 #include <cmath>
@@ -40,10 +40,10 @@ private:
 struct FrontGroup;
 
 /** A label as a march asks for it. */
-struct MarchedLabel
+struct SourceFront
 {
-  /** @param bits as in ValueMark; 0 where there is only one label */
-  MarchedLabel(const Label& label, Index bits, double smallestCost)
+  /** @param bits as in VertexState; 0 where there is only one label */
+  SourceFront(const Label& label, Index bits, double smallestCost)
     : seedValue(label.value)
     , leastOf(label, smallestCost)
     , labelBits(bits)
@@ -52,7 +52,7 @@ struct MarchedLabel
   }
 
   /** Among the labels of the march, where there are several. */
-  Index number() const { return ValueMark::labelOf(this->labelBits); }
+  Index number() const { return VertexState::labelOf(this->labelBits); }
   /** A value of the label as a distance. */
   double distance(double value) const { return value + this->seedValue; }
 

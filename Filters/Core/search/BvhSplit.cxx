@@ -1,4 +1,4 @@
-#include "search/RunCuts.h"
+#include "search/BvhSplit.h"
 
 #include "mesh/MortonCurve.h"
 #include "mesh/TriangleMesh.h"
@@ -11,7 +11,7 @@
 namespace geodesic
 {
 
-RunCuts::RunCuts(const TriangleMesh& mesh)
+BvhSplit::BvhSplit(const TriangleMesh& mesh)
   : Jumps(mesh.numberOfTriangles())
 {
   BoundingBox box;
@@ -37,7 +37,7 @@ RunCuts::RunCuts(const TriangleMesh& mesh)
   }
 }
 
-Index RunCuts::cut(Index first, Index last) const
+Index BvhSplit::cut(Index first, Index last) const
 {
   const Index margin = std::max<Index>((last - first) / 8, 1);
   const auto low = this->Jumps.begin() + first + margin;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "split/BasePath.h"
+#include "split/BaseMeshPath.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "search/RunBounds.h"
+#include "search/BvhBounds.h"
 
 #include "base/Lanes.h"
 #include "mesh/MortonCurve.h"
@@ -32,7 +32,7 @@ Vector3 across(const Vector3& axis, const Vector3& x)
   return x - dot(axis, x) * axis;
 }
 
-void setAxis(RunBounds& bounds, const Vector3& direction)
+void setAxis(BvhBounds& bounds, const Vector3& direction)
 {
   // Not beyond 1 when rounded.
   constexpr double wantedLength = 1.0 - 1e-6;
@@ -56,7 +56,7 @@ struct Cylinder
     this->radius = std::max(this->radius, farthest);
   }
 
-  void roundTo(RunBounds& bounds) const
+  void roundTo(BvhBounds& bounds) const
   {
     bounds.alongLow = roundedDown(this->alongLow);
     bounds.alongHigh = roundedUp(this->alongHigh);
@@ -66,14 +66,14 @@ struct Cylinder
 
 }
 
-Vector3 RunBounds::centre() const
+Vector3 BvhBounds::centre() const
 {
   const auto middle = [this](int i)
   { return 0.5 * (static_cast<double>(this->low[i]) + static_cast<double>(this->high[i])); };
   return { middle(0), middle(1), middle(2) };
 }
 
-RunBounds RunBounds::ofTriangles(std::span<const Vector3> corners)
+BvhBounds BvhBounds::ofTriangles(std::span<const Vector3> corners)
 {
   BoundingBox box;
   Vector3 normal;
@@ -84,7 +84,7 @@ RunBounds RunBounds::ofTriangles(std::span<const Vector3> corners)
     box.add(corners[i + 2]);
     normal = normal + cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
   }
-  RunBounds bounds;
+  BvhBounds bounds;
   bounds.low = { roundedDown(box.low.x), roundedDown(box.low.y), roundedDown(box.low.z) };
   bounds.high = { roundedUp(box.high.x), roundedUp(box.high.y), roundedUp(box.high.z) };
   setAxis(bounds, normal);
@@ -101,11 +101,11 @@ RunBounds RunBounds::ofTriangles(std::span<const Vector3> corners)
   return bounds;
 }
 
-RunBounds RunBounds::ofRuns(std::span<const RunBounds> runs)
+BvhBounds BvhBounds::ofRuns(std::span<const BvhBounds> runs)
 {
-  RunBounds bounds = runs[0];
+  BvhBounds bounds = runs[0];
   Vector3 direction;
-  for (const RunBounds& run : runs)
+  for (const BvhBounds& run : runs)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -118,7 +118,7 @@ RunBounds RunBounds::ofRuns(std::span<const RunBounds> runs)
   const Vector3 axis = bounds.axis();
   const Vector3 centre = bounds.centre();
   Cylinder cylinder;
-  for (const RunBounds& run : runs)
+  for (const BvhBounds& run : runs)
   {
     // Any point of the run is x + s + h a, with x the centre of its cylinder and a the axis. s is
     // at most as long as the radius and, but for a shorter than 1, at right angles to a; h is in
@@ -138,7 +138,7 @@ RunBounds RunBounds::ofRuns(std::span<const RunBounds> runs)
   return bounds;
 }
 
-void FourRunBounds::set(std::size_t run, const RunBounds& bounds)
+void FourBvhBounds::set(std::size_t run, const BvhBounds& bounds)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -151,7 +151,7 @@ void FourRunBounds::set(std::size_t run, const RunBounds& bounds)
   this->Radius[run] = bounds.radius;
 }
 
-FourRunBounds::SquaredDistances FourRunBounds::squaredDistances(const Vector3& query) const
+FourBvhBounds::SquaredDistances FourBvhBounds::squaredDistances(const Vector3& query) const
 {
   // Two at a time, as compilers make branches of plain loops, which no processor can foretell. A
   // gap that is NaN, as where no float can hold the box, is none: largest() takes its second number
@@ -188,12 +188,12 @@ FourRunBounds::SquaredDistances FourRunBounds::squaredDistances(const Vector3& q
   return result;
 }
 
-std::array<double, 3> FourRunBounds::low(std::size_t run) const
+std::array<double, 3> FourBvhBounds::low(std::size_t run) const
 {
   return { this->Low[0][run], this->Low[1][run], this->Low[2][run] };
 }
 
-std::array<double, 3> FourRunBounds::high(std::size_t run) const
+std::array<double, 3> FourBvhBounds::high(std::size_t run) const
 {
   return { this->High[0][run], this->High[1][run], this->High[2][run] };
 }

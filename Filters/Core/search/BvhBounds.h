@@ -1,5 +1,5 @@
-#ifndef geodesic_RunBounds_h
-#define geodesic_RunBounds_h
+#ifndef geodesic_BvhBounds_h
+#define geodesic_BvhBounds_h
 
 #include "base/Vector3.h"
 
@@ -15,12 +15,12 @@ namespace geodesic
  * box's centre whose axis is the mean of the run's normals. A smooth surface fills the cylinder far
  * better: its height falls with the square of the run's size. Numbers are rounded outwards.
  */
-struct RunBounds
+struct BvhBounds
 {
   /** @param corners three a triangle, of at least one triangle */
-  static RunBounds ofTriangles(std::span<const Vector3> corners);
+  static BvhBounds ofTriangles(std::span<const Vector3> corners);
   /** Bounds all that at least one other bounds bound. Looser than of the same triangles. */
-  static RunBounds ofRuns(std::span<const RunBounds> runs);
+  static BvhBounds ofRuns(std::span<const BvhBounds> runs);
 
   Vector3 centre() const;
   Vector3 axis() const { return { this->axisParts[0], this->axisParts[1], this->axisParts[2] }; }
@@ -36,12 +36,12 @@ struct RunBounds
 };
 
 /** The bounds of four runs, side by side so that the processor takes several at a time. */
-class FourRunBounds
+class FourBvhBounds
 {
 public:
   static constexpr std::size_t Runs = 4;
 
-  void set(std::size_t run, const RunBounds& bounds);
+  void set(std::size_t run, const BvhBounds& bounds);
 
   /** Squares of distances from a query to each run. */
   struct SquaredDistances

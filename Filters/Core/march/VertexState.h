@@ -1,5 +1,5 @@
-#ifndef geodesic_ValueMark_h
-#define geodesic_ValueMark_h
+#ifndef geodesic_VertexState_h
+#define geodesic_VertexState_h
 
 #include "base/Index.h"
 
@@ -12,7 +12,7 @@ namespace geodesic
  * What a march notes of a vertex's value beside it: whose it is, where there are several labels,
  * and what is to be done with it. All in one number, so that several can be looked at at once.
  */
-class ValueMark
+class VertexState
 {
 public:
   /** Whether a label is noted. */

@@ -1,5 +1,5 @@
-#ifndef geodesic_KnownValues_h
-#define geodesic_KnownValues_h
+#ifndef geodesic_NeighbourValues_h
+#define geodesic_NeighbourValues_h
 
 #include "base/Index.h"
 #include "base/Lanes.h"
@@ -10,7 +10,7 @@ namespace geodesic
 {
 
 /** What a front knows of a vertex. */
-struct KnownValue
+struct NeighbourValue
 {
   /** +infinity where the front has not been. */
   double value;
@@ -22,20 +22,20 @@ struct KnownValue
 
 /** What it sees of several at a glance, in bits 0, 1 and so on where it is a mask. */
 template <class Real>
-struct SeenValues
+struct BestValues
 {
   /** +infinity where there is none. */
   Real values;
   /** The value is of another label than the one that is swept: what that one has is to be asked
    * for apart. */
   unsigned areOther;
-  /** As in KnownValue; not of others. */
+  /** As in NeighbourValue; not of others. */
   unsigned areQueued;
 };
 
-/** What a front knows of several, isQueued in bits 0, 1 and so on; see KnownValue. */
+/** What a front knows of several, isQueued in bits 0, 1 and so on; see NeighbourValue. */
 template <class Real>
-struct KnownValues
+struct NeighbourValues
 {
   Real values;
   Real ceilings;
@@ -46,15 +46,15 @@ struct KnownValues
 template <class Real>
 using Indices = std::array<Index, lanes<Real>>;
 
-struct MarchedLabel;
+struct SourceFront;
 
 /** A value that was taken from the queue. */
-struct TakenValue
+struct PoppedValue
 {
   /** NoIndex where it is no longer of interest. */
   Index vertex;
   /** Of the value, where that is of interest. */
-  const MarchedLabel* label;
+  const SourceFront* label;
   double value;
 };
 

@@ -1,5 +1,5 @@
-#ifndef geodesic_FanChainer_h
-#define geodesic_FanChainer_h
+#ifndef geodesic_RingBuilder_h
+#define geodesic_RingBuilder_h
 
 #include "base/Index.h"
 #include "mesh/VertexRings.h"
@@ -27,7 +27,7 @@ struct OppositeSide
 };
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
-class FanChainer
+class RingBuilder
 {
 public:
   /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
@@ -184,10 +184,10 @@ private:
 };
 
 /** Chains the sides opposite to a vertex where that is easy, as it is at most vertices. */
-class ClosedFanChainer
+class ClosedRingBuilder
 {
 public:
-  explicit ClosedFanChainer(Index numberOfVertices)
+  explicit ClosedRingBuilder(Index numberOfVertices)
     : PlaceOf(numberOfVertices)
   {
   }
