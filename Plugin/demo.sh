@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the plugin and runs Plugin/Examples/BunnyDistance.py with it, from a bare Debian 12.
 # usage: bash Plugin/demo.sh      (as root, or with sudo where packages are missing)
 set -euo pipefail

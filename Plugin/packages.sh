@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # The Debian 12 packages of this project, and how to install those that are missing. To be sourced.
 # shellcheck shell=bash disable=SC2034
 

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.

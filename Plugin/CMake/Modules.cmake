@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # The VTK modules and the Python package of their classes. They are built outside the plugin, so that
 # only the classes that its XML names are wrapped for the client-server interpreter.
 

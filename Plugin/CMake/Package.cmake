@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # What find_package(SurfaceGeodesics) reads.
 
 include(CMakePackageConfigHelpers)

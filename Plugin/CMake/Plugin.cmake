@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # The ParaView plugin, and the surfacegeodesics.plugins.xml by which ParaView loads it.
 
 # ParaView's documentation of a plugin is made with Qt's tools and shown by its Qt client.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Stops the configure where something is missing, with the name of the package to install.
 
 function (stop_unless found what package)

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds ParaView. Debian's paraview-dev does not depend on everything that ParaView's CMake files go on
 # to look for, so each of those is looked for here first.
 

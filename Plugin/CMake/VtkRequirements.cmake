@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds the VTK that the classes are built on where there is no plugin.
 
 # VTK's Python modules are Debian's, whichever python3 comes first in PATH.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Geodesic distance on the Stanford Bunny and a closed path round its neck, as files and as a picture.
 
 usage: pvpython BunnyDistance.py SurfaceGeodesics.so Bunny.vtp FOLDER

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef geodesic_testing_HeatMethod_h
 #define geodesic_testing_HeatMethod_h
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // The core's paths: how long beside the truth, and in what time.
 //   PathBenchmark [--tiny] [--surfaces=FOLDER] [Google Benchmark's options]
 // The surfaces and the pairs of points are written to the folder, for the peers: see path_peers.py.

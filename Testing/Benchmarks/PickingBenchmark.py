@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """How long a user waits for the SurfaceSeeds widget, measured from outside: an event is given to the X server, and the
 time counts until the pixels change.
 

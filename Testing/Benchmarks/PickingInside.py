@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What PickingBenchmark.py runs in ParaView: a sphere with so many triangles, and a log of what the filter and the
 view do. Environment: TRIANGLES, LOG, LIVE (1: with live update and a result to show)."""
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // The core's times, errors and memory beside Dijkstra's and the heat method's:
 //   SolverBenchmark [--tiny] [Google Benchmark's options]
 // Every repetition takes another random source and runs what is compared right after each other, so

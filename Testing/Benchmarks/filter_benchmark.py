@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Times and memory of one ParaView filter on an icosphere, in a process of its own.
 
 usage: pvpython filter_benchmark.py RESULT.json LEVELS ours-by-id|ours-by-position OUR_PLUGIN

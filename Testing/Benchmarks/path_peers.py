@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Lengths and times of paths by our filter and its peers, between the same pairs of points.
 
 usage: pvpython path_peers.py RESULT KIND PLUGIN FOLDER SURFACE FIRST_PAIR

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the document of the path benchmarks from their results.
 
 usage: path_report.py BUILD_FOLDER/benchmarks/paths/all.json DOCUMENT.md

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the document of the benchmarks from their results.
 
 usage: report.py BUILD_FOLDER/benchmarks/all.json DOCUMENT.md

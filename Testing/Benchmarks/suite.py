@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the benchmarks on one core, or two where they say so, and writes the document of their results.
 
 usage: suite.py BUILD_FOLDER PVPYTHON OUR_PLUGIN BUNDLED_PLUGIN DOCUMENT.md [--tiny]

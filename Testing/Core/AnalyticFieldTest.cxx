@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields whose truth is a formula: planes, developable surfaces, the sphere.
 
 #include "ExactDistances.h"

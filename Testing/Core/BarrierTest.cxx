@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed triangles: the front goes round them, their border points are open.
 
 #include "Solving.h"

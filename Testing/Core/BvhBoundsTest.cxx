@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Bounds of runs of triangles against the triangles themselves, by CGAL, and against formulas on
 // the sphere.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs of triangles are cut where the space filling curve jumps.
 
 #include "search/BvhSplit.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // The closest point against a search through all triangles by CGAL.
 
 #include "ExactDistances.h"

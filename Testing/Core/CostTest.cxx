@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances times a cost: Snell's law, smooth speeds, and what cost must not be.
 
 #include "ExactDistances.h"

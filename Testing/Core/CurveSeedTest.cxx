@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Curves and regions as seeds: the distance to all of them, not to their points.
 
 #include "ExactDistances.h"

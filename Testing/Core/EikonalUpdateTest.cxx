@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // The update of one triangle: right where a source exists, monotone everywhere.
 
 #include "march/EikonalUpdate.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Real meshes against exact polyhedral distances.
 
 #include "ExactDistances.h"

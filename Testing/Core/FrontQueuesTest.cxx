@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // The queues of a march: what comes first, and whose turn it is.
 
 #include "march/FrontQueues.h"

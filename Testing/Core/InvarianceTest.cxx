@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // One field, whatever the numbering, the position in space and the unit of length.
 
 #include "Solving.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Places along the curve, by the bits of three coordinates in turn.
 
 #include "mesh/MortonCurve.h"

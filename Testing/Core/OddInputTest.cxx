@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Input that no mesh generator should make and every archive contains.
 
 #include "Solving.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Paths on a part of a surface tell where they depend on the rest.
 
 #include "PathStyles.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Paths: traced down a field, and made locally shortest.
 
 #include "ExactDistances.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Where rays first meet a surface: spheres and planes, whose crossings are known.
 
 #include "Solving.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Stops, exclusion, progress and requests that have no answer, for both solvers.
 
 #include "ExactDistances.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Several seeds: the minimum of their fields, without mixing them.
 
 #include "ExactDistances.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Points along the curve, also where very many of them are in a few of its first cells.
 
 #include "mesh/SpatialOrder.h"

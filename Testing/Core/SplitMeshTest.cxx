@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Triangles split along curves, and cut open along them.
 
 #include "split/SplitMesh.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Sizes of triangles that are known, and what is made of them, which has to be on the safe side.
 
 #include "march/TriangleMeasure.h"

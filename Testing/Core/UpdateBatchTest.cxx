@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // What rings are stored and worked on in: entries, masks of batch, lists of their bits.
 
 #include "march/CandidateLists.h"

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A ball seen from z, so that its middle is the view's middle, and the filter, not applied, to pick on it."""
 
 from paraview.simple import *

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A box of voxels seen from z and, not applied, a filter of another plugin with the same panel widget."""
 
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A ball in two blocks that touch in the view's middle, one to the left and one to the right, and the filter, not
 applied, to pick on them."""
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A square that is lifted as time goes by, seen from above, and the filter on it."""
 
 from paraview.simple import *

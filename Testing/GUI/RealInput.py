@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's playback cannot do, by a real pointer and real keys: P and Ctrl+P in the view, Esc, copying and
 pasting in the table, and dragging a row of it.
 

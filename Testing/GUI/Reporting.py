@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Ball.py, and every change of the points in the panel is written to the file that REPORT names."""
 
 import json

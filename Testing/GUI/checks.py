@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the scripts of this folder check from ParaView's Python shell. A failure ends ParaView with the result 1,
 because an exception in the shell would not fail a playback.
 """

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The plugin that PV_PLUGIN_CONFIG_FILE names and the package in PYTHONPATH work, and all that they
 load of ours is below one prefix.
 

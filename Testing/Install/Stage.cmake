@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the build of BUILD_DIRECTORY to FIRST_PREFIX and moves that to PREFIX.
 file(REMOVE_RECURSE "${FIRST_PREFIX}" "${PREFIX}")
 execute_process(

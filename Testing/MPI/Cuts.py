@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Cuts by ParaView's own filters, ghost cells, global ids, empty ranks: the fields are those of one rank.
 
 usage: mpiexec -n N pvbatch [--sym] Cuts.py OUR_PLUGIN FOLDER

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """An error on one rank is one on all, with one message and without a deadlock, and the next run is right.
 
 usage: mpiexec -n N pvbatch --sym Errors.py OUR_PLUGIN        (N > 1)

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Fields on several ranks are those of one rank, however the triangles are dealt out.
 
 usage: mpiexec -n N pvbatch [--sym] Fields.py OUR_PLUGIN FOLDER [CASE ...]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Grids that ranks have pieces of: the fields on their outer surface are those of one rank.
 
 usage: mpiexec -n N pvbatch [--sym] Grids.py OUR_PLUGIN FOLDER

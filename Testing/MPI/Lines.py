@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Seeds and barriers that are lines: the fields on several ranks are those on one, however the surface is cut.
 
 usage: mpiexec -n N pvbatch [--sym] Lines.py OUR_PLUGIN FOLDER

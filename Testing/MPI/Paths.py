@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Paths on several ranks are those on one rank, however the surface is cut.
 
 usage: mpiexec -n N pvbatch [--sym] Paths.py OUR_PLUGIN FOLDER

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Time, memory and messages on an icosphere of 2.6 million points, cut into slabs.
 
 usage: mpiexec -n N --bind-to core pvbatch --sym Scaling.py OUR_PLUGIN [SUBDIVISIONS [cut|pole]]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A server of several ranks gives its client the fields and paths of one rank.
 
 usage: WithServer.py MPIEXEC PVSERVER pvpython Server.py URL OUR_PLUGIN FOLDER

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs a filter on pieces.py's surfaces, in pvbatch with and without --sym, and collects the results."""
 
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Surfaces cut into a piece a rank, for the tests of this folder; runs on every rank.
 
 Each rank makes the whole small surface and keeps its part of the triangles. What comes out is compared

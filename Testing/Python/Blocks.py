@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Blocks, grids and images in ParaView: one surface where they share points, whatever holds them.
 
 usage: Blocks.py OUR_PLUGIN

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Our plugin, ParaView's plugin GeodesicMeasurement and our Python package work in one process, in
 whatever order they come into it.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The example CurvatureCost.py: curvature by the formula, and the field of a four times finer mesh.
 
 usage: CurvatureCost.py OUR_PLUGIN EXAMPLE

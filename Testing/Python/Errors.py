@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A script notices an error by an empty output; the message names value, limit and remedy.
 
 usage: Errors.py OUR_PLUGIN

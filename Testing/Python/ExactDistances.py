@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Every option of GeodesicDistance, alone and combined, against CGAL's exact distances; once set by
 Python and once more read from a state file. The cost is 1 throughout.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The proxy GeodesicDistance by the names of its properties, which are the scripting interface.
 
 usage: GeodesicDistance.py OUR_PLUGIN

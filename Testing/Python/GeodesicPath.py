@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """GeodesicPath: lengths, arrays, modes and mistakes; its closed path as a barrier.
 
 usage: GeodesicPath.py OUR_PLUGIN

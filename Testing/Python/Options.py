@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Every option of GeodesicDistance, alone and combined, on a plane and on the Bunny.
 
 usage: Options.py OUR_PLUGIN

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's bundled plugin GeodesicMeasurement gets wrong about paths, each named by what should
 be right, and right by the class vtkFastMarchingGeodesicPath of our Python package.
 

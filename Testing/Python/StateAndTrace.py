@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """A state file and a Python trace give back every property and the same field.
 
 usage: StateAndTrace.py OUR_PLUGIN

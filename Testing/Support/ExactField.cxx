@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact distances for tests that are not in C++.
 // usage: ExactField MESH.off < SEEDS > DISTANCES
 // Each line of SEEDS is one seed: x y z of its positions. Its line of DISTANCES has the distance of

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs a command with a ParaView server of 2 ranks, whose URL is put in the place of URL.
 
 usage: WithServer.py MPIEXEC PVSERVER COMMAND ... URL ...

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Converts a .vtp of triangles (inline, zlib, 32-bit headers) to OFF, with Python's own library only.
 
 Core is tested without VTK, so it can't read the test data itself.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The interpolator is used from Python, without ParaView's Python and without a display."""
 
 from vtkmodules.vtkCommonCore import vtkIdList

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The article's two programs: their help and errors, its scenarios, and a real mouse.
 
 usage: Programs.py PROGRAMS SCENARIOS.sh BUNNY.vtp FOLDER

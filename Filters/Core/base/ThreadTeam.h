@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef geodesic_ThreadTeam_h
 #define geodesic_ThreadTeam_h
 

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Draws picking-seeds.png in this folder: ParaView's window with seeds picked on the Bunny.
 # usage: bash picking-seeds.sh      (after Plugin/demo.sh; needs imagemagick and xvfb)
 set -euo pipefail

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Draws the pictures of tracing.md in this folder: those of scenarios.sh, trimmed and with fewer colours.
 # usage: bash tracing.sh      (after Plugin/demo.sh, or with BUILD; needs imagemagick and xvfb)
 set -euo pipefail

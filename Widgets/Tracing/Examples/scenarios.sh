@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the scenarios of the article's section 3 and has each make its picture.
 # usage: scenarios.sh BUNNY.vtp FOLDER      with the two programs and MakeEllipsoid in PATH
 set -euo pipefail
