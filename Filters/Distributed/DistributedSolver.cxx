@@ -35,9 +35,9 @@ std::span<const Index> DistributedSolver::sharedVertices() const
   return this->Mesh.shared().vertices();
 }
 
-std::span<const VertexSize> DistributedSolver::sizes() const
+std::span<const float> DistributedSolver::longestSides() const
 {
-  return this->Mesh.sizes();
+  return this->Mesh.longestSides();
 }
 
 std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)

@@ -49,7 +49,7 @@ public:
   bool isDivided() const override { return this->Ranks.size() > 1; }
   bool owns(Index vertex) const override;
   std::span<const Index> sharedVertices() const override;
-  std::span<const VertexSize> sizes() const override;
+  std::span<const float> longestSides() const override;
   void together(const std::function<void()>& step) override { this->Ranks.together(step); }
   std::vector<double> gather(std::span<const double> own) override
   {

@@ -14,17 +14,16 @@ DividedMesh::DividedMesh(
 {
   if (ranks.size() > 1)
   {
-    this->agreeOnSizes(ranks);
+    this->agreeOnLongestSides(ranks);
   }
   this->chooseStep(ranks);
 }
 
-void DividedMesh::agreeOnSizes(RankGroup& ranks)
+void DividedMesh::agreeOnLongestSides(RankGroup& ranks)
 {
-  const std::span<const VertexSize> own = this->mesh().rings().sizes();
-  this->Sizes.assign(own.begin(), own.end());
-  this->Shared.takeLargest<VertexSize>(ranks, this->Sizes, &VertexSize::longestSide);
-  this->Shared.takeLargest<VertexSize>(ranks, this->Sizes, &VertexSize::margin);
+  const std::span<const float> own = this->mesh().rings().longestSides();
+  this->LongestSides.assign(own.begin(), own.end());
+  this->Shared.takeLargest(ranks, this->LongestSides);
 }
 
 void DividedMesh::chooseStep(RankGroup& ranks)

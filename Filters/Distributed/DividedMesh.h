@@ -29,8 +29,8 @@ public:
   const TriangleMesh& mesh() const { return *this->Mesh; }
   const SharedPoints& shared() const { return this->Shared; }
 
-  /** See Partition::sizes. */
-  std::span<const VertexSize> sizes() const { return this->Sizes; }
+  /** See Partition::longestSides. */
+  std::span<const float> longestSides() const { return this->LongestSides; }
   /**
    * By how many edges of MarchingFront::meanLongestEdge() the limit of the march grows from round
    * to round. The more vertices are shared, the more the ranks redo: where nearly all are, as when
@@ -41,12 +41,12 @@ public:
   double stepInEdges() const { return this->StepInEdges; }
 
 private:
-  void agreeOnSizes(RankGroup& ranks);
+  void agreeOnLongestSides(RankGroup& ranks);
   void chooseStep(RankGroup& ranks);
 
   std::shared_ptr<const TriangleMesh> Mesh;
   SharedPoints Shared;
-  std::vector<VertexSize> Sizes;
+  std::vector<float> LongestSides;
   double StepInEdges = 0.0;
 };
 

@@ -78,20 +78,19 @@ public:
    * @param own of any vertices; only those of shared ones are sent
    */
   std::vector<StartValue> exchange(RankGroup& ranks, std::span<const StartValue> own) const;
-  /** Puts the largest value that a member has in all copies of each shared vertex in place of its
-   * own. Collective. */
-  template <class T, class Number>
-  void takeLargest(RankGroup& ranks, std::span<T> ofVertices, Number T::*member) const
+  /** Replaces the number of each shared vertex by the largest that any rank has for it.
+   * Collective. */
+  void takeLargest(RankGroup& ranks, std::span<float> ofVertices) const
   {
     std::vector<StartValue> own;
     for (const Index vertex : this->Vertices)
     {
-      own.push_back({ vertex, 0, static_cast<double>(ofVertices[vertex].*member), false });
+      own.push_back({ vertex, 0, ofVertices[vertex], false });
     }
     for (const StartValue& other : this->exchange(ranks, own))
     {
-      Number& largest = ofVertices[other.vertex].*member;
-      largest = std::max(largest, static_cast<Number>(other.value));
+      float& largest = ofVertices[other.vertex];
+      largest = std::max(largest, static_cast<float>(other.value));
     }
   }
 

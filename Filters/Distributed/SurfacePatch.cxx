@@ -181,7 +181,7 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
 PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) const
 {
   return { this->Mesh.shared().globalOf(vertex), this->Mesh.mesh().position(vertex),
-    this->Mesh.sizes()[vertex].longestSide,
+    this->Mesh.longestSides()[vertex],
     this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
     field ? field->distance(vertex) : DistanceField::Unreached,
     field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u };

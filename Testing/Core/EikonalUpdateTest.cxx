@@ -154,7 +154,7 @@ TEST(EikonalUpdate, FourAtOnceAreTheSame)
   expectTheSameAtOnce<Quad>();
 }
 
-// What RingEntry::slack rests on.
+// What TriangleSlack rests on.
 TEST(EikonalUpdate, CrossesNoEdgeBelowTheMeanOfItsEndsAndTheSlack)
 {
   std::mt19937 random(3);

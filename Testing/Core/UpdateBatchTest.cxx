@@ -49,23 +49,29 @@ std::vector<Slot> slotsOf(const BatchMasks& masks)
 
 }
 
-TEST(RingEntry, TellsWhatItsTriangleIs)
+TEST(RingEntry, TellsItsNeighbourAndWhetherItOpensATriangle)
 {
-  const RingEntry none(7);
-  EXPECT_FALSE(none.opensTriangle());
-  EXPECT_FALSE(none.isThin());
-  EXPECT_EQ(none.slack(), std::numeric_limits<float>::infinity());
   constexpr Index largest = 0x3fffffffu;
-  const RingEntry thin = RingEntry(7, -0.75f, true).at(largest);
-  EXPECT_EQ(thin.neighbour(), largest);
-  EXPECT_TRUE(thin.opensTriangle());
-  EXPECT_TRUE(thin.isThin());
-  EXPECT_FALSE(RingEntry(7, -0.25f, false).isThin());
+  for (const Index neighbour : { 0u, 7u, largest })
+  {
+    EXPECT_EQ(RingEntry(neighbour).neighbour(), neighbour);
+    EXPECT_FALSE(RingEntry(neighbour).opensTriangle());
+    EXPECT_EQ(RingEntry(neighbour, true).neighbour(), neighbour);
+    EXPECT_TRUE(RingEntry(neighbour, true).opensTriangle());
+  }
+}
+
+TEST(TriangleSlack, TellsWhatItsTriangleIs)
+{
+  EXPECT_FALSE(TriangleSlack().isThin());
+  EXPECT_EQ(TriangleSlack().value(), std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(TriangleSlack(-0.75f, true).isThin());
+  EXPECT_FALSE(TriangleSlack(-0.25f, false).isThin());
 }
 
 // The last bit of the slack tells whether the triangle is thin. A slack that became more would let
 // updates be passed over.
-TEST(RingEntry, RoundsSlackDown)
+TEST(TriangleSlack, IsRoundedDown)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> exponent(-30.0f, 30.0f);
@@ -74,17 +80,16 @@ TEST(RingEntry, RoundsSlackDown)
     const float size = std::exp2(exponent(random));
     for (const bool isThin : { false, true })
     {
-      const float slack = i % 2 == 0 || isThin ? -size : size;
-      const RingEntry entry(3, slack, isThin);
-      ASSERT_EQ(entry.isThin(), isThin) << slack;
-      ASSERT_TRUE(entry.opensTriangle());
-      ASSERT_LE(entry.slack(), slack);
-      ASSERT_GE(entry.slack(), std::nextafter(slack, -2.0f * size));
+      const float given = i % 2 == 0 || isThin ? -size : size;
+      const TriangleSlack slack(given, isThin);
+      ASSERT_EQ(slack.isThin(), isThin) << given;
+      ASSERT_LE(slack.value(), given);
+      ASSERT_GE(slack.value(), std::nextafter(given, -2.0f * size));
     }
   }
   constexpr float most = std::numeric_limits<float>::max();
-  EXPECT_TRUE(RingEntry(3, most, false).opensTriangle());
-  EXPECT_EQ(RingEntry(3, 0.0f, false).slack(), 0.0f);
+  EXPECT_LE(TriangleSlack(most, false).value(), most);
+  EXPECT_EQ(TriangleSlack(0.0f, false).value(), 0.0f);
 }
 
 TEST(BatchMasks, AreSeenOneByOneAndTogether)

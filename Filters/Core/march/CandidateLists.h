@@ -88,7 +88,8 @@ private:
 
 /**
  * The crossings that fronts are to go in the batch, as what was noted of the neighbours says: lists
- * of those along edges and those over edges, made for the whole batch at once; a part of NeighbourUpdate.
+ * of those along edges and those over edges, made for the whole batch at once; a part of
+ * NeighbourUpdate.
  */
 class CandidateLists
 {
@@ -99,7 +100,10 @@ public:
   /** To neighbours. */
   const AlongList& along() const { return this->Along; }
   /** Of fronts of a shape. */
-  CrossingList& across(FrontShape shape) { return this->Crossings[static_cast<std::size_t>(shape)]; }
+  CrossingList& across(FrontShape shape)
+  {
+    return this->Crossings[static_cast<std::size_t>(shape)];
+  }
 
   /** Makes the list along edges; only the edges of open triangles stay in UpdateBatch::along. */
   GEODESIC_INLINED void listAlong(UpdateBatch& batch)

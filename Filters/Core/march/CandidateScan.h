@@ -57,13 +57,8 @@ public:
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
       // After the last neighbour come any others, with which nothing is done.
-      const Entries<Real> some(entries + i);
-      store(some.neighbours(), &batch.Neighbours[base + i]);
-      Indices<Real> neighbours;
-      for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-      {
-        neighbours[lane] = entries[i + lane].neighbour();
-      }
+      const Indices<Real> neighbours = neighboursIn<Real>(entries + i);
+      std::copy_n(neighbours.begin(), lanes<Real>, &batch.Neighbours[base + i]);
       const BestValues<Real> seen = reader.template look<Real>(neighbours);
       const Vector3Of<Real> offset =
         sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
@@ -83,7 +78,8 @@ public:
       }
       else
       {
-        judgement.add(i, some, neighbours, squares, seen.values, seen.values, this->TriangleCost);
+        judgement.add(
+          i, row.slacks + i, neighbours, squares, seen.values, seen.values, this->TriangleCost);
       }
     }
     const std::size_t last = size - 1;
@@ -116,15 +112,14 @@ public:
   {
     const UpdateBatch::Row& row = batch.Rows[number];
     const std::size_t base = number * UpdateBatch::Size;
-    const RingEntry* const entries = row.entries;
     Judgement<Real> judgement(row.vertex, batch.OwnValues[number]);
     for (std::size_t i = 0; i < row.size; i += lanes<Real>)
     {
       Indices<Real> neighbours;
       std::copy_n(&batch.Neighbours[base + i], lanes<Real>, neighbours.begin());
-      judgement.add(i, Entries<Real>(entries + i), neighbours,
-        load<Real>(&batch.SquaredLengths[base + i]), load<Real>(&batch.Values[base + i]),
-        load<Real>(&batch.Ceilings[base + i]), this->TriangleCost);
+      judgement.add(i, row.slacks + i, neighbours, load<Real>(&batch.SquaredLengths[base + i]),
+        load<Real>(&batch.Values[base + i]), load<Real>(&batch.Ceilings[base + i]),
+        this->TriangleCost);
     }
     judgement.put(number, batch);
   }
@@ -132,41 +127,41 @@ public:
 private:
   using Mask = BatchMasks::Mask;
 
-  /** As many entries of a ring as a Real has numbers. */
   template <class Real>
-  class Entries
+  GEODESIC_INLINED static Indices<Real> neighboursIn(const RingEntry* entries)
+  {
+    Indices<Real> neighbours;
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+    {
+      neighbours[lane] = entries[lane].neighbour();
+    }
+    return neighbours;
+  }
+
+  /** The slacks of as many triangles as a Real has numbers. */
+  template <class Real>
+  class Slacks
   {
   public:
-    GEODESIC_INLINED explicit Entries(const RingEntry* entries)
+    GEODESIC_INLINED explicit Slacks(const TriangleSlack* slacks)
     {
-      std::memcpy(&this->First, entries, sizeof this->First);
-      std::memcpy(&this->Second, entries + lanes<Real> / 2, sizeof this->Second);
+      static_assert(sizeof(TriangleSlack) == sizeof(float));
+      std::memcpy(&this->Bits, slacks, sizeof this->Bits);
     }
-    GEODESIC_INLINED BitsOf<Real> neighbours() const
-    {
-      return everySecond<0>(this->First, this->Second);
-    }
-    GEODESIC_INLINED Real slacks() const
+    GEODESIC_INLINED Real values() const
     {
       using Floats = typename FloatsBeside<Real>::Type;
-      return __builtin_convertvector(std::bit_cast<Floats>(this->slackBits()), Real);
+      return __builtin_convertvector(std::bit_cast<Floats>(this->Bits), Real);
     }
-    /** Which are thin. */
+    /** Which of the triangles are thin. */
     GEODESIC_INLINED unsigned areThin() const
     {
-      static_assert(RingEntry::ThinBit == 1);
-      return highestBits<Real>(this->slackBits() << 31);
+      static_assert(TriangleSlack::ThinBit == 1);
+      return highestBits<Real>(this->Bits << 31);
     }
 
   private:
-    GEODESIC_INLINED BitsOf<Real> slackBits() const
-    {
-      return everySecond<1>(this->First, this->Second);
-    }
-
-    // Half of the entries each.
-    BitsOf<Real> First;
-    BitsOf<Real> Second;
+    BitsOf<Real> Bits;
   };
 
   /** What is worth a closer look in a row, found for some neighbours after the other. */
@@ -182,7 +177,7 @@ private:
     }
 
     /** @param held  nothing at or above it is of interest at the neighbours */
-    GEODESIC_INLINED void add(std::size_t i, const Entries<Real>& entries,
+    GEODESIC_INLINED void add(std::size_t i, const TriangleSlack* slacksHere,
       const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
       const Cost& cost)
     {
@@ -190,7 +185,8 @@ private:
       this->Along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
 
       // The triangles that end here, each opened by the neighbour before.
-      const Real slacks = entries.slacks();
+      const Slacks<Real> some(slacksHere);
+      const Real slacks = some.values();
       const Real costs = lanesOf<Real>(
         [&](std::size_t lane)
         {
@@ -200,7 +196,7 @@ private:
       const Real bounds = this->Own + costs * shiftedIn(this->LastSlacks, slacks);
       this->First |= bitsOf(bounds + values < 2.0 * shiftedIn(this->LastHeld, held)) << i;
       this->Second |= bitsOf(bounds + shiftedIn(this->LastValues, values) < 2.0 * held) << i;
-      this->IsThin |= entries.areThin() << i;
+      this->IsThin |= some.areThin() << i;
       this->LastNeighbour = neighbours.back();
       this->LastValues = values;
       this->LastHeld = held;

@@ -9,6 +9,7 @@
 #include "march/OneLabelValues.h"
 #include "march/QueuedFront.h"
 #include "march/TriangleCost.h"
+#include "march/UpdateBounds.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/MarchControl.h"
@@ -49,7 +50,14 @@ std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const Sol
 }
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads)
+  : FastMarchingSolver(mesh, std::make_shared<UpdateBounds>(*mesh), mayUseQuads)
+{
+}
+
+FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
+  std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads)
   : FrontSolver(std::move(mesh))
+  , Bounds(std::move(bounds))
   , MayUseQuads(mayUseQuads)
 {
   this->States.resize(this->mesh().numberOfVertices());
@@ -57,17 +65,25 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
 
 bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
+  // On several pieces the margins of shared vertices are agreed upon; one label asks for none.
+  std::vector<float> agreed;
+  if (request.partition.isDivided() && request.front.labels.size() > 1)
+  {
+    agreed = sharedMargins(*this->Bounds, request.partition);
+  }
+  const std::span<const float> margins = agreed.empty() ? this->Bounds->margins() : agreed;
   if (!request.hasCost)
   {
-    const UnitCost cost(this->mesh(), request.partition);
+    const UnitCost cost(this->mesh(), margins, request.partition);
     const auto starts = unitStarts(request.front, request.partition);
     return this->marchAtCost(cost, starts, request, limit, field);
   }
   if (!this->UnitSolver)
   {
-    this->UnitSolver = std::make_unique<FastMarchingSolver>(this->sharedMesh(), this->MayUseQuads);
+    this->UnitSolver =
+      std::make_unique<FastMarchingSolver>(this->sharedMesh(), this->Bounds, this->MayUseQuads);
   }
-  const VertexCost cost(this->mesh(), request.options.cost, request.partition);
+  const VertexCost cost(this->mesh(), request.options.cost, margins, request.partition);
   const auto starts = costedStarts(
     this->mesh(), request.front, request.options, request.partition, *this->UnitSolver);
   return this->marchAtCost(cost, starts, request, limit, field);
@@ -78,15 +94,15 @@ bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValu
   const Request& request, StopLimit& limit, DistanceField& field)
 {
   const double edge = this->mesh().meanLongestEdge();
-  const double height = heightOfMargin(edge, this->mesh().meanMargin());
+  const double height = heightOfMargin(edge, this->Bounds->meanMargin());
   const double width = BucketWidthInHeights * height * cost.mean();
   // A piece without triangles has no edges.
   this->Queues.start(width > 0.0 ? width : 1.0,
     2.0 * this->mesh().longestEdgeLength() * cost.largest(),
     numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
-  const MarchContext<Cost> context{ this->mesh(), cost, request.options, limit, control, field,
-    this->Queues, this->States };
+  const MarchContext<Cost> context{ this->mesh(), *this->Bounds, cost, request.options, limit,
+    control, field, this->Queues, this->States };
   if (request.front.labels.size() == 1)
   {
     OneLabelValues<Cost> values(context, request.front.labels[0]);
@@ -101,7 +117,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
 {
   NeighbourUpdate<Cost, Values> neighbourUpdate(
-    this->mesh(), request.closed, cost, values, this->MayUseQuads);
+    this->mesh(), *this->Bounds, request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
     values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);

@@ -18,6 +18,7 @@ namespace geodesic
 {
 
 class MarchControl;
+class UpdateBounds;
 
 /**
  * Geodesic distance by fast marching: a front that spreads over the triangles, each vertex updated
@@ -40,6 +41,9 @@ public:
   /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
    * Lanes.h); the field is the same either way, to the bit */
   explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads = true);
+  /** The same with bounds of the mesh that are there already. */
+  FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
+    std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads = true);
 
 protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
@@ -52,6 +56,7 @@ private:
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
+  std::shared_ptr<const UpdateBounds> Bounds;
   bool MayUseQuads;
   FrontQueues Queues;
   std::vector<VertexState> States;

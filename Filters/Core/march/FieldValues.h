@@ -7,6 +7,7 @@
 #include "march/FrontQueues.h"
 #include "march/NeighbourValues.h"
 #include "march/SourceFront.h"
+#include "march/UpdateBounds.h"
 #include "march/VertexState.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceField.h"
@@ -25,6 +26,7 @@ template <class Cost>
 struct MarchContext
 {
   const TriangleMesh& mesh;
+  const UpdateBounds& bounds;
   const Cost& cost;
   const SolveOptions& options;
   const StopLimit& limit;
@@ -85,6 +87,14 @@ protected:
     , Distances(context.field.distances())
     , Positions(context.mesh.positions())
   {
+  }
+
+  /** Fetches what an update round a vertex reads of the mesh. GCC drops the call unless it is
+   * inlined. */
+  [[gnu::always_inline]] void prefetchRing(Index vertex) const
+  {
+    this->Context.mesh.prefetch(vertex);
+    this->Context.bounds.prefetch(this->Context.mesh.rings().firstEntry(vertex));
   }
 
   const MarchContext<Cost>& context() const { return this->Context; }

@@ -168,7 +168,7 @@ public:
   [[gnu::always_inline]] void prefetch(Index taken) const
   {
     const Index vertex = this->vertexOf(taken);
-    this->context().mesh.prefetch(vertex);
+    this->prefetchRing(vertex);
     __builtin_prefetch(&this->state(vertex));
   }
 

@@ -30,7 +30,7 @@ namespace geodesic
  * An update is the least of three crossings: along either edge to the neighbour, and over the
  * inside of the edge opposite to it. Along an edge the front comes when the edge's other end is
  * swept, over an edge when the last of its ends is. Few triangles of a march need their shape: most
- * corners can gain nothing by RingEntry::slack.
+ * corners can gain nothing by TriangleSlack.
  *
  * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
  * waits. So some vertices are swept together, step by step, and each step is one loop over all of
@@ -58,10 +58,11 @@ class NeighbourUpdate
 public:
   /** @param mayUseQuads whether four numbers are treated at once where the processor can; the
    * values are the same either way */
-  NeighbourUpdate(const TriangleMesh& mesh, const ClosedTriangles& closed, const Cost& cost,
-    Values& values, bool mayUseQuads = true)
+  NeighbourUpdate(const TriangleMesh& mesh, const UpdateBounds& bounds,
+    const ClosedTriangles& closed, const Cost& cost, Values& values, bool mayUseQuads = true)
     : Scan(mesh, closed, cost, values)
     , Mesh(mesh)
+    , Bounds(bounds)
     , TriangleCost(cost)
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
@@ -124,7 +125,7 @@ private:
       }
       if (fits) [[likely]]
       {
-        this->Batch.add(vertex, item, ring);
+        this->Batch.add(vertex, item, ring, this->slacksOf(ring));
       }
       else
       {
@@ -151,13 +152,20 @@ private:
       {
         updateScanned();
       }
-      this->Batch.add(taken.vertex, item, ring.subspan(first));
+      const std::span<const RingEntry> part = ring.subspan(first);
+      this->Batch.add(taken.vertex, item, part, this->slacksOf(part));
       this->Scan.template scan<Real>(taken, this->Batch.Count - 1, this->Batch);
     }
     updateScanned();
   }
 
-  /** Takes what the batch are of and looks at them; has the processor fetch some of @p next and
+  /** Of the triangles that entries open. */
+  const TriangleSlack* slacksOf(std::span<const RingEntry> entries) const
+  {
+    return this->Bounds.slacks() + this->Mesh.rings().numberOf(entries.data());
+  }
+
+  /** Takes what the rows are of and looks at them; has the processor fetch some of @p next and
    * returns the others. */
   template <class Real>
   std::span<const Index> scanAll(std::span<const Index> next)
@@ -433,6 +441,7 @@ private:
   UpdateBatch Batch;
   CandidateScan<Cost, Values> Scan;
   const TriangleMesh& Mesh;
+  const UpdateBounds& Bounds;
   const Cost& TriangleCost;
   Values& FrontValues;
   CandidateLists Candidates;

@@ -20,27 +20,30 @@ class UnitCost
 public:
   static constexpr bool isUnit = true;
 
-  UnitCost(const TriangleMesh& mesh, const Partition& partition)
-    : Sizes(partition.isDivided() ? partition.sizes() : mesh.rings().sizes())
+  /** @param margins of the vertices, see UpdateBounds; must live as long as this */
+  UnitCost(const TriangleMesh& mesh, std::span<const float> margins, const Partition& partition)
+    : LongestSides(partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides())
+    , Margins(margins)
   {
   }
 
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
   /** The most that two vertices of the triangles round a vertex can differ by. */
-  double reach(Index vertex) const { return this->Sizes[vertex].longestSide; }
+  double reach(Index vertex) const { return this->LongestSides[vertex]; }
   /** See labelMargin(). */
-  double margin(Index vertex) const { return this->Sizes[vertex].margin; }
+  double margin(Index vertex) const { return this->Margins[vertex]; }
   /** Has the processor fetch a margin that is soon to be read. */
   [[gnu::always_inline]] void prefetchMargin(Index vertex) const
   {
-    __builtin_prefetch(&this->Sizes[vertex]);
+    __builtin_prefetch(&this->Margins[vertex]);
   }
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
 
 private:
-  std::span<const VertexSize> Sizes;
+  std::span<const float> LongestSides;
+  std::span<const float> Margins;
 };
 
 /** A cost at each vertex; that of a triangle is the mean of its corners'. Set up in O(n). */
@@ -49,9 +52,10 @@ class VertexCost
 public:
   static constexpr bool isUnit = false;
 
-  VertexCost(const TriangleMesh& mesh, std::span<const double> cost, Partition& partition)
+  VertexCost(const TriangleMesh& mesh, std::span<const double> cost, std::span<const float> margins,
+    Partition& partition)
     : Cost(cost)
-    , Length(mesh, partition)
+    , Length(mesh, margins, partition)
     , Dearest(cost.size())
   {
     for (Index v = 0; v < cost.size(); ++v)

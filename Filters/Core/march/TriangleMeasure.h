@@ -13,13 +13,13 @@
 namespace geodesic
 {
 
-/** What the rings of its corners tell of the size of a triangle. */
+/** The sizes of a triangle that bound its updates; see UpdateBounds. */
 struct TriangleMeasure
 {
-  /** RingEntry::isThin */
+  /** TriangleSlack::isThin */
   bool isThin() const { return this->slack < -0.5f * this->longestSide; }
 
-  /** RingEntry::slack */
+  /** TriangleSlack::value */
   float slack;
   /** Rounded up. */
   float longestSide;

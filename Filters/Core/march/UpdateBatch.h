@@ -6,6 +6,7 @@
 #include "base/Index.h"
 #include "base/Lanes.h"
 #include "march/NeighbourValues.h"
+#include "march/UpdateBounds.h"
 #include "mesh/VertexRings.h"
 
 #include <algorithm>
@@ -104,6 +105,8 @@ struct UpdateBatch
     /** Slots in use; 0 where there is nothing to be done. */
     Index size;
     const RingEntry* entries;
+    /** Of the triangles that they open. */
+    const TriangleSlack* slacks;
     /** What of the queue the vertex is swept for. */
     Index item;
     /** The slot in which the first neighbour comes again, where the row closes; else 0. */
@@ -113,12 +116,13 @@ struct UpdateBatch
   };
 
   /** Adds a row onto the first part of a ring, or of the rest of one. @pre Count < Most */
-  void add(Index vertex, Index item, std::span<const RingEntry> ring)
+  void add(Index vertex, Index item, std::span<const RingEntry> ring, const TriangleSlack* slacks)
   {
     Row& row = this->Rows[this->Count++];
     row.vertex = vertex;
     row.item = item;
     row.entries = ring.data();
+    row.slacks = slacks;
     row.size = static_cast<Index>(std::min(Size, ring.size()));
   }
 

@@ -21,11 +21,8 @@ namespace geodesic
 /** The side of a triangle that faces the vertex whose ring is built. */
 struct OppositeSide
 {
-  /** That of the side's first end, where it opens the triangle. */
-  RingEntry opening;
+  Index first;
   Index second;
-
-  Index first() const { return this->opening.neighbour(); }
 };
 
 /** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
@@ -48,7 +45,7 @@ public:
       std::size_t front = sides.size();
       std::size_t back = front + 1;
       const OppositeSide side = this->takeAny();
-      this->Fan[front] = side.opening;
+      this->Fan[front] = RingEntry(side.first, true);
       this->Fan[back] = RingEntry(side.second);
       bool isClosed = false;
       while (!isClosed)
@@ -61,7 +58,7 @@ public:
         }
         const OppositeSide next = this->take(place);
         const Index other = otherEnd(next, end);
-        this->Fan[back] = next.opening.at(end);
+        this->Fan[back] = RingEntry(end, true);
         this->Fan[++back] = RingEntry(other);
         isClosed = other == this->Fan[front].neighbour();
       }
@@ -74,7 +71,7 @@ public:
           break;
         }
         const OppositeSide next = this->take(place);
-        this->Fan[--front] = next.opening.at(otherEnd(next, end));
+        this->Fan[--front] = RingEntry(otherEnd(next, end), true);
         isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
       }
       entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
@@ -91,7 +88,7 @@ private:
 
   static Index otherEnd(const OppositeSide& side, Index end)
   {
-    return side.first() ^ side.second ^ end;
+    return side.first ^ side.second ^ end;
   }
 
   void indexSides()
@@ -101,7 +98,7 @@ private:
     this->NextStart = 0;
     for (std::size_t i = 0; i < this->Sides.size(); ++i)
     {
-      this->Ends.emplace_back(this->Sides[i].first(), i);
+      this->Ends.emplace_back(this->Sides[i].first, i);
       this->Ends.emplace_back(this->Sides[i].second, i);
     }
     std::sort(this->Ends.begin(), this->Ends.end());
@@ -150,7 +147,7 @@ private:
     for (std::size_t i = 0; i < this->Left; ++i)
     {
       const OppositeSide& side = this->Sides[i];
-      found |= static_cast<Mask>((side.first() == vertex) | (side.second == vertex)) << i;
+      found |= static_cast<Mask>((side.first == vertex) | (side.second == vertex)) << i;
     }
     return found == 0 ? None : std::countr_zero(found);
   }

@@ -264,19 +264,15 @@ void TriangleMesh::forgetBareVertices()
 
 void TriangleMesh::measureEdges()
 {
-  const std::span<const VertexSize> sizes = this->Rings.sizes();
-  double sides = 0.0;
-  double margins = 0.0;
+  const std::span<const float> longestSides = this->Rings.longestSides();
+  double sum = 0.0;
   float longest = 0.0f;
-  for (const VertexSize& size : sizes)
+  for (const float side : longestSides)
   {
-    sides += size.longestSide;
-    margins += size.margin;
-    longest = std::max(longest, size.longestSide);
+    sum += side;
+    longest = std::max(longest, side);
   }
-  const double count = std::max(1.0, static_cast<double>(sizes.size()));
-  this->MeanLongestEdge = sides / count;
-  this->MeanMargin = margins / count;
+  this->MeanLongestEdge = sum / std::max(1.0, static_cast<double>(longestSides.size()));
   this->LongestEdgeLength = longest;
 }
 

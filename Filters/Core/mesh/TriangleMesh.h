@@ -99,12 +99,10 @@ public:
 
   /** Mean over all vertices of longestEdgeAround(); 0 without any. */
   double meanLongestEdge() const { return this->MeanLongestEdge; }
-  /** Mean over all vertices of the largest labelMargin() round them; 0 without any. */
-  double meanMargin() const { return this->MeanMargin; }
   /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
-  double longestEdgeAround(Index vertex) const { return this->Rings.sizes()[vertex].longestSide; }
+  double longestEdgeAround(Index vertex) const { return this->Rings.longestSides()[vertex]; }
 
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
@@ -124,7 +122,6 @@ private:
   BulkVector<Index> VertexOfPoint;
   BulkVector<Index> PointOfVertex;
   double MeanLongestEdge = 0.0;
-  double MeanMargin = 0.0;
   double LongestEdgeLength = 0.0;
 };
 

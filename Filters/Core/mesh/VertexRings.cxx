@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/VertexRings.h"
 
-#include "march/TriangleMeasure.h"
 #include "mesh/RingBuilder.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -19,13 +18,20 @@ namespace geodesic
 namespace
 {
 
-VertexSize largest(const VertexSize& a, const VertexSize& b)
+/** The length of a triangle's longest side, rounded up. */
+float longestSideOf(const Triangle& t, const Vector3* positions)
 {
-  // Both of its numbers at once.
-  using Both = float __attribute__((vector_size(sizeof(VertexSize))));
-  const Both x = std::bit_cast<Both>(a);
-  const Both y = std::bit_cast<Both>(b);
-  return std::bit_cast<VertexSize>(x > y ? x : y);
+  const auto squaredSide = [&](int a, int b)
+  {
+    const Vector3 side = positions[t[a]] - positions[t[b]];
+    return dot(side, side);
+  };
+  const double longest =
+    std::sqrt(largest(squaredSide(0, 1), largest(squaredSide(1, 2), squaredSide(2, 0))));
+  // More than what rounding to a float changes.
+  constexpr double relative = std::numeric_limits<float>::epsilon();
+  constexpr double absolute = std::numeric_limits<float>::denorm_min();
+  return static_cast<float>(longest * (1.0 + relative) + absolute);
 }
 
 /** Numbers that follow each other. */
@@ -113,10 +119,10 @@ public:
   Filling(VertexRings& rings, const Range& range, std::size_t start,
     std::span<const Vector3> positions, std::span<Index> seconds)
     : OfRange(range)
-    , Positions(positions)
+    , Positions(positions.data())
     , Starts(rings.Starts.data())
     , Entries(rings.Entries.data())
-    , Sizes(rings.Sizes.data())
+    , LongestSides(rings.LongestSides.data())
     , Seconds(seconds.data())
     , NextVertex(range.vertices().first())
     , NextStart(start)
@@ -132,7 +138,7 @@ public:
     for (Index v = vertices.first(); v < vertices.last(); ++v)
     {
       start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
-      this->Sizes[v] = {};
+      this->LongestSides[v] = 0.0f;
     }
     this->OfRange.withVertices(
       [&](const auto& ours)
@@ -149,28 +155,20 @@ private:
   template <class Vertices>
   void put(std::span<const Triangle> triangles, const Vertices& ours)
   {
-    for (std::size_t first = 0; first < triangles.size(); first += TriangleMeasurer::Most)
+    for (std::size_t t = 0; t < triangles.size(); ++t)
     {
-      const std::span<const Triangle> rest = triangles.subspan(first);
-      const std::span<const Triangle> some =
-        rest.first(std::min(TriangleMeasurer::Most, rest.size()));
       // All triangles at lower vertices have come.
-      this->chainBefore(lowestCorner(some.front()));
-      this->Measures.measure(some, this->Positions);
-      for (std::size_t i = 0; i < some.size(); ++i)
-      {
-        constexpr std::size_t ahead = 32;
-        this->prefetchRing(rest[std::min(i + ahead, rest.size() - 1)], ours);
-        this->put(some[i], this->Measures[i], ours);
-      }
+      this->chainBefore(lowestCorner(triangles[t]));
+      constexpr std::size_t ahead = 32;
+      this->prefetchRing(triangles[std::min(t + ahead, triangles.size() - 1)], ours);
+      this->put(triangles[t], ours);
     }
   }
 
   template <class Vertices>
-  void put(const Triangle& t, const TriangleMeasure& measure, const Vertices& ours)
+  void put(const Triangle& t, const Vertices& ours)
   {
-    const RingEntry opening(0, measure.slack, measure.isThin());
-    const VertexSize size{ measure.longestSide, measure.margin };
+    const float longestSide = longestSideOf(t, this->Positions);
     for (int c = 0; c < 3; ++c)
     {
       const Index v = t[c];
@@ -178,9 +176,9 @@ private:
       {
         // Moves the start of the ring to its end.
         const std::uint32_t place = this->Starts[v]++;
-        this->Entries[place] = opening.at(t[(c + 1) % 3]);
+        this->Entries[place] = RingEntry(t[(c + 1) % 3], true);
         this->Seconds[place - v] = t[(c + 2) % 3];
-        this->Sizes[v] = largest(this->Sizes[v], size);
+        this->LongestSides[v] = std::max(this->LongestSides[v], longestSide);
       }
     }
   }
@@ -196,7 +194,7 @@ private:
       const std::uint32_t place = this->Starts[v];
       __builtin_prefetch(&this->Entries[place], 1);
       __builtin_prefetch(&this->Seconds[place - v], 1);
-      __builtin_prefetch(&this->Sizes[v], 1);
+      __builtin_prefetch(&this->LongestSides[v], 1);
     }
   }
 
@@ -224,7 +222,7 @@ private:
     this->Sides.clear();
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
-      this->Sides.push_back({ ring[i], ends[i] });
+      this->Sides.push_back({ ring[i].neighbour(), ends[i] });
     }
     this->Fans.clear();
     this->AnyFans.chain(this->Sides, this->Fans);
@@ -239,13 +237,12 @@ private:
   }
 
   const Range& OfRange;
-  std::span<const Vector3> Positions;
-  // At hand, as what is written could be of these arrays' own kind.
+  // Pointers of its own, as what is written could be of these arrays' own kind.
+  const Vector3* Positions;
   std::uint32_t* Starts;
   RingEntry* Entries;
-  VertexSize* Sizes;
+  float* LongestSides;
   Index* Seconds;
-  TriangleMeasurer Measures;
   Index NextVertex;
   std::size_t NextStart;
   ClosedRingBuilder ClosedFan;
@@ -258,7 +255,7 @@ private:
 VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
   std::span<Index> room, const ThreadTeam& team)
   : Starts(positions.size() + 1)
-  , Sizes(positions.size())
+  , LongestSides(positions.size())
 {
   const std::size_t vertices = positions.size();
   constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;

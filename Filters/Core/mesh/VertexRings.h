@@ -8,9 +8,7 @@
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 
-#include <bit>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,69 +23,22 @@ class RingEntry
 {
 public:
   constexpr RingEntry() = default;
-  /** Opens no triangle. */
-  constexpr explicit RingEntry(Index neighbour)
-    : Neighbour(neighbour)
+  constexpr explicit RingEntry(Index neighbour, bool opensTriangle = false)
+    : Bits(neighbour | (opensTriangle ? OpensTriangle : 0u))
   {
-  }
-  /** Opens a triangle, of which the rest tells: a finite slack, less than 0 where it is thin. */
-  constexpr RingEntry(Index neighbour, float slack, bool isThin)
-    : Neighbour(neighbour)
-    , Slack(slackWith(isThin, slack))
-  {
-  }
-  /** The entry of another neighbour that opens the same triangle. */
-  constexpr RingEntry at(Index neighbour) const
-  {
-    RingEntry entry = *this;
-    entry.Neighbour = neighbour;
-    return entry;
-  }
-  constexpr Index neighbour() const { return this->Neighbour; }
-  constexpr bool opensTriangle() const { return this->Slack < NoSlack; }
-  /** Whether the triangle's height over its longest side is less than a quarter of that. */
-  constexpr bool isThin() const
-  {
-    return (std::bit_cast<std::uint32_t>(this->Slack) & ThinBit) != 0;
   }
 
-  /**
-   * Tells from three values that no update of the triangle can gain anything: the least of 2 h - c
-   * over its sides, with c the length of the side and h the height over it, rounded down. A
-   * distance is 1-Lipschitz, so nowhere on a side less than (a + b - c) / 2 with a and b at its
-   * ends; over it the third corner gets no less than (a + b + slack) / 2. +infinity without a
-   * triangle.
-   */
-  constexpr float slack() const { return this->Slack; }
+  constexpr Index neighbour() const { return this->Bits & NeighbourBits; }
+  constexpr bool opensTriangle() const { return (this->Bits & OpensTriangle) != 0; }
 
   friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
 
-  /** For who reads several at once: the bit of a slack that isThin() is. */
-  static constexpr std::uint32_t ThinBit = 1;
+  /** Those bits of an entry that are its neighbour, for code that reads several entries at once. */
+  static constexpr Index NeighbourBits = 0x7fffffffu;
 
 private:
-  static constexpr float NoSlack = std::numeric_limits<float>::infinity();
-
-  /** Rounded down to where its last bit says whether the triangle is thin, by that bit or none. */
-  static constexpr float slackWith(bool isThin, float slack)
-  {
-    const auto bits = std::bit_cast<std::uint32_t>(slack);
-    const std::uint32_t off = (bits ^ (isThin ? ThinBit : 0u)) & ThinBit;
-    const std::uint32_t isNegative = bits >> 31;
-    return std::bit_cast<float>(bits - off + 2 * (off & isNegative));
-  }
-
-  Index Neighbour = 0;
-  float Slack = NoSlack;
-};
-
-/** The largest of what is measured of the triangles round a vertex. */
-struct VertexSize
-{
-  /** Longest side, rounded up. */
-  float longestSide = 0.0f;
-  /** labelMargin(), rounded up. */
-  float margin = 0.0f;
+  static constexpr Index OpensTriangle = ~NeighbourBits;
+  Index Bits = 0;
 };
 
 /**
@@ -125,9 +76,8 @@ public:
   [[gnu::always_inline]] void prefetch(Index vertex) const
   {
     const RingEntry* const entries = this->Entries.data() + this->Starts[vertex];
-    constexpr std::size_t cacheLine = 64;
     __builtin_prefetch(entries);
-    __builtin_prefetch(entries + cacheLine / sizeof(RingEntry));
+    __builtin_prefetch(entries + 6);
   }
 
   /** Has it fetch what tells where that ring is. */
@@ -136,10 +86,15 @@ public:
     __builtin_prefetch(&this->Starts[vertex]);
   }
 
-  /** Number of a vertex's first entry, counted over the rings of all vertices. */
+  /** The number of an entry of a ring, counted over the rings of all vertices. */
+  std::size_t numberOf(const RingEntry* entry) const
+  {
+    return static_cast<std::size_t>(entry - this->Entries.data());
+  }
+  /** That of a vertex's first entry. */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
-  /** One a vertex. */
-  std::span<const VertexSize> sizes() const { return this->Sizes; }
+  /** Of each vertex the length of the longest side of the triangles round it, rounded up. */
+  std::span<const float> longestSides() const { return this->LongestSides; }
   std::size_t numberOfEntries() const { return this->Starts.back(); }
 
 private:
@@ -159,7 +114,7 @@ private:
   std::vector<std::uint32_t> Starts;
   /** And Overrun more. */
   BulkVector<RingEntry> Entries;
-  BulkVector<VertexSize> Sizes;
+  BulkVector<float> LongestSides;
 };
 
 }

@@ -3,7 +3,7 @@
 #ifndef geodesic_Partition_h
 #define geodesic_Partition_h
 
-#include "mesh/VertexRings.h"
+#include "base/Index.h"
 #include "solve/MarchingFront.h"
 #include "solve/StartValue.h"
 
@@ -36,10 +36,10 @@ public:
   /** The vertices that other pieces have as well. */
   virtual std::span<const Index> sharedVertices() const { return {}; }
   /**
-   * Of the triangles round each vertex on all pieces; where the surface is not divided, none: the
-   * mesh's own are meant.
+   * Of each vertex the length of the longest side of the triangles round it on all pieces. Empty
+   * where the surface is not divided: then VertexRings::longestSides() are meant.
    */
-  virtual std::span<const VertexSize> sizes() const { return {}; }
+  virtual std::span<const float> longestSides() const { return {}; }
 
   /** Runs a step that makes no collective call. Where it throws on one piece, it does on all. */
   virtual void together(const std::function<void()>& step) { step(); }

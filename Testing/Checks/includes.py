@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that includes go one way: each layer, and each folder of Filters/Core, sees only those before it.
+
+usage: includes.py PROJECT_FOLDER
+Prints each include that points the other way, and ends with status 1 where there is one.
+"""
+
+import os
+import re
+import sys
+
+CORE = ["base", "mesh", "search", "solve", "march", "methods", "path", "split"]
+# By folder: what its files may include beside their own folder's. The folders of Core are apart.
+LAYERS = {
+    "Filters/Bridge": ["Filters/Core"],
+    "Filters/Distributed": ["Filters/Core", "Filters/Bridge"],
+    "Filters/Geodesics": ["Filters/Core", "Filters/Bridge", "Filters/Distributed"],
+    "Filters/Surface": ["Filters/Core", "Filters/Bridge", "Filters/Distributed", "Filters/Geodesics"],
+    "Widgets/Tracing": ["Filters/Core", "Filters/Bridge", "Filters/Distributed", "Filters/Geodesics"],
+    "Widgets/Seeds": [],
+    "Widgets/Lines": [],
+}
+INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.MULTILINE)
+
+
+def sources(folder):
+    for place, _, files in os.walk(folder):
+        for file in sorted(files):
+            if file.endswith((".h", ".cxx")):
+                yield os.path.join(place, file)
+
+
+def included_by(file):
+    with open(file) as stream:
+        return INCLUDE.findall(stream.read())
+
+
+def wrong_in_core(project):
+    core = os.path.join(project, "Filters/Core")
+    for file in sources(core):
+        folder = os.path.relpath(file, core).split(os.sep)[0]
+        if folder not in CORE:
+            yield file, f"lies in no folder of Core: {', '.join(CORE)}"
+            continue
+        for header in included_by(file):
+            other = header.split("/")[0]
+            if other not in CORE or not os.path.exists(os.path.join(core, header)):
+                yield file, f'includes "{header}", which is no header of Core; name it with its folder'
+            elif CORE.index(other) > CORE.index(folder):
+                yield file, f'includes "{header}", but {folder} comes before {other}'
+
+
+def wrong_in_layers(project):
+    headers = {layer: {} for layer in [*LAYERS, "Filters/Core"]}
+    for layer, names in headers.items():
+        place = os.path.join(project, layer)
+        for file in sources(place):
+            names[os.path.relpath(file, place)] = file
+    for layer, below in LAYERS.items():
+        for file in sources(os.path.join(project, layer)):
+            for header in included_by(file):
+                homes = [other for other, names in headers.items() if header in names]
+                if homes and layer not in homes and not set(homes) & set(below):
+                    yield file, f'includes "{header}" of {homes[0]}'
+
+
+def main(project):
+    wrong = [*wrong_in_core(project), *wrong_in_layers(project)]
+    for file, why in wrong:
+        print(f"{os.path.relpath(file, project)} {why}")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
