@@ -56,52 +56,43 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
 
 FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads)
-  : FrontSolver(std::move(mesh))
-  , Bounds(std::move(bounds))
+  : MarchingSolver(std::move(mesh), std::move(bounds))
   , MayUseQuads(mayUseQuads)
 {
   this->States.resize(this->mesh().numberOfVertices());
 }
 
-bool FastMarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
+std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
 {
-  // On several pieces the margins of shared vertices are agreed upon; one label asks for none.
-  std::vector<float> agreed;
-  if (request.partition.isDivided() && request.front.labels.size() > 1)
-  {
-    agreed = sharedMargins(*this->Bounds, request.partition);
-  }
-  const std::span<const float> margins = agreed.empty() ? this->Bounds->margins() : agreed;
-  if (!request.hasCost)
-  {
-    const UnitCost cost(this->mesh(), margins, request.partition);
-    const auto starts = unitStarts(request.front, request.partition);
-    return this->marchAtCost(cost, starts, request, limit, field);
-  }
-  if (!this->UnitSolver)
-  {
-    this->UnitSolver =
-      std::make_unique<FastMarchingSolver>(this->sharedMesh(), this->Bounds, this->MayUseQuads);
-  }
-  const VertexCost cost(this->mesh(), request.options.cost, margins, request.partition);
-  const auto starts = costedStarts(
-    this->mesh(), request.front, request.options, request.partition, *this->UnitSolver);
-  return this->marchAtCost(cost, starts, request, limit, field);
+  return std::make_unique<FastMarchingSolver>(
+    this->sharedMesh(), this->bounds(), this->MayUseQuads);
+}
+
+bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  return this->marchAtCost(starts, cost, request, limit, field);
+}
+
+bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  return this->marchAtCost(starts, cost, request, limit, field);
 }
 
 template <class Cost>
-bool FastMarchingSolver::marchAtCost(const Cost& cost, std::span<const StartValue> starts,
+bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
   const double edge = this->mesh().meanLongestEdge();
-  const double height = heightOfMargin(edge, this->Bounds->meanMargin());
+  const double height = heightOfMargin(edge, this->bounds()->meanMargin());
   const double width = BucketWidthInHeights * height * cost.mean();
   // A piece without triangles has no edges.
   this->Queues.start(width > 0.0 ? width : 1.0,
     2.0 * this->mesh().longestEdgeLength() * cost.largest(),
     numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
-  const MarchContext<Cost> context{ this->mesh(), *this->Bounds, cost, request.options, limit,
+  const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };
   if (request.front.labels.size() == 1)
   {
@@ -117,7 +108,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
 {
   NeighbourUpdate<Cost, Values> neighbourUpdate(
-    this->mesh(), *this->Bounds, request.closed, cost, values, this->MayUseQuads);
+    this->mesh(), *this->bounds(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
     values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);

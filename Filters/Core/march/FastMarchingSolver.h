@@ -4,10 +4,9 @@
 #define geodesic_FastMarchingSolver_h
 
 #include "march/FrontQueues.h"
+#include "march/MarchingSolver.h"
 #include "march/SecondaryValues.h"
 #include "march/VertexState.h"
-#include "solve/CostedStart.h"
-#include "solve/FrontSolver.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +17,6 @@ namespace geodesic
 {
 
 class MarchControl;
-class UpdateBounds;
 
 /**
  * Geodesic distance by fast marching: a front that spreads over the triangles, each vertex updated
@@ -35,7 +33,7 @@ class UpdateBounds;
  * Time O(n) on meshes whose edges do not vary wildly, memory 24 bytes a vertex beside the mesh for
  * one label, with several 16 more and 20 for each value beyond a vertex's inPlace.
  */
-class FastMarchingSolver : public FrontSolver
+class FastMarchingSolver : public MarchingSolver
 {
 public:
   /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
@@ -46,23 +44,24 @@ public:
     std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads = true);
 
 protected:
-  bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
+  bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost, const Request& request,
+    StopLimit& limit, DistanceField& field) override;
+  bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost, const Request& request,
+    StopLimit& limit, DistanceField& field) override;
+  std::unique_ptr<FrontSolver> another() const override;
 
 private:
   template <class Cost>
-  bool marchAtCost(const Cost& cost, std::span<const StartValue> starts, const Request& request,
+  bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
     StopLimit& limit, DistanceField& field);
   template <class Cost, class Values>
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
-  std::shared_ptr<const UpdateBounds> Bounds;
   bool MayUseQuads;
   FrontQueues Queues;
   std::vector<VertexState> States;
   SecondaryValues Labels;
-  /** Measures the discs round seeds where the cost varies; made when first needed. */
-  std::unique_ptr<FastMarchingSolver> UnitSolver;
 };
 
 }

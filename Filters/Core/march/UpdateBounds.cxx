@@ -92,19 +92,24 @@ UpdateBounds::UpdateBounds(const TriangleMesh& mesh, const ThreadTeam& team)
   this->MeanMargin = std::accumulate(this->Margins.begin(), this->Margins.end(), 0.0) / count;
 }
 
-std::vector<float> sharedMargins(const UpdateBounds& bounds, Partition& partition)
+AgreedMargins::AgreedMargins(const UpdateBounds& bounds, std::size_t labels, Partition& partition)
+  : Own(bounds.margins())
 {
-  std::vector<float> margins(bounds.margins().begin(), bounds.margins().end());
+  if (!partition.isDivided() || labels == 1)
+  {
+    return;
+  }
+  this->Agreed.assign(this->Own.begin(), this->Own.end());
   std::vector<StartValue> own;
   for (const Index vertex : partition.sharedVertices())
   {
-    own.push_back({ vertex, 0, margins[vertex], false });
+    own.push_back({ vertex, 0, this->Own[vertex], false });
   }
   for (const StartValue& other : partition.exchange(own))
   {
-    margins[other.vertex] = std::max(margins[other.vertex], static_cast<float>(other.value));
+    float& margin = this->Agreed[other.vertex];
+    margin = std::max(margin, static_cast<float>(other.value));
   }
-  return margins;
 }
 
 }

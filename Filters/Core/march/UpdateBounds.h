@@ -94,9 +94,23 @@ private:
   double MeanMargin = 0.0;
 };
 
-/** The margins of a piece of a surface that its neighbours agree on: at each shared vertex the
- * largest of all pieces. Collective. */
-std::vector<float> sharedMargins(const UpdateBounds& bounds, Partition& partition);
+/** The margins on all pieces of a surface: at each shared vertex the largest of any piece. */
+class AgreedMargins
+{
+public:
+  /** Collective. @param labels how many there are: of one, margins play no part and pieces need not
+   * agree on them */
+  AgreedMargins(const UpdateBounds& bounds, std::size_t labels, Partition& partition);
+
+  std::span<const float> ofVertices() const
+  {
+    return this->Agreed.empty() ? this->Own : this->Agreed;
+  }
+
+private:
+  std::span<const float> Own;
+  std::vector<float> Agreed;
+};
 
 }
 

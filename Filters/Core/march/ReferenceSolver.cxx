@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/ReferenceSolver.h"
+
+#include "march/BucketQueue.h"
+#include "march/EikonalUpdate.h"
+#include "march/ReferenceValues.h"
+#include "march/SourceFront.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/MarchControl.h"
+#include "solve/Partition.h"
+#include "solve/StopLimit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace geodesic
+{
+namespace
+{
+
+bool hasLowerValue(const Label& a, const Label& b)
+{
+  return a.value < b.value;
+}
+
+/** The fronts of all labels, each with values of its own where it is among the first. */
+template <class Cost>
+class ReferenceFront final : public MarchingFront
+{
+public:
+  ReferenceFront(const TriangleMesh& mesh, const Cost& cost, std::span<const Label> labels,
+    const ClosedTriangles& closed, const SolveOptions& options, StopLimit& limit,
+    DistanceField& field)
+    : Mesh(mesh)
+    , TriangleCost(cost)
+    , Labels(labels)
+    , Closed(closed)
+    , Options(options)
+    , Limit(limit)
+    , Control(options, limit, mesh.numberOfVertices())
+    , Field(field)
+    , First(std::min_element(labels.begin(), labels.end(), hasLowerValue)->value)
+    , Values(mesh.numberOfVertices())
+  {
+    const double width = 0.25 * this->meanLongestEdge();
+    this->Queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() * cost.largest());
+  }
+
+  void start(const StartValue& first)
+  {
+    const Index number = this->Values.findOrAdd(first.vertex, first.label);
+    this->Values[number].isFinal = first.isFinal;
+    this->set(number, first.value);
+  }
+
+  void advance(double limit) override
+  {
+    const std::uint64_t end = this->Queue.bucketOf(limit - this->First);
+    std::array<Index, 1> room;
+    while (this->Queue.hasBefore(end) && this->Control.mayGoOn())
+    {
+      ReferenceValue& least = this->Values[this->Queue.take(room)[0]];
+      least.isQueued = false;
+      if (this->distance(least) <= this->keptUpTo(least.vertex))
+      {
+        this->updateNeighbours(ReferenceValue(least));
+      }
+    }
+  }
+
+  double nextDistance() const override
+  {
+    return this->Queue.isEmpty() ? DistanceField::Unreached
+                                 : this->First + this->Queue.keyOf(this->Queue.nextBucket());
+  }
+  double meanLongestEdge() const override
+  {
+    return this->Mesh.meanLongestEdge() * this->TriangleCost.mean();
+  }
+  std::size_t numberOfUpdates() const override { return this->Control.count(); }
+  bool isCancelled() const override { return this->Control.isCancelled(); }
+
+  void visitValues(Index vertex, const Visit& visit) const override
+  {
+    this->visitKept(vertex, [&](const ReferenceValue& kept) { visit(kept.label, kept.value); });
+  }
+
+  void lower(Index vertex, Index label, double value) override
+  {
+    this->Queue.goBackTo(value + this->Labels[label].value - this->First);
+    this->propose(vertex, label, value);
+  }
+
+  /** Tells the field the nearest seeds, of equally near ones the smallest. */
+  void finish()
+  {
+    constexpr double rounding = 1.0 + 1e-10;
+    for (const Index vertex : this->Field.reached())
+    {
+      Index nearest = NoIndex;
+      this->visitKept(vertex,
+        [&](const ReferenceValue& kept)
+        {
+          if (this->distance(kept) <= this->Field.distance(vertex) * rounding)
+          {
+            nearest = std::min(nearest, this->Labels[kept.label].seed);
+          }
+        });
+      this->Field.setNearestSeed(vertex, nearest);
+    }
+  }
+
+private:
+  void updateNeighbours(const ReferenceValue& from)
+  {
+    const std::span<const RingEntry> ring = this->Mesh.ring(from.vertex);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (this->Closed.isOpen(from.vertex, i))
+      {
+        this->update(from, ring[i].neighbour(), ring[i + 1].neighbour());
+        this->update(from, ring[i + 1].neighbour(), ring[i].neighbour());
+      }
+    }
+  }
+
+  /** Updates the third corner of a triangle over the edge from @p from's vertex to @p second. */
+  void update(const ReferenceValue& from, Index second, Index third)
+  {
+    const Label& label = this->Labels[from.label];
+    const Vector3 edge = this->Mesh.position(second) - this->Mesh.position(from.vertex);
+    const Vector3 side = this->Mesh.position(third) - this->Mesh.position(from.vertex);
+    const Vector3 normal = cross(edge, side);
+    const FlatTriangle triangle{ dot(edge, edge), dot(edge, side), dot(normal, normal) };
+    const double cost = this->TriangleCost.ofTriangle(from.vertex, second, third);
+    const double atSecond = this->Values.valueOf(second, from.label);
+    double value = from.value + cost * norm(side);
+    // Over an edge without a length there is nothing that does not come along the side as well.
+    if (triangle.squaredEdge > 0.0)
+    {
+      value = std::min(value,
+        label.shape == FrontShape::Round
+          ? cost * pointSourceUpdate(triangle, from.value / cost, atSecond / cost)
+          : straightFrontUpdate(triangle, from.value, atSecond, cost));
+    }
+    const StraightLineBound bound(label, this->TriangleCost.smallest());
+    this->propose(third, from.label, bound.raised(value, this->Mesh.position(third)));
+  }
+
+  /** Takes a value over where it counts: lower than the label's, and not too far above the best. */
+  void propose(Index vertex, Index label, double value)
+  {
+    const double seedValue = this->Labels[label].value;
+    const double known = this->Values.valueOf(vertex, label);
+    const double kept = this->keptUpTo(vertex) - seedValue;
+    const double mayMatter = this->Limit.with(this->TriangleCost.reach(vertex)) - seedValue;
+    const bool counts =
+      value < std::min(std::min(known, kept) * this->Control.keptFraction(), mayMatter);
+    if (!counts || this->Options.isExcluded(vertex))
+    {
+      return;
+    }
+    const Index number = this->Values.findOrAdd(vertex, label);
+    if (!this->Values[number].isFinal)
+    {
+      this->set(number, value);
+    }
+  }
+
+  void set(Index number, double value)
+  {
+    ReferenceValue& held = this->Values[number];
+    held.value = value;
+    const double distance = this->distance(held);
+    if (distance < this->Field.distance(held.vertex))
+    {
+      this->Field.setDistance(held.vertex, distance);
+    }
+    if (!held.isQueued)
+    {
+      held.isQueued = true;
+      this->Queue.push(number, distance - this->First);
+    }
+  }
+
+  /** The largest distance of a label that a vertex keeps beside its best; see labelMargin(). */
+  double keptUpTo(Index vertex) const
+  {
+    return this->Labels.size() == 1
+      ? DistanceField::Unreached
+      : this->Field.distance(vertex) + this->TriangleCost.margin(vertex);
+  }
+
+  double distance(const ReferenceValue& of) const
+  {
+    return of.value + this->Labels[of.label].value;
+  }
+
+  template <class Visit>
+  void visitKept(Index vertex, const Visit& visit) const
+  {
+    this->Values.visit(vertex,
+      [&](const ReferenceValue& known)
+      {
+        if (this->distance(known) <= this->keptUpTo(vertex))
+        {
+          visit(known);
+        }
+      });
+  }
+
+  const TriangleMesh& Mesh;
+  const Cost& TriangleCost;
+  std::span<const Label> Labels;
+  const ClosedTriangles& Closed;
+  const SolveOptions& Options;
+  const StopLimit& Limit;
+  MarchControl Control;
+  DistanceField& Field;
+  /** The distance where the queue begins. */
+  double First;
+  /** Of numbers of values, by distance. */
+  BucketQueue Queue;
+  ReferenceValues Values;
+};
+
+}
+
+ReferenceSolver::ReferenceSolver(std::shared_ptr<const TriangleMesh> mesh)
+  : ReferenceSolver(mesh, std::make_shared<UpdateBounds>(*mesh))
+{
+}
+
+ReferenceSolver::ReferenceSolver(
+  std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds)
+  : MarchingSolver(std::move(mesh), std::move(bounds))
+{
+}
+
+template <class Cost>
+bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  ReferenceFront<Cost> front(
+    this->mesh(), cost, request.front.labels, request.closed, request.options, limit, field);
+  std::for_each(starts.begin(), starts.end(), [&](const StartValue& start) { front.start(start); });
+  const bool finished = request.partition.march(front, limit);
+  field.orderReached();
+  front.finish();
+  return finished;
+}
+
+bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  return this->marchAtCost(starts, cost, request, limit, field);
+}
+
+bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
+  const Request& request, StopLimit& limit, DistanceField& field)
+{
+  return this->marchAtCost(starts, cost, request, limit, field);
+}
+
+std::unique_ptr<FrontSolver> ReferenceSolver::another() const
+{
+  return std::make_unique<ReferenceSolver>(this->sharedMesh(), this->bounds());
+}
+
+}

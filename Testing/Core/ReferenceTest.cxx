@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The two tiers of fast marching give one field: the batched solver is held to the reference on
+// random meshes of all kinds, and the reference to truths that are known.
+
+#include "ExactDistances.h"
+#include "RandomMeshes.h"
+#include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "march/ReferenceSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** Largest difference between two fields, in parts of the largest distance. */
+double difference(const DistanceField& a, const DistanceField& b)
+{
+  double largest = 0.0;
+  for (Index v = 0; v < a.distances().size(); ++v)
+  {
+    if (a.isReached(v) != b.isReached(v))
+    {
+      return DistanceField::Unreached;
+    }
+    if (a.isReached(v))
+    {
+      largest = std::max(largest, std::abs(a.distance(v) - b.distance(v)));
+    }
+  }
+  return largest / b.largestDistance();
+}
+
+/** Of both tiers on random cases with these seeds. */
+void expectOneField(unsigned first, unsigned last, const CaseLimits& limits, double tolerance)
+{
+  for (unsigned seed = first; seed < last; ++seed)
+  {
+    const RandomCase test = randomCase(seed, limits);
+    SCOPED_TRACE("case " + std::to_string(seed) + ": " + test.description());
+    FastMarchingSolver batched(test.mesh);
+    ReferenceSolver reference(test.mesh);
+    const DistanceField& field = batched.solve(test.seeds, test.options());
+    const DistanceField& truth = reference.solve(test.seeds, test.options());
+    EXPECT_LE(difference(field, truth), tolerance) << "case " << seed << ": " << test.description();
+  }
+}
+
+}
+
+// Values that count are 1e-12 lower each, so fields differ by no more than rounding grows to.
+TEST(Reference, BatchedSolverGivesTheSameFieldFromOneSeed)
+{
+  expectOneField(0, 250, CaseLimits{}, 1e-9);
+}
+
+// Where fronts of several seeds meet, what the margin cuts off depends on the order; see
+// LabelMargin.h.
+TEST(Reference, BatchedSolverGivesTheSameFieldFromSeveralSeeds)
+{
+  expectOneField(250, 500, CaseLimits{ 50 }, 1e-7);
+}
+
+// The flat source is exact on a plane: straight lines.
+TEST(Reference, PlaneIsExact)
+{
+  const Surface plane = delaunayPlane(2000, 1);
+  const auto mesh = meshOf(plane);
+  const auto d = distances<ReferenceSolver>(mesh, { seedAt(*mesh, 7) });
+  for (Index i = 0; i < plane.points.size(); ++i)
+  {
+    ASSERT_NEAR(d[i], norm(plane.points[i] - plane.points[7]), 1e-12);
+  }
+}
+
+// Great circle: d = R acos(p.q), first order in the edge length.
+TEST(Reference, SphereIsFirstOrder)
+{
+  double before = 0.0;
+  for (const int level : { 4, 5 })
+  {
+    const Surface sphere = icosphere(level);
+    const auto mesh = meshOf(sphere);
+    const auto d = distances<ReferenceSolver>(mesh, { seedAt(*mesh, 0) });
+    double sum = 0.0;
+    for (Index i = 0; i < sphere.points.size(); ++i)
+    {
+      const double cosine = std::clamp(dot(sphere.points[i], sphere.points[0]), -1.0, 1.0);
+      sum += std::abs(d[i] - std::acos(cosine));
+    }
+    const double mean = sum / static_cast<double>(sphere.points.size());
+    if (before > 0.0)
+    {
+      EXPECT_NEAR(std::log2(before / mean), 1.0, 0.3);
+    }
+    before = mean;
+  }
+}
