@@ -3,7 +3,10 @@
 #include "base/BulkVector.h"
 
 #include <cstdint>
+
+#if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
+#endif
 
 namespace geodesic
 {

@@ -3,6 +3,8 @@
 #ifndef geodesic_Lanes_h
 #define geodesic_Lanes_h
 
+#include "base/Platform.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +25,13 @@
  * as how one is passed differs between what is compiled for AVX2 and what is not. Results are the
  * same to the bit either way: products and sums are never contracted.
  */
-#define GEODESIC_INLINED [[gnu::always_inline]] inline
+/** For what a flat function does not call itself, but on the way to what works on four: GCC inlines
+ * that as it is, Clang does not. */
+#ifdef __clang__
+#define GEODESIC_FLAT GEODESIC_INLINED
+#else
+#define GEODESIC_FLAT
+#endif
 #ifdef __x86_64__
 #define GEODESIC_QUADS gnu::target("avx2,bmi,bmi2")
 #else
@@ -33,25 +41,64 @@
 namespace geodesic
 {
 
-using Pair = double __attribute__((vector_size(16)));
-using Quad = double __attribute__((vector_size(32)));
-/** What comparing gives: for each of the numbers all bits or none. */
-using PairTest = decltype(Pair() < Pair());
-using QuadTest = decltype(Quad() < Quad());
+/** How many numbers there are in a double, a Pair or a Quad. */
+template <class Real>
+inline constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
+
+/** Whether both tests hold; without a branch. */
+template <class Test>
+GEODESIC_INLINED auto both(const Test& a, const Test& b)
+{
+  return a & b;
+}
+inline bool both(bool a, bool b)
+{
+  return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b));
+}
+inline bool any(bool test)
+{
+  return test;
+}
+inline double select(bool test, double a, double b)
+{
+  return test ? a : b;
+}
+/** These two are the second number where one is NaN. */
+inline double least(double a, double b)
+{
+  return a < b ? a : b;
+}
+inline double largest(double a, double b)
+{
+  return a > b ? a : b;
+}
+inline double root(double x)
+{
+  return std::sqrt(x);
+}
 
 /** Whether this processor runs what is marked GEODESIC_QUADS. */
 inline bool hasQuads()
 {
-#ifdef __x86_64__
+#if GEODESIC_HAS_LANES && defined(__x86_64__)
   return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0;
 #else
   return false;
 #endif
 }
 
-/** How many numbers there are in a double, a Pair or a Quad. */
-template <class Real>
-inline constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
+inline void storeFloats(double number, float* to)
+{
+  *to = static_cast<float>(number);
+}
+
+#if GEODESIC_HAS_LANES
+
+using Pair = double __attribute__((vector_size(16)));
+using Quad = double __attribute__((vector_size(32)));
+/** What comparing gives: for each of the numbers all bits or none. */
+using PairTest = decltype(Pair() < Pair());
+using QuadTest = decltype(Quad() < Quad());
 
 /** The first test's result in bit 0, the second's in bit 1. */
 inline unsigned bitsOf(PairTest test)
@@ -72,10 +119,6 @@ inline unsigned bitsOf(PairTest test)
 #endif
 }
 
-inline bool any(bool test)
-{
-  return test;
-}
 inline bool any(PairTest test)
 {
   return bitsOf(test) != 0;
@@ -85,10 +128,6 @@ GEODESIC_INLINED bool any(QuadTest test)
   return bitsOf(test) != 0;
 }
 
-inline double select(bool test, double a, double b)
-{
-  return test ? a : b;
-}
 inline Pair select(PairTest test, Pair a, Pair b)
 {
   return test ? a : b;
@@ -96,20 +135,6 @@ inline Pair select(PairTest test, Pair a, Pair b)
 GEODESIC_INLINED Quad select(QuadTest test, Quad a, Quad b)
 {
   return test ? a : b;
-}
-
-/** These two are the second number where one is NaN. */
-inline double least(double a, double b)
-{
-  return a < b ? a : b;
-}
-inline double largest(double a, double b)
-{
-  return a > b ? a : b;
-}
-inline double root(double x)
-{
-  return std::sqrt(x);
 }
 
 #ifdef __SSE2__
@@ -308,6 +333,8 @@ GEODESIC_INLINED Quad shiftedIn(Quad before, Quad numbers)
 {
   return __builtin_shufflevector(before, numbers, 3, 4, 5, 6);
 }
+
+#endif
 
 }
 

@@ -35,12 +35,12 @@ struct Vector3Of
     return { a.x - b.x, a.y - b.y, a.z - b.z };
   }
 
-  [[gnu::always_inline]] friend constexpr Vector3Of operator*(Real s, const Vector3Of& a)
+  GEODESIC_INLINED friend constexpr Vector3Of operator*(Real s, const Vector3Of& a)
   {
     return { s * a.x, s * a.y, s * a.z };
   }
 
-  [[gnu::always_inline]] friend constexpr Real dot(const Vector3Of& a, const Vector3Of& b)
+  GEODESIC_INLINED friend constexpr Real dot(const Vector3Of& a, const Vector3Of& b)
   {
     return a.x * b.x + a.y * b.y + a.z * b.z;
   }
@@ -50,7 +50,7 @@ struct Vector3Of
     return { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
   }
 
-  [[gnu::always_inline]] friend Real norm(const Vector3Of& a) { return root(dot(a, a)); }
+  GEODESIC_INLINED friend Real norm(const Vector3Of& a) { return root(dot(a, a)); }
 };
 
 using Vector3 = Vector3Of<double>;
@@ -61,15 +61,23 @@ inline bool isFinite(const Vector3& a)
   return (a.x - a.x) + (a.y - a.y) + (a.z - a.z) == 0.0;
 }
 
+/** As many side by side as a Real has numbers, those that @p vectorAt gives for 0, 1 and so on. */
+template <class Real, class VectorAt>
+GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt) requires(lanes<Real> == 1)
+{
+  return vectorAt(0);
+}
+
+#if GEODESIC_HAS_LANES
+
 /** Both side by side. */
 inline Vector3Of<Pair> pairOf(const Vector3& a, const Vector3& b)
 {
   return { Pair{ a.x, b.x }, Pair{ a.y, b.y }, Pair{ a.z, b.z } };
 }
 
-/** As many side by side as a Real has numbers, those that @p vectorAt gives for 0, 1 and so on. */
 template <class Real, class VectorAt>
-GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt)
+GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt) requires(lanes<Real> > 1)
 {
   if constexpr (lanes<Real> == 2)
   {
@@ -95,6 +103,8 @@ GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt)
       lanesOf<Real>([&](int i) { return vectorAt(i).z; }) };
   }
 }
+
+#endif
 
 }
 

@@ -40,7 +40,7 @@ public:
   /** Looks at a row of the ring of what was taken. Judges it where what other labels have plays
    * no part. @pre at least two slots of it are in use */
   template <class Real>
-  void scan(const PoppedValue& taken, std::size_t number, UpdateBatch& batch) const
+  GEODESIC_FLAT void scan(const PoppedValue& taken, std::size_t number, UpdateBatch& batch) const
   {
     UpdateBatch::Row& row = batch.Rows[number];
     const std::size_t base = number * UpdateBatch::Size;
@@ -108,7 +108,7 @@ public:
 
   /** Notes in the masks of a row what is worth a closer look. */
   template <class Real>
-  void judge(std::size_t number, UpdateBatch& batch) const
+  GEODESIC_FLAT void judge(std::size_t number, UpdateBatch& batch) const
   {
     const UpdateBatch::Row& row = batch.Rows[number];
     const std::size_t base = number * UpdateBatch::Size;

@@ -70,15 +70,16 @@ GEODESIC_INLINED Real pointSourceCrossing(
   // The line from the source to v meets the edge's line between its ends, where source * height +
   // product * depth, without the squares, is above 0, and the same seen from the other end.
   const auto isSource = within > 0.0;
-  const auto crosses = isSource &
-    (signedSquare(source) * height + signedSquare(t.product) * depth > 0.0) &
-    (signedSquare(square - source) * height + signedSquare(square - t.product) * depth > 0.0);
+  const auto crosses = both(isSource,
+    both(signedSquare(source) * height + signedSquare(t.product) * depth > 0.0,
+      signedSquare(square - source) * height + signedSquare(square - t.product) * depth > 0.0));
   const Real run = t.product - source;
   Real found = select(
     crosses, root(run * run * perSquare + (depth + height + 2.0 * root(depth * height))), none);
-  if (const auto overlap = isSource & (beyond <= 0.0); any(overlap))
+  if (const auto overlap = both(isSource, beyond <= 0.0); any(overlap))
   {
-    // The two discs overlap: the source lies on the edge, somewhere within them.
+    // The discs of radius a and b round the ends meet in a point at most: the source lies on the
+    // edge, somewhere between them.
     const Real halfWidth = 0.5 * root(largest(-within * beyond, Real()));
     const Real inside = largest(source - halfWidth, least(source + halfWidth, t.product));
     const Real off = t.product - largest(Real(), least(square, inside));
@@ -122,7 +123,7 @@ GEODESIC_INLINED Real straightFrontCrossing(const FlatTriangleOf<Real>& t,
   const Real sine = select(isTurned, a - b, b - a) / (w * edge);
   const Real cosine = root(largest((1.0 - sine) * (1.0 + sine), Real()));
   const Real crossing = x * cosine - sine * height;
-  const auto crosses = (sine < 1.0) & (crossing > 0.0) & (crossing < edge * cosine);
+  const auto crosses = both(sine < 1.0, both(crossing > 0.0, crossing < edge * cosine));
   return select(crosses, low + w * (sine * x + cosine * height), none);
 }
 

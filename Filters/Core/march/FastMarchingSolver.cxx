@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/FastMarchingSolver.h"
 
+#if GEODESIC_HAS_LANES
+
 #include "march/FieldValues.h"
 #include "march/LabelMargin.h"
 #include "march/LabelValues.h"
@@ -143,3 +145,5 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
 }
 
 }
+
+#endif

@@ -3,6 +3,30 @@
 #ifndef geodesic_FastMarchingSolver_h
 #define geodesic_FastMarchingSolver_h
 
+#include "base/Platform.h"
+
+#if !GEODESIC_HAS_LANES
+#include "march/ReferenceSolver.h"
+
+#include <utility>
+
+namespace geodesic
+{
+/** Without vector extensions the reference takes the place of the batched solver. */
+class FastMarchingSolver final : public ReferenceSolver
+{
+public:
+  /** The number of numbers treated at once is 1, whatever @p mayUseQuads allows. */
+  explicit FastMarchingSolver(
+    std::shared_ptr<const TriangleMesh> mesh, [[maybe_unused]] bool mayUseQuads = true)
+    : ReferenceSolver(std::move(mesh))
+  {
+  }
+};
+
+}
+
+#else
 #include "march/FrontQueues.h"
 #include "march/MarchingSolver.h"
 #include "march/SecondaryValues.h"
@@ -65,5 +89,7 @@ private:
 };
 
 }
+
+#endif
 
 #endif

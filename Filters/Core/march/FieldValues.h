@@ -91,7 +91,7 @@ protected:
 
   /** Fetches what an update round a vertex reads of the mesh. GCC drops the call unless it is
    * inlined. */
-  [[gnu::always_inline]] void prefetchRing(Index vertex) const
+  GEODESIC_INLINED void prefetchRing(Index vertex) const
   {
     this->Context.mesh.prefetch(vertex);
     this->Context.bounds.prefetch(this->Context.mesh.rings().firstEntry(vertex));

@@ -3,6 +3,7 @@
 #ifndef geodesic_LabelValues_h
 #define geodesic_LabelValues_h
 
+#include "base/Platform.h"
 #include "march/FieldValues.h"
 #include "march/SecondaryValues.h"
 #include "solve/MarchingFront.h"
@@ -88,7 +89,7 @@ public:
   }
 
   /** Has the processor fetch what others() reads of a vertex. */
-  [[gnu::always_inline]] void prefetchOther(Index vertex) const
+  GEODESIC_INLINED void prefetchOther(Index vertex) const
   {
     this->Sets.prefetchInPlace(vertex);
     this->context().cost.prefetchMargin(vertex);
@@ -165,11 +166,11 @@ public:
 
   /** Has the processor fetch what take() of it and a look round it read. GCC drops the call unless
    * it is inlined. */
-  [[gnu::always_inline]] void prefetch(Index taken) const
+  GEODESIC_INLINED void prefetch(Index taken) const
   {
     const Index vertex = this->vertexOf(taken);
     this->prefetchRing(vertex);
-    __builtin_prefetch(&this->state(vertex));
+    prefetchToRead(&this->state(vertex));
   }
 
   PoppedValue pop(Index taken)

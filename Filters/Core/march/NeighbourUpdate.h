@@ -92,7 +92,8 @@ private:
   using Mask = BatchMasks::Mask;
   using Row = UpdateBatch::Row;
 
-  // Flat: what is called from these and not inlined would not be compiled for AVX2.
+  // Flat: what is called from these and not inlined would not be compiled for AVX2. Clang inlines
+  // only what they call themselves, so the rest on the way is marked GEODESIC_FLAT.
 
   [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void updateByFour(
     std::span<const Index> waiting, std::span<const Index> next)
@@ -109,7 +110,8 @@ private:
 
   /** @param updateScanned  does what was noted in all batch */
   template <class Real, class DoNoted>
-  void scanRings(std::span<const Index> waiting, std::span<const Index> next, DoNoted updateScanned)
+  GEODESIC_FLAT void scanRings(
+    std::span<const Index> waiting, std::span<const Index> next, DoNoted updateScanned)
   {
     // Where all the rings are comes first, so that less is to be kept at hand while they are looked
     // at.
@@ -138,7 +140,8 @@ private:
 
   /** The same of one vertex, whose ring takes several batch or none. */
   template <class Real, class DoNoted>
-  void scanRingInParts(Index item, std::span<const RingEntry> ring, DoNoted updateScanned)
+  GEODESIC_FLAT void scanRingInParts(
+    Index item, std::span<const RingEntry> ring, DoNoted updateScanned)
   {
     const PoppedValue taken = this->FrontValues.pop(item);
     if (taken.vertex == NoIndex)
@@ -168,7 +171,7 @@ private:
   /** Takes what the rows are of and looks at them; has the processor fetch some of @p next and
    * returns the others. */
   template <class Real>
-  std::span<const Index> scanAll(std::span<const Index> next)
+  GEODESIC_FLAT std::span<const Index> scanAll(std::span<const Index> next)
   {
     for (std::size_t number = 0; number < this->Batch.Count; ++number)
     {
@@ -194,7 +197,7 @@ private:
 
   /** Does what was noted. */
   template <class Real>
-  void finish()
+  GEODESIC_FLAT void finish()
   {
     if constexpr (Values::hasOtherLabels)
     {
@@ -241,7 +244,7 @@ private:
 
   /** Looks up what a label has at neighbours whose best value is of another one. */
   template <class Real>
-  void readOthers(UpdateBatch::Others others)
+  GEODESIC_FLAT void readOthers(UpdateBatch::Others others)
   {
     const Slot first = others.first();
     const unsigned areOther = others.which();
@@ -364,7 +367,7 @@ private:
   }
 
   template <class Real>
-  void updateAcrossEdges()
+  GEODESIC_FLAT void updateAcrossEdges()
   {
     this->updateAcrossEdges<Real, FrontShape::Round>();
     this->updateAcrossEdges<Real, FrontShape::Straight>();
@@ -372,7 +375,7 @@ private:
   }
 
   template <class Real, FrontShape Shape>
-  void updateAcrossEdges()
+  GEODESIC_FLAT void updateAcrossEdges()
   {
     auto& crossings = this->Candidates.across(Shape);
     crossings.pad(lanes<Real>);
@@ -387,7 +390,7 @@ private:
   /** As many at once as a Real has numbers. Puts what lowers a value behind the first @p count
    * proposals; returns how many there are then. */
   template <class Real, FrontShape Shape>
-  std::size_t crossEdges(const EdgeCrossing* crossings, std::size_t count)
+  GEODESIC_FLAT std::size_t crossEdges(const EdgeCrossing* crossings, std::size_t count)
   {
     const UpdateBatch& batch = this->Batch;
     const auto over = [&](std::size_t lane) { return crossings[lane].across(); };

@@ -59,7 +59,7 @@ public:
   }
 
   Index vertexOf(Index taken) const { return taken; }
-  [[gnu::always_inline]] void prefetch(Index taken) const { this->prefetchRing(taken); }
+  GEODESIC_INLINED void prefetch(Index taken) const { this->prefetchRing(taken); }
   PoppedValue pop(Index vertex)
   {
     this->state(vertex).setQueued(false);

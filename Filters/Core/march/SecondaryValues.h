@@ -4,6 +4,7 @@
 #define geodesic_SecondaryValues_h
 
 #include "base/Index.h"
+#include "base/Platform.h"
 #include "march/VertexState.h"
 
 #include <limits>
@@ -67,9 +68,9 @@ public:
   const SecondaryValue& inPlace(Index vertex) const { return this->InPlace[vertex]; }
 
   /** Has the processor fetch it, as it is soon to be read. */
-  [[gnu::always_inline]] void prefetchInPlace(Index vertex) const
+  GEODESIC_INLINED void prefetchInPlace(Index vertex) const
   {
-    __builtin_prefetch(&this->InPlace[vertex]);
+    prefetchToRead(&this->InPlace[vertex]);
   }
 
   /** The secondary value of a vertex for a label, NoIndex where there is none. */

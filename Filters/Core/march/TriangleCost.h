@@ -3,6 +3,7 @@
 #ifndef geodesic_TriangleCost_h
 #define geodesic_TriangleCost_h
 
+#include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
@@ -33,9 +34,9 @@ public:
   /** See labelMargin(). */
   double margin(Index vertex) const { return this->Margins[vertex]; }
   /** Has the processor fetch a margin that is soon to be read. */
-  [[gnu::always_inline]] void prefetchMargin(Index vertex) const
+  GEODESIC_INLINED void prefetchMargin(Index vertex) const
   {
-    __builtin_prefetch(&this->Margins[vertex]);
+    prefetchToRead(&this->Margins[vertex]);
   }
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
@@ -79,9 +80,9 @@ public:
   }
   double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
   double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }
-  [[gnu::always_inline]] void prefetchMargin(Index vertex) const
+  GEODESIC_INLINED void prefetchMargin(Index vertex) const
   {
-    __builtin_prefetch(&this->Dearest[vertex]);
+    prefetchToRead(&this->Dearest[vertex]);
     this->Length.prefetchMargin(vertex);
   }
   /** 1 on a piece without vertices. */

@@ -11,6 +11,8 @@
 namespace geodesic
 {
 
+#if GEODESIC_HAS_LANES
+
 void TriangleMeasurer::measure(
   std::span<const Triangle> triangles, std::span<const Vector3> positions)
 {
@@ -36,6 +38,16 @@ void TriangleMeasurer::measure(
   this->measureAll<Pair>(triangles, positions);
 }
 
+#else
+
+void TriangleMeasurer::measure(
+  std::span<const Triangle> triangles, std::span<const Vector3> positions)
+{
+  this->measureAll<double>(triangles, positions);
+}
+
+#endif
+
 template <class Real>
 GEODESIC_INLINED void TriangleMeasurer::measureAll(
   std::span<const Triangle> triangles, std::span<const Vector3> positions)
@@ -49,8 +61,9 @@ GEODESIC_INLINED void TriangleMeasurer::measureAll(
   {
     const auto corners = [&](int c)
     {
-      return sideBySide<Real>(
-        [&](std::size_t lane) -> const Vector3& { return positions[some[lane][c]]; });
+      const auto corner = [&](std::size_t lane) -> const Vector3&
+      { return positions[some[lane][c]]; };
+      return sideBySide<Real>(corner);
     };
     const Vector3Of<Real> a = corners(0);
     const Vector3Of<Real> ab = corners(1) - a;

@@ -76,9 +76,18 @@ public:
   /** Of the rows from @p first on. */
   Some some(std::size_t first) const
   {
-    static_assert(std::endian::native == std::endian::little, "the first slot is in the first bit");
-    Some some;
-    std::memcpy(&some, &this->Masks[first], sizeof some);
+    if constexpr (std::endian::native == std::endian::little)
+    {
+      Some some;
+      std::memcpy(&some, &this->Masks[first], sizeof some);
+      return some;
+    }
+    // The first slot is in the lowest bit.
+    Some some = 0;
+    for (std::size_t i = SizeOfSome; i > 0; --i)
+    {
+      some = some << Size | this->Masks[first + i - 1];
+    }
     return some;
   }
 

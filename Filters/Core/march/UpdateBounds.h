@@ -4,6 +4,7 @@
 #define geodesic_UpdateBounds_h
 
 #include "base/BulkVector.h"
+#include "base/Platform.h"
 #include "base/ThreadTeam.h"
 #include "mesh/TriangleMesh.h"
 
@@ -82,10 +83,10 @@ public:
 
   /** Fetches the slacks of the ring whose first entry has a number, as they are soon read. GCC
    * drops the call unless it is inlined. */
-  [[gnu::always_inline]] void prefetch(std::size_t firstEntry) const
+  GEODESIC_INLINED void prefetch(std::size_t firstEntry) const
   {
-    __builtin_prefetch(&this->Slacks[firstEntry]);
-    __builtin_prefetch(&this->Slacks[firstEntry + 6]);
+    prefetchToRead(&this->Slacks[firstEntry]);
+    prefetchToRead(&this->Slacks[firstEntry + 6]);
   }
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SpatialOrder.h"
 
+#include "base/Platform.h"
 #include "mesh/MortonCurve.h"
 
 #include <algorithm>
@@ -168,9 +169,34 @@ private:
     std::uint32_t code;
     Index id;
   };
-  /** Codes that the processor compares with another at once; four of these are at work side by
-   * side. */
+  /** Codes that are compared with another at once, by the processor where it can; four of these are
+   * at work side by side. */
+#if GEODESIC_HAS_LANES
   using Codes = std::int32_t __attribute__((vector_size(16)));
+#else
+  struct Codes
+  {
+    std::int32_t operator[](std::size_t i) const { return this->Code[i]; }
+    /** Subtracts a test that is -1 where it holds. */
+    void operator-=(const Codes& test)
+    {
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        this->Code[i] -= test[i];
+      }
+    }
+    friend Codes operator<(std::int32_t code, const Codes& others)
+    {
+      Codes test;
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        test.Code[i] = code < others[i] ? -1 : 0;
+      }
+      return test;
+    }
+    std::array<std::int32_t, 4> Code;
+  };
+#endif
   static constexpr std::size_t CodesAtOnce = 16;
   /** Of so many, to count for each how many are before it costs less than a sort, which has to
    * guess. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/TriangleMesh.h"
 
+#include "base/Platform.h"
 #include "mesh/SpatialOrder.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ std::vector<std::uint8_t> usedPoints(
 
 bool repeatsCorner(const Triangle& t)
 {
-  return (t[0] == t[1]) | (t[1] == t[2]) | (t[2] == t[0]);
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
 }
@@ -238,8 +239,8 @@ void TriangleMesh::orderTriangles(
         if (ours[0] != NoIndex)
         {
           place = next[lowestCorner(ours)]++;
-          __builtin_prefetch(&ordered[place], 1);
-          __builtin_prefetch(&sources[place], 1);
+          prefetchToWrite(&ordered[place]);
+          prefetchToWrite(&sources[place]);
         }
         placeOf[t % placeOf.size()] = place;
         if (t >= first + ahead)

@@ -5,6 +5,7 @@
 
 #include "base/BulkVector.h"
 #include "base/Index.h"
+#include "base/Platform.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 #include "mesh/SurfacePoint.h"
@@ -80,15 +81,12 @@ public:
   const VertexRings& rings() const { return this->Rings; }
   /** Has the processor fetch a vertex's position and ring, which are soon to be read; best some
    * time after prefetchRingStart(), which fetches where the ring is. */
-  [[gnu::always_inline]] void prefetch(Index vertex) const
+  GEODESIC_INLINED void prefetch(Index vertex) const
   {
     this->Rings.prefetch(vertex);
-    __builtin_prefetch(&this->Positions[vertex]);
+    prefetchToRead(&this->Positions[vertex]);
   }
-  [[gnu::always_inline]] void prefetchRingStart(Index vertex) const
-  {
-    this->Rings.prefetchStart(vertex);
-  }
+  GEODESIC_INLINED void prefetchRingStart(Index vertex) const { this->Rings.prefetchStart(vertex); }
 
   /** The vertex as a point of the surface. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;

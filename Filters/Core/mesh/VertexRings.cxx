@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/VertexRings.h"
 
+#include "base/Platform.h"
 #include "mesh/RingBuilder.h"
 
 #include <algorithm>
@@ -186,15 +187,15 @@ private:
   /** The highest corner is the one whose ring is least likely to be near. GCC drops the call unless
    * it is inlined. */
   template <class Vertices>
-  [[gnu::always_inline]] void prefetchRing(const Triangle& t, const Vertices& ours) const
+  GEODESIC_INLINED void prefetchRing(const Triangle& t, const Vertices& ours) const
   {
     const Index v = highestCorner(t);
     if (ours.has(v))
     {
       const std::uint32_t place = this->Starts[v];
-      __builtin_prefetch(&this->Entries[place], 1);
-      __builtin_prefetch(&this->Seconds[place - v], 1);
-      __builtin_prefetch(&this->LongestSides[v], 1);
+      prefetchToWrite(&this->Entries[place]);
+      prefetchToWrite(&this->Seconds[place - v]);
+      prefetchToWrite(&this->LongestSides[v]);
     }
   }
 

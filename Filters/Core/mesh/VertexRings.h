@@ -5,6 +5,7 @@
 
 #include "base/BulkVector.h"
 #include "base/Index.h"
+#include "base/Platform.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 
@@ -73,18 +74,15 @@ public:
 
   /** Has the processor fetch a ring that is soon to be read, the whole of most. GCC drops
    * the call unless it is inlined. */
-  [[gnu::always_inline]] void prefetch(Index vertex) const
+  GEODESIC_INLINED void prefetch(Index vertex) const
   {
     const RingEntry* const entries = this->Entries.data() + this->Starts[vertex];
-    __builtin_prefetch(entries);
-    __builtin_prefetch(entries + 6);
+    prefetchToRead(entries);
+    prefetchToRead(entries + 6);
   }
 
   /** Has it fetch what tells where that ring is. */
-  [[gnu::always_inline]] void prefetchStart(Index vertex) const
-  {
-    __builtin_prefetch(&this->Starts[vertex]);
-  }
+  GEODESIC_INLINED void prefetchStart(Index vertex) const { prefetchToRead(&this->Starts[vertex]); }
 
   /** The number of an entry of a ring, counted over the rings of all vertices. */
   std::size_t numberOf(const RingEntry* entry) const

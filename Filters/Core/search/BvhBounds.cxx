@@ -155,39 +155,58 @@ void FourBvhBounds::set(std::size_t run, const BvhBounds& bounds)
 
 FourBvhBounds::SquaredDistances FourBvhBounds::squaredDistances(const Vector3& query) const
 {
-  // Two at a time, as compilers make branches of plain loops, which no processor can foretell. A
-  // gap that is NaN, as where no float can hold the box, is none: largest() takes its second number
-  // then.
-  const auto outside = [](Pair x, Pair low, Pair high)
-  { return largest(largest(low - x, x - high), Pair()); };
-
+#if GEODESIC_HAS_LANES
+  // Two at a time, as compilers make branches of plain loops, which no processor can foretell.
+  using Real = Pair;
+#else
+  using Real = double;
+#endif
   SquaredDistances result;
-  for (std::size_t first = 0; first < Runs; first += 2)
+  for (std::size_t first = 0; first < Runs; first += lanes<Real>)
   {
-    const auto pairIn = [first](const Numbers& numbers) {
-      return Pair{ numbers[first], numbers[first + 1] };
-    };
-    const auto vectorIn = [&](const std::array<Numbers, 3>& numbers) {
-      return Vector3Of<Pair>{ pairIn(numbers[0]), pairIn(numbers[1]), pairIn(numbers[2]) };
-    };
-    const Vector3Of<Pair> q = pairOf(query, query);
-    const Vector3Of<Pair> low = vectorIn(this->Low);
-    const Vector3Of<Pair> high = vectorIn(this->High);
-    const Vector3Of<Pair> axis = vectorIn(this->Axis);
-    const Vector3Of<Pair> toBox{ outside(q.x, low.x, high.x), outside(q.y, low.y, high.y),
-      outside(q.z, low.z, high.z) };
-    const Vector3Of<Pair> x = q - Pair{ 0.5, 0.5 } * (low + high);
-    const Pair along = dot(axis, x);
-    // With an axis a not longer than 1, (a x)^2 + |x - (a x) a|^2 is not above x^2.
-    const Pair gapAlong = outside(along, pairIn(this->AlongLow), pairIn(this->AlongHigh));
-    const Pair gapAcross = largest(norm(x - along * axis) - pairIn(this->Radius), Pair());
-    const Pair toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;
-    const Pair least = largest(toCylinder, dot(toBox, toBox));
-    const Pair toCentre = dot(x, x);
-    std::memcpy(&result.least[first], &least, sizeof least);
-    std::memcpy(&result.toCentre[first], &toCentre, sizeof toCentre);
+    this->squaredDistances<Real>(query, first, result);
   }
   return result;
+}
+
+template <class Real>
+void FourBvhBounds::squaredDistances(
+  const Vector3& query, std::size_t first, SquaredDistances& result) const
+{
+  // A gap that is NaN, as where no float can hold the box, is none: largest() takes its second
+  // number then.
+  const auto outside = [](const Real& x, const Real& low, const Real& high)
+  { return largest(largest(low - x, x - high), Real()); };
+  const auto realIn = [first](const Numbers& numbers)
+  {
+    if constexpr (lanes<Real> == 1)
+    {
+      return Real{ numbers[first] };
+    }
+    else
+    {
+      return Real{ numbers[first], numbers[first + 1] };
+    }
+  };
+  const auto vectorIn = [&](const std::array<Numbers, 3>& numbers) {
+    return Vector3Of<Real>{ realIn(numbers[0]), realIn(numbers[1]), realIn(numbers[2]) };
+  };
+  const Vector3Of<Real> q{ Real() + query.x, Real() + query.y, Real() + query.z };
+  const Vector3Of<Real> low = vectorIn(this->Low);
+  const Vector3Of<Real> high = vectorIn(this->High);
+  const Vector3Of<Real> axis = vectorIn(this->Axis);
+  const Vector3Of<Real> toBox{ outside(q.x, low.x, high.x), outside(q.y, low.y, high.y),
+    outside(q.z, low.z, high.z) };
+  const Vector3Of<Real> x = q - (Real() + 0.5) * (low + high);
+  const Real along = dot(axis, x);
+  // With an axis a not longer than 1, (a x)^2 + |x - (a x) a|^2 is not above x^2.
+  const Real gapAlong = outside(along, realIn(this->AlongLow), realIn(this->AlongHigh));
+  const Real gapAcross = largest(norm(x - along * axis) - realIn(this->Radius), Real());
+  const Real toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;
+  const Real least = largest(toCylinder, dot(toBox, toBox));
+  const Real toCentre = dot(x, x);
+  std::memcpy(&result.least[first], &least, sizeof least);
+  std::memcpy(&result.toCentre[first], &toCentre, sizeof toCentre);
 }
 
 std::array<double, 3> FourBvhBounds::low(std::size_t run) const

@@ -60,6 +60,10 @@ public:
 private:
   using Numbers = std::array<float, Runs>;
 
+  /** Of as many runs as a Real has numbers, from @p first on. */
+  template <class Real>
+  void squaredDistances(const Vector3& query, std::size_t first, SquaredDistances& result) const;
+
   std::array<Numbers, 3> Low{};
   std::array<Numbers, 3> High{};
   std::array<Numbers, 3> Axis{};

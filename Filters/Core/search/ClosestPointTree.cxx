@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/ClosestPointTree.h"
 
+#include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "search/BvhSplit.h"
 #include "search/SearchedTriangle.h"
@@ -116,18 +117,18 @@ ClosestPointTree::ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh)
 }
 
 /** Has the processor fetch what a run is, which is soon to be read. */
-[[gnu::always_inline]] inline void ClosestPointTree::prefetch(const Run& run) const
+GEODESIC_INLINED void ClosestPointTree::prefetch(const Run& run) const
 {
   if (run.triangles > 0)
   {
-    __builtin_prefetch(&this->Mesh->triangle(run.first));
+    prefetchToRead(&this->Mesh->triangle(run.first));
     return;
   }
   constexpr std::size_t cacheLine = 64;
   const auto* const node = reinterpret_cast<const char*>(&this->Nodes[run.first]);
   for (std::size_t offset = 0; offset < sizeof(Node); offset += cacheLine)
   {
-    __builtin_prefetch(node + offset);
+    prefetchToRead(node + offset);
   }
 }
 
