@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePatch.h"
 
+#include "base/SortUnique.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace
 {
 
 constexpr Index BlockSize = 256;
-
-void sortOut(std::vector<Index>& indices)
-{
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-}
 
 /** A ball a little larger: copies of a point that are one by their ids may differ by rounding. */
 Ball widened(const Ball& ball)
@@ -152,7 +147,7 @@ std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
       }
     }
   }
-  sortOut(vertices);
+  sortUnique(vertices);
   return vertices;
 }
 
@@ -174,7 +169,7 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
       }
     }
   }
-  sortOut(triangles);
+  sortUnique(triangles);
   return triangles;
 }
 

@@ -3,6 +3,7 @@
 #include "mesh/TriangleMesh.h"
 
 #include "base/Platform.h"
+#include "base/SortUnique.h"
 #include "mesh/SpatialOrder.h"
 
 #include <algorithm>
@@ -316,8 +317,7 @@ std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) c
       }
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   return found;
 }
 

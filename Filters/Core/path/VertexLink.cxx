@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/VertexLink.h"
 
+#include "base/SortUnique.h"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -26,8 +29,7 @@ VertexLink::VertexLink(const WeightedMesh& weighted, Index vertex)
   {
     this->Nodes.push_back(entry.neighbour());
   }
-  std::sort(this->Nodes.begin(), this->Nodes.end());
-  this->Nodes.erase(std::unique(this->Nodes.begin(), this->Nodes.end()), this->Nodes.end());
+  sortUnique(this->Nodes);
   this->Arcs.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/CostedStart.h"
 
+#include "base/SortUnique.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/FrontSolver.h"
 #include "solve/Partition.h"
@@ -41,8 +42,7 @@ double meanOfOffsets(std::span<const double> coordinates)
   {
     offsets.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
   }
-  std::sort(offsets.begin(), offsets.end());
-  offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+  sortUnique(offsets);
   double sum = 0.0;
   for (const auto& [x, y, z] : offsets)
   {

@@ -3,6 +3,7 @@
 #include "solve/SeedFront.h"
 
 #include "base/NumberText.h"
+#include "base/SortUnique.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
@@ -64,12 +65,6 @@ void checkSeed(
         ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
     }
   }
-}
-
-void sortUnique(std::vector<Index>& vertices)
-{
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 /** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
