@@ -3,11 +3,12 @@
 #include "SharedPoints.h"
 
 #include "PointKeys.h"
+#include "base/BoundingBox.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -16,58 +17,53 @@ namespace geodesic::distributed
 namespace
 {
 
-/** Low and high corner. */
-using Box = std::array<double, 6>;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-Box boxOf(const TriangleMesh& mesh)
+BoundingBox boxOf(const TriangleMesh& mesh)
 {
-  Box box{ Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity };
+  BoundingBox box;
   for (const Vector3& p : mesh.positions())
   {
-    box = { std::min(box[0], p.x), std::min(box[1], p.y), std::min(box[2], p.z),
-      std::max(box[3], p.x), std::max(box[4], p.y), std::max(box[5], p.z) };
+    box.add(p);
   }
   return box;
 }
 
-/** A little larger: points that are one by their ids may differ by rounding. */
-Box widened(const std::vector<double>& values)
+/** A box that is a little larger: copies of a point with one global id may differ by rounding. */
+BoundingBox widened(const BoundingBox& box)
 {
-  Box box;
-  std::copy(values.begin(), values.end(), box.begin());
-  for (int axis = 0; axis < 3; ++axis)
+  constexpr double rounding = 1e-6;
+  const auto marginOf = [](double low, double high)
+  { return rounding * (std::abs(low) + std::abs(high)); };
+  const Vector3 margin{ marginOf(box.low.x, box.high.x), marginOf(box.low.y, box.high.y),
+    marginOf(box.low.z, box.high.z) };
+  return { box.low - margin, box.high + margin };
+}
+
+/** The boxes of the other ranks' pieces, widened. Collective. */
+std::vector<BoundingBox> boxesOfOthers(RankGroup& ranks, const TriangleMesh& mesh)
+{
+  const BoundingBox own = boxOf(mesh);
+  const std::array corners{ own.low.x, own.low.y, own.low.z, own.high.x, own.high.y, own.high.z };
+  std::vector<BoundingBox> boxes;
+  for (const std::vector<double>& c : ranks.gatherByRank(corners))
   {
-    const double margin = 1e-6 * (std::abs(box[axis]) + std::abs(box[axis + 3]));
-    box[axis] -= margin;
-    box[axis + 3] += margin;
+    boxes.push_back(widened({ { c[0], c[1], c[2] }, { c[3], c[4], c[5] } }));
   }
-  return box;
-}
-
-bool isIn(const Box& box, const Vector3& p)
-{
-  return p.x >= box[0] && p.y >= box[1] && p.z >= box[2] && p.x <= box[3] && p.y <= box[4] &&
-    p.z <= box[5];
+  boxes.erase(boxes.begin() + ranks.rank());
+  return boxes;
 }
 
 /** The vertices that other pieces may have. */
 std::vector<KeyedNumber> candidates(
   RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys)
 {
-  std::vector<Box> boxes;
-  for (const std::vector<double>& box : ranks.gatherByRank(boxOf(mesh)))
-  {
-    boxes.push_back(widened(box));
-  }
-  boxes.erase(boxes.begin() + ranks.rank());
+  const std::vector<BoundingBox> boxes = boxesOfOthers(ranks, mesh);
   std::vector<KeyedNumber> vertices;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
     const Vector3& p = mesh.position(v);
     if (keys[v] != NoKey &&
-      std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return isIn(box, p); }))
+      std::any_of(
+        boxes.begin(), boxes.end(), [&](const BoundingBox& box) { return box.contains(p); }))
     {
       vertices.push_back({ keys[v], v });
     }

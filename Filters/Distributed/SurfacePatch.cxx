@@ -15,6 +15,7 @@ namespace geodesic::distributed
 namespace
 {
 
+/** The number of consecutive vertices that share one bounding box. */
 constexpr Index BlockSize = 256;
 
 /** A ball a little larger: copies of a point that are one by their ids may differ by rounding. */
@@ -74,24 +75,13 @@ PatchCutter::PatchCutter(
   const std::span<const Vector3> positions = mesh.mesh().positions();
   for (std::size_t first = 0; first < positions.size(); first += BlockSize)
   {
-    Block block{ positions[first], positions[first] };
+    BoundingBox& box = this->Boxes.emplace_back();
     for (const Vector3& p :
       positions.subspan(first, std::min<std::size_t>(BlockSize, positions.size() - first)))
     {
-      block.low = { std::min(block.low.x, p.x), std::min(block.low.y, p.y),
-        std::min(block.low.z, p.z) };
-      block.high = { std::max(block.high.x, p.x), std::max(block.high.y, p.y),
-        std::max(block.high.z, p.z) };
+      box.add(p);
     }
-    this->Blocks.push_back(block);
   }
-}
-
-bool PatchCutter::Block::isNear(const Ball& ball) const
-{
-  const Vector3& c = ball.centre;
-  return ball.contains({ std::clamp(c.x, this->low.x, this->high.x),
-    std::clamp(c.y, this->low.y, this->high.y), std::clamp(c.z, this->low.z, this->high.z) });
 }
 
 SurfacePatch PatchCutter::cut(std::span<const Ball> balls, const DistanceField* field) const
@@ -131,9 +121,9 @@ std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
   for (const Ball& exact : balls)
   {
     const Ball ball = widened(exact);
-    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+    for (std::size_t block = 0; block < this->Boxes.size(); ++block)
     {
-      if (this->Blocks[block].isNear(ball))
+      if (ball.contains(this->Boxes[block].nearestTo(ball.centre)))
       {
         const auto first = static_cast<Index>(block * BlockSize);
         const Index last = std::min(first + BlockSize, mesh.numberOfVertices());

@@ -6,6 +6,7 @@
 #include "DividedMesh.h"
 #include "RankGroup.h"
 #include "SharedPoints.h"
+#include "base/BoundingBox.h"
 #include "solve/DistanceField.h"
 #include "solve/SolveOptions.h"
 
@@ -88,22 +89,14 @@ public:
   std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
 
 private:
-  /** The box round consecutive vertices, which lie near each other. */
-  struct Block
-  {
-    Vector3 low;
-    Vector3 high;
-
-    bool isNear(const Ball& ball) const;
-  };
-
   std::vector<Index> verticesIn(std::span<const Ball> balls) const;
   PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
 
   const DividedMesh& Mesh;
   SolveOptions Options;
   std::vector<bool> LeftOut;
-  std::vector<Block> Blocks;
+  /** A box round each block of consecutive vertices, which lie near each other. */
+  std::vector<BoundingBox> Boxes;
 };
 
 }

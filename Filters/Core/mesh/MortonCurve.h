@@ -3,34 +3,16 @@
 #ifndef geodesic_MortonCurve_h
 #define geodesic_MortonCurve_h
 
+#include "base/BoundingBox.h"
 #include "base/Vector3.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace geodesic
 {
-
-/** The smallest box with the axes' directions round points. */
-struct BoundingBox
-{
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector3 low{ infinity, infinity, infinity };
-  Vector3 high{ -infinity, -infinity, -infinity };
-
-  void add(const Vector3& lowest, const Vector3& highest)
-  {
-    const auto [lx, ly, lz] = lowest;
-    const auto [hx, hy, hz] = highest;
-    this->low = { std::min(this->low.x, lx), std::min(this->low.y, ly), std::min(this->low.z, lz) };
-    this->high = { std::max(this->high.x, hx), std::max(this->high.y, hy),
-      std::max(this->high.z, hz) };
-  }
-  void add(const Vector3& point) { this->add(point, point); }
-};
 
 /**
  * A Morton (Z) curve through the cube at a box's low corner that holds the box.

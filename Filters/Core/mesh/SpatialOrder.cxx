@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SpatialOrder.h"
 
+#include "base/BoundingBox.h"
 #include "base/Platform.h"
 #include "mesh/MortonCurve.h"
 

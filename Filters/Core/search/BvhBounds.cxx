@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/BvhBounds.h"
 
+#include "base/BoundingBox.h"
 #include "base/Lanes.h"
-#include "mesh/MortonCurve.h"
 
 #include <algorithm>
 #include <cmath>

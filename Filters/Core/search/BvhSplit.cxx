@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/BvhSplit.h"
 
+#include "base/BoundingBox.h"
 #include "mesh/MortonCurve.h"
 #include "mesh/TriangleMesh.h"
 
