@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FastMarchingRequest.h"
 
-#include "Abort.h"
-#include "PointResolver.h"
-#include "SeedResolver.h"
+#include "filter/Abort.h"
 #include "mesh/TriangleMesh.h"
+#include "request/PointResolver.h"
+#include "request/SeedResolver.h"
 
 namespace geodesic::bridge
 {

@@ -3,8 +3,8 @@
 #ifndef geodesic_bridge_FastMarchingRequest_h
 #define geodesic_bridge_FastMarchingRequest_h
 
-#include "GuideResolver.h"
-#include "ProgressReporter.h"
+#include "filter/ProgressReporter.h"
+#include "request/GuideResolver.h"
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 

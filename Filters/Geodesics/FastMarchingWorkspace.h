@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_FastMarchingWorkspace_h
 #define geodesic_bridge_FastMarchingWorkspace_h
 
-#include "InputSurface.h"
+#include "input/InputSurface.h"
 #include "march/FastMarchingSolver.h"
 
 #include <memory>

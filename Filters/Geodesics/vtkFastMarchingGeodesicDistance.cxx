@@ -8,11 +8,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "Abort.h"
-#include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
-#include "FieldArray.h"
+#include "filter/Abort.h"
+#include "filter/ErrorMessage.h"
+#include "output/FieldArray.h"
 
 #include <algorithm>
 

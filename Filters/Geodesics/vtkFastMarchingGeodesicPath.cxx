@@ -7,13 +7,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include "Abort.h"
-#include "ErrorMessage.h"
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
-#include "PointResolver.h"
 #include "base/NumberText.h"
+#include "filter/Abort.h"
+#include "filter/ErrorMessage.h"
 #include "path/PathFinder.h"
+#include "request/PointResolver.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>

@@ -8,9 +8,9 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
-#include "ErrorMessage.h"
-#include "InputBlocks.h"
-#include "InputSurface.h"
+#include "filter/ErrorMessage.h"
+#include "input/InputBlocks.h"
+#include "input/InputSurface.h"
 
 #include <algorithm>
 #include <limits>

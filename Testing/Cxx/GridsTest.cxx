@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids and images stand for their outer surface: the same field as on what VTK extracts.
 
-#include "InputBlocks.h"
-#include "InputSurface.h"
 #include "Inputs.h"
-#include "PointIdentity.h"
+#include "input/InputBlocks.h"
+#include "input/InputSurface.h"
+#include "input/PointIdentity.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkBoundingBox.h"

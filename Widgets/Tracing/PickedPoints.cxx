@@ -10,8 +10,8 @@
 #include "vtkPolyDataCollection.h"
 #include "vtkPolygonalSurfacePointPlacer.h"
 
-#include "InputBlocks.h"
-#include "PointIdentity.h"
+#include "input/InputBlocks.h"
+#include "input/PointIdentity.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_PickedSurface_h
 #define geodesic_bridge_PickedSurface_h
 
-#include "InputSurface.h"
+#include "input/InputSurface.h"
 #include "path/PathFinder.h"
 #include "solve/DistanceSolver.h"
 

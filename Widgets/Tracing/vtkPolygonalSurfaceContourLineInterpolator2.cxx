@@ -9,9 +9,9 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "ErrorMessage.h"
 #include "PickedPoints.h"
-#include "SurfaceNormals.h"
+#include "filter/ErrorMessage.h"
+#include "output/SurfaceNormals.h"
 
 #include <algorithm>
 

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/OuterSurface.h"
+
+#include "input/KeptByVersion.h"
+#include "input/ObjectVersion.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellTypes.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace geodesic::bridge
+{
+namespace
+{
+
+/**
+ * Tells data sets apart by what they are made of: ParaView hands over a new shallow copy of the
+ * same data set in every run.
+ */
+struct DataVersion
+{
+  std::vector<ObjectVersion> parts;
+  std::vector<double> numbers;
+
+  friend bool operator==(const DataVersion&, const DataVersion&) = default;
+};
+
+void addArrays(vtkDataSetAttributes* attributes, DataVersion& version)
+{
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    version.parts.emplace_back(attributes->GetAbstractArray(i));
+  }
+  std::array<int, vtkDataSetAttributes::NUM_ATTRIBUTES> indices{};
+  attributes->GetAttributeIndices(indices.data());
+  version.numbers.insert(version.numbers.end(), indices.begin(), indices.end());
+}
+
+DataVersion versionOf(vtkDataSet* data)
+{
+  DataVersion version;
+  const auto addNumbers = [&](const auto* first, int count)
+  { std::copy_n(first, count, std::back_inserter(version.numbers)); };
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    version.parts = { grid->GetPoints(), grid->GetCells(), grid->GetCellTypesArray(),
+      grid->GetFaces() };
+  }
+  else if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    addNumbers(image->GetExtent(), 6);
+    addNumbers(image->GetOrigin(), 3);
+    addNumbers(image->GetSpacing(), 3);
+    addNumbers(image->GetDirectionMatrix()->GetData(), 9);
+  }
+  else if (auto* curved = vtkStructuredGrid::SafeDownCast(data))
+  {
+    version.parts = { curved->GetPoints() };
+    addNumbers(curved->GetExtent(), 6);
+  }
+  else if (auto* straight = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    version.parts = { straight->GetXCoordinates(), straight->GetYCoordinates(),
+      straight->GetZCoordinates() };
+    addNumbers(straight->GetExtent(), 6);
+  }
+  else
+  {
+    version.parts = { data };
+  }
+  addArrays(data->GetPointData(), version);
+  addArrays(data->GetCellData(), version);
+  return version;
+}
+
+constexpr const char* PointIds = "vtkOriginalPointIds";
+constexpr const char* CellIds = "vtkOriginalCellIds";
+
+bool hasCurvedCells(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (!vtkCellTypes::IsLinear(static_cast<unsigned char>(grid->GetCellType(cell))))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void addIds(vtkDataSetAttributes* attributes, vtkIdType count, const char* name)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(name);
+  ids->SetNumberOfTuples(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 0 });
+  attributes->AddArray(ids);
+}
+
+/** VTK makes points of its own where it cuts curved faces, and interpolates the numbers of others.
+ */
+void forgetMadePoints(vtkDataSet* data, vtkPolyData* surface)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(surface->GetPointData()->GetArray(PointIds));
+  for (vtkIdType i = 0; ids && i < surface->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> made{};
+    std::array<double, 3> original{};
+    surface->GetPoint(i, made.data());
+    data->GetPoint(ids->GetValue(i), original.data());
+    if (made != original)
+    {
+      ids->SetValue(i, -1);
+    }
+  }
+}
+
+template <class Filter>
+std::shared_ptr<vtkPolyData> extractedBy(vtkDataSet* data, bool passIds)
+{
+  vtkNew<Filter> filter;
+  filter->SetPassThroughPointIds(passIds);
+  filter->SetPassThroughCellIds(passIds);
+  filter->SetInputDataObject(data);
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  surface->Register(nullptr);
+  return { surface, [](vtkPolyData* s) { s->UnRegister(nullptr); } };
+}
+
+/** The cells of an image or a grid of rows; ids and attributes stay. */
+vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  // As precise as vtkGeometryFilter is without ghost cells, so that pieces fit to each other.
+  append->SetOutputPointsPrecision(vtkStructuredGrid::SafeDownCast(data)
+      ? vtkAlgorithm::DEFAULT_PRECISION
+      : vtkAlgorithm::SINGLE_PRECISION);
+  append->AddInputDataObject(data);
+  append->Update();
+  return append->GetOutput();
+}
+
+std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkSmartPointer<vtkUnstructuredGrid> made;
+  if (!grid && data->GetCellGhostArray())
+  {
+    // VTK puts faces at wrong places here, unless the grid is a cube that begins at 0.
+    made = unstructured(data);
+    grid = made;
+  }
+  if (!grid)
+  {
+    // The other filter gives the six sides of an image points of their own.
+    return extractedBy<vtkGeometryFilter>(data, true);
+  }
+  // The other filter leaves holes beside hidden cells.
+  if (!hasCurvedCells(grid))
+  {
+    return extractedBy<vtkDataSetSurfaceFilter>(grid, true);
+  }
+  // The ids that VTK gives here are those of a grid that it made on its way.
+  vtkNew<vtkUnstructuredGrid> numbered;
+  numbered->ShallowCopy(grid);
+  addIds(numbered->GetPointData(), grid->GetNumberOfPoints(), PointIds);
+  addIds(numbered->GetCellData(), grid->GetNumberOfCells(), CellIds);
+  const auto surface = extractedBy<vtkDataSetSurfaceFilter>(numbered, false);
+  forgetMadePoints(grid, surface.get());
+  return surface;
+}
+
+}
+
+std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
+{
+  static KeptByVersion<DataVersion, vtkPolyData> known;
+  return known.get(versionOf(data), [&] { return extracted(data); });
+}
+
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/PathGround.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace geodesic::bridge
+{
+
+vtkIdType InputGround::idOf(Index vertex) const
+{
+  return this->Surface.numbering().idOfPoint(this->mesh().pointOfVertex(vertex));
+}
+
+vtkIdType InputGround::blockOf(Index vertex) const
+{
+  return this->Surface.numbering().flatIndexOf(this->mesh().pointOfVertex(vertex));
+}
+
+std::optional<Vector3> InputGround::normalOf(Index vertex) const
+{
+  const BlockNumbering& numbering = this->Surface.numbering();
+  const Index point = this->mesh().pointOfVertex(vertex);
+  const std::size_t block = numbering.blockOfPoint(point);
+  vtkDataArray* normals = this->Blocks[block].surface->GetPointData()->GetNormals();
+  if (!normals)
+  {
+    return std::nullopt;
+  }
+  double n[3];
+  normals->GetTuple(point - numbering.firstPointOf(block), n);
+  return Vector3{ n[0], n[1], n[2] };
+}
+
+}

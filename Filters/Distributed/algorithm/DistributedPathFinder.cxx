@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "algorithm/DistributedPathFinder.h"
+
+#include "filter/ErrorMessage.h"
+#include "gather/GatheredSurface.h"
+#include "global/GlobalSeeds.h"
+#include "pieces/DistributedSurface.h"
+#include "split/BaseMeshPath.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/**
+ * How far a corridor reaches round where a path needs more of it, in longest edges there: far
+ * enough that the path goes on for a while, and no farther than beside it something may be needed.
+ */
+constexpr double ReachInEdges = 8.0;
+
+template <class T>
+RankGroup::Message bytesOf(std::span<const T> values)
+{
+  RankGroup::Message message;
+  for (const T& value : values)
+  {
+    append(message, value);
+  }
+  return message;
+}
+
+/** Balls that hold the corners round points. */
+std::vector<Ball> ballsRound(std::span<const GlobalPoint> points)
+{
+  constexpr double rounding = 1e-6;
+  std::vector<Ball> balls;
+  for (const GlobalPoint& point : points)
+  {
+    balls.push_back({ point.position, (1.0 + rounding) * point.longestEdge });
+  }
+  return balls;
+}
+
+std::vector<SurfacePoint> pointsHere(std::span<const GlobalPoint> points)
+{
+  std::vector<SurfacePoint> here;
+  for (const GlobalPoint& point : points)
+  {
+    here.push_back(point.here.front());
+  }
+  return here;
+}
+
+/** The number of the end that a path leads to. */
+Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const SurfacePoint> ends)
+{
+  const auto isThere = [&](const SurfacePoint& end)
+  { return PathPoint::at(mesh, end) == path.back(); };
+  return static_cast<Index>(std::find_if(ends.begin(), ends.end(), isThere) - ends.begin());
+}
+
+}
+
+/** Gives the field that all ranks make, on the corridor. */
+class DistributedPathFinder::CorridorSolver final : public DistanceSolver
+{
+public:
+  CorridorSolver(DistributedPathFinder& finder, Corridor& corridor, CorridorGround& ground)
+    : Finder(finder)
+    , Collected(corridor)
+    , Ground(ground)
+  {
+  }
+
+  const TriangleMesh& mesh() const override { return this->Ground.mesh(); }
+
+  const DistanceField& solve(std::span<const Seed>, const SolveOptions& options) override
+  {
+    std::vector<GlobalVertex> targets;
+    for (const Triangle& target : options.targets)
+    {
+      targets.push_back(this->Ground.vertex(target[0]).vertex);
+    }
+    if (this->Finder.reach(targets))
+    {
+      const std::vector<Ball> balls(this->Collected.balls().begin(), this->Collected.balls().end());
+      this->Finder.give(Order::Cut, bytesOf<Ball>(balls));
+      this->Collected.add(this->Finder.cutOnAll(balls), {});
+    }
+    return this->Ground.fieldOf(this->Collected, this->Finder.Field->stopReason());
+  }
+
+private:
+  DistributedPathFinder& Finder;
+  Corridor& Collected;
+  CorridorGround& Ground;
+};
+
+DistributedPathFinder::DistributedPathFinder(
+  const PathRequest& request, std::vector<GlobalPoint> ends)
+  : Request(request)
+  , Ends(std::move(ends))
+  , Partition(request.ranks, request.mesh)
+{
+  if (request.ranks.size() == 1)
+  {
+    this->Whole.emplace(request.solver, pointsHere(this->Ends), request.options, request.style);
+    return;
+  }
+  this->HasCost = request.ranks.isAny(!request.options.cost.empty());
+  this->Cutter.emplace(request.mesh, request.options,
+    request.gathered ? request.gathered->movedTriangles() : std::vector<bool>());
+  this->InputCutter.emplace(request.surface.divided(), SolveOptions());
+}
+
+bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
+{
+  if (this->Whole)
+  {
+    return this->Whole->march(pointsHere(starts));
+  }
+  return this->onCorridor(starts,
+           [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
+           { return finder.march(ground->pointsOf(starts)) ? Index{ 1 } : Index{ 0 }; }) == 1;
+}
+
+std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& start)
+{
+  TracedPath traced;
+  if (this->Whole)
+  {
+    auto path = this->Whole->pathFrom(start.here.front());
+    if (!path)
+    {
+      return std::nullopt;
+    }
+    traced.path = std::move(*path);
+    traced.end = endOf(traced.path, this->Request.solver.mesh(), pointsHere(this->Ends));
+    return traced;
+  }
+  traced.end = this->onCorridor({ &start, 1 },
+    [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
+    {
+      const SurfacePoint here = ground->pointsOf({ &start, 1 }).front();
+      auto path = finder.march({ &here, 1 }) ? finder.pathFrom(here) : std::nullopt;
+      if (!path)
+      {
+        return NoIndex;
+      }
+      this->takeToInput(*path, *ground, traced);
+      return endOf(*path, ground->mesh(), ground->pointsOf(this->Ends));
+    });
+  return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
+}
+
+vtkIdType DistributedPathFinder::mostPointsOnARank()
+{
+  double most = -static_cast<double>(this->Request.mesh.mesh().numberOfPoints()) -
+    static_cast<double>(this->LargestCorridor);
+  this->Request.ranks.takeLeast({ &most, 1 });
+  return static_cast<vtkIdType>(-most);
+}
+
+Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, const Action& action)
+{
+  if (this->Request.ranks.rank() > 0)
+  {
+    return this->serve();
+  }
+  try
+  {
+    const Index answer = this->lead(points, action);
+    this->give(Order::Done, bytesOf<Index>({ &answer, 1 }));
+    return answer;
+  }
+  catch (const std::exception& error)
+  {
+    const std::string message = bridge::messageOf(error);
+    this->give(Order::Fail, { message.begin(), message.end() });
+    throw;
+  }
+}
+
+Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
+{
+  if (!this->FirstCorridor)
+  {
+    Corridor first;
+    this->extend(first, ballsRound(this->Ends));
+    this->FirstCorridor = std::move(first);
+  }
+  Corridor corridor = *this->FirstCorridor;
+  this->extend(corridor, ballsRound(points));
+  while (true)
+  {
+    const auto ground = std::make_shared<CorridorGround>(corridor, this->HasCost);
+    try
+    {
+      CorridorSolver source(*this, corridor, *ground);
+      PathFinder finder(
+        source, ground->pointsOf(this->Ends), ground->options(), this->Request.style);
+      return action(finder, ground);
+    }
+    catch (const IncompleteRing& end)
+    {
+      const PatchVertex& vertex = ground->vertex(end.vertex());
+      const Ball ball{ vertex.position, ReachInEdges * vertex.longestEdge };
+      this->extend(corridor, { &ball, 1 });
+    }
+  }
+}
+
+Index DistributedPathFinder::serve()
+{
+  while (true)
+  {
+    const RankGroup::Message order = this->Request.ranks.fromFirst({});
+    const RankGroup::Message content(order.begin() + 1, order.end());
+    switch (static_cast<Order>(order.front()))
+    {
+      case Order::Done:
+        return valuesIn<Index>(content).front();
+      case Order::Fail:
+        throw std::runtime_error(std::string(content.begin(), content.end()));
+      case Order::Solve:
+      case Order::Cut:
+      case Order::CutInput:
+        try
+        {
+          this->follow(static_cast<Order>(order.front()), content);
+        }
+        catch (const std::exception&)
+        {
+          // It failed on all ranks, and the first one orders what now.
+        }
+    }
+  }
+}
+
+void DistributedPathFinder::follow(Order order, const RankGroup::Message& content)
+{
+  if (order == Order::Solve)
+  {
+    this->solve(valuesIn<GlobalVertex>(content));
+  }
+  else if (order == Order::Cut)
+  {
+    this->cutOnAll(valuesIn<Ball>(content));
+  }
+  else
+  {
+    this->cutInputOnAll(valuesIn<GlobalVertex>(content));
+  }
+}
+
+void DistributedPathFinder::give(Order order, const RankGroup::Message& content)
+{
+  RankGroup::Message message{ static_cast<char>(order) };
+  message.insert(message.end(), content.begin(), content.end());
+  this->Request.ranks.fromFirst(message);
+}
+
+void DistributedPathFinder::extend(Corridor& corridor, std::span<const Ball> balls)
+{
+  this->give(Order::Cut, bytesOf(balls));
+  corridor.add(this->cutOnAll(balls), balls);
+  this->LargestCorridor = std::max(this->LargestCorridor, corridor.vertices().size());
+}
+
+std::vector<SurfacePatch> DistributedPathFinder::cutOnAll(std::span<const Ball> balls)
+{
+  return patchesOfAll(this->Request.ranks, [&] { return this->Cutter->cut(balls, this->Field); });
+}
+
+void DistributedPathFinder::takeToInput(
+  const SurfacePath& path, const CorridorGround& corridor, TracedPath& traced)
+{
+  std::vector<GlobalVertex> carriers;
+  std::map<GlobalVertex, Index> numbers;
+  const auto numberOf = [&](const GlobalVertex& vertex)
+  {
+    const auto [known, isNew] = numbers.emplace(vertex, static_cast<Index>(carriers.size()));
+    if (isNew)
+    {
+      carriers.push_back(vertex);
+    }
+    return known->second;
+  };
+  const auto originOf = [&](Index vertex)
+  {
+    const GlobalVertex global = corridor.vertex(vertex).vertex;
+    if (!this->Request.gathered)
+    {
+      return PathPoint::atVertex(numberOf(global));
+    }
+    const GlobalPathPoint origin = this->Request.gathered->originOf(global, this->Request.split);
+    PathPoint point{ {}, origin.weights };
+    std::transform(origin.corners.begin(), origin.corners.end(), point.corners.begin(), numberOf);
+    return point;
+  };
+  traced.path = basePath(corridor.mesh(), path, originOf);
+  this->give(Order::CutInput, bytesOf<GlobalVertex>(carriers));
+  Corridor round;
+  round.add(this->cutInputOnAll(carriers), {});
+  traced.ground = std::make_shared<const CorridorGround>(round, false);
+  for (PathPoint& point : traced.path)
+  {
+    for (Index& corner : point.corners)
+    {
+      corner = traced.ground->find(carriers[corner]);
+    }
+  }
+}
+
+std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
+  std::span<const GlobalVertex> vertices)
+{
+  const DistributedSurface& surface = this->Request.surface;
+  std::vector<Index> here;
+  for (const GlobalVertex& vertex : vertices)
+  {
+    if (const Index known = surface.shared().find(vertex); known != NoIndex)
+    {
+      here.push_back(known);
+    }
+  }
+  return patchesOfAll(this->Request.ranks,
+    [&]
+    {
+      SurfacePatch patch = this->InputCutter->cutRound(here, nullptr);
+      for (PatchVertex& vertex : patch.vertices)
+      {
+        const Index number = surface.shared().find(vertex.vertex);
+        const std::optional<Vector3> normal = this->Request.input.normalOf(number);
+        vertex.hasNormal = normal ? 1 : 0;
+        vertex.normal = normal.value_or(Vector3{});
+        vertex.id =
+          surface.piece().numbering().hasUniqueIds() ? this->Request.input.idOf(number) : -1;
+      }
+      return patch;
+    });
+}
+
+bool DistributedPathFinder::reach(const std::vector<GlobalVertex>& targets)
+{
+  const bool reachesAll = this->Field && this->Field->stopReason() == StopReason::Exhausted;
+  const bool reachesThese = !targets.empty() &&
+    std::all_of(targets.begin(), targets.end(),
+      [&](const GlobalVertex& target) { return this->Reached.contains(target); });
+  if (reachesAll || reachesThese)
+  {
+    return false;
+  }
+  this->Reached.insert(targets.begin(), targets.end());
+  // What earlier paths needed, later ones may need again.
+  std::vector<GlobalVertex> all;
+  if (!targets.empty())
+  {
+    all.assign(this->Reached.begin(), this->Reached.end());
+  }
+  this->give(Order::Solve, bytesOf<GlobalVertex>(all));
+  this->solve(all);
+  this->FirstCorridor.reset();
+  return true;
+}
+
+void DistributedPathFinder::solve(std::span<const GlobalVertex> targets)
+{
+  std::vector<Triangle> here;
+  for (const GlobalVertex& target : targets)
+  {
+    const Index vertex = this->Request.mesh.shared().find(target);
+    here.push_back({ vertex, vertex, vertex });
+  }
+  SolveOptions options = this->Request.options;
+  options.partition = &this->Partition;
+  options.targets = here;
+  options.targetMode = TargetMode::All;
+  this->Field = &this->Request.solver.solve(seedsAt(this->Ends), options);
+}
+
+}

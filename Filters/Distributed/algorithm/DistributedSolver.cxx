@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "algorithm/DistributedSolver.h"
+
+#include "mesh/TriangleMesh.h"
+#include "pieces/DividedMesh.h"
+#include "pieces/SharedPoints.h"
+#include "solve/StopLimit.h"
+
+#include <algorithm>
+#include <exception>
+#include <tuple>
+
+namespace geodesic::distributed
+{
+
+DistributedSolver::DistributedSolver(RankGroup& ranks, const DividedMesh& mesh)
+  : Ranks(ranks)
+  , Mesh(mesh)
+{
+  for (const SharedPoints::Neighbour& neighbour : mesh.shared().neighbours())
+  {
+    this->Partners.push_back(neighbour.rank);
+  }
+  this->Known.resize(mesh.shared().vertices().size());
+}
+
+bool DistributedSolver::owns(Index vertex) const
+{
+  return this->Mesh.shared().owns(vertex);
+}
+
+std::span<const Index> DistributedSolver::sharedVertices() const
+{
+  return this->Mesh.shared().vertices();
+}
+
+std::span<const float> DistributedSolver::longestSides() const
+{
+  return this->Mesh.longestSides();
+}
+
+std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> own)
+{
+  return this->Mesh.shared().exchange(this->Ranks, own);
+}
+
+bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
+{
+  for (std::vector<KnownValue>& known : this->Known)
+  {
+    known.clear();
+  }
+  const double step = this->stepOf(front);
+  double end = 0.0;
+  std::exception_ptr error;
+  while (true)
+  {
+    // Of the whole surface: what waits first, whether someone failed or was cancelled, the targets.
+    std::vector<double> state{ front.nextDistance(), error ? 0.0 : 1.0,
+      front.isCancelled() ? 0.0 : 1.0 };
+    const std::vector<double> targets = limit.targetDistances();
+    state.insert(state.end(), targets.begin(), targets.end());
+    this->Ranks.takeLeast(state);
+    const auto [next, allWell, nobodyCancelled] = std::tuple(state[0], state[1], state[2]);
+    limit.learn({ state.begin() + 3, state.end() });
+    if (allWell == 0.0)
+    {
+      this->Ranks.together(
+        [&]
+        {
+          if (error)
+          {
+            std::rethrow_exception(error);
+          }
+        });
+    }
+    if (nobodyCancelled == 0.0 || next == DistanceField::Unreached)
+    {
+      this->Own.updates += static_cast<double>(front.numberOfUpdates());
+      return nobodyCancelled != 0.0;
+    }
+    try
+    {
+      end = std::max(end, next + step);
+      front.advance(end);
+    }
+    catch (...)
+    {
+      error = std::current_exception();
+    }
+    this->exchangeNews(front);
+    ++this->Own.rounds;
+  }
+}
+
+double DistributedSolver::stepOf(const MarchingFront& front)
+{
+  const auto triangles = static_cast<double>(this->Mesh.mesh().numberOfTriangles());
+  const double edge =
+    this->Ranks.sum(triangles * front.meanLongestEdge()) / this->Ranks.sum(triangles);
+  return this->Mesh.stepInEdges() * edge;
+}
+
+void DistributedSolver::exchangeNews(MarchingFront& front)
+{
+  const SharedPoints& shared = this->Mesh.shared();
+  const std::vector<RankGroup::Message> messages = this->gatherNews(front);
+  for (const RankGroup::Message& message : messages)
+  {
+    this->Own.bytes += static_cast<double>(message.size());
+  }
+  const auto received = this->Ranks.exchange(this->Partners, messages);
+  for (std::size_t n = 0; n < received.size(); ++n)
+  {
+    for (const SentValue& sent : valuesIn<SentValue>(received[n]))
+    {
+      const std::uint32_t slot = shared.neighbours()[n].slots[sent.place];
+      if (this->isNews(slot, sent.label, sent.value))
+      {
+        front.lower(shared.vertices()[slot], sent.label, sent.value);
+      }
+    }
+  }
+}
+
+std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFront& front)
+{
+  const SharedPoints& shared = this->Mesh.shared();
+  std::vector<RankGroup::Message> messages(this->Partners.size());
+  std::uint32_t slot = 0;
+  const MarchingFront::Visit visit = [&](Index label, double value)
+  {
+    if (this->isNews(slot, label, value))
+    {
+      for (const SharedPoints::Place& to : shared.placesOf(slot))
+      {
+        append(messages[to.neighbour], SentValue{ to.place, label, 0, value });
+      }
+    }
+  };
+  for (; slot < shared.vertices().size(); ++slot)
+  {
+    front.visitValues(shared.vertices()[slot], visit);
+  }
+  return messages;
+}
+
+bool DistributedSolver::isNews(std::uint32_t slot, Index label, double value)
+{
+  std::vector<KnownValue>& known = this->Known[slot];
+  const auto same =
+    std::find_if(known.begin(), known.end(), [&](const KnownValue& k) { return k.label == label; });
+  if (same == known.end())
+  {
+    known.push_back({ label, value });
+    return true;
+  }
+  const bool isLower = value < same->value;
+  same->value = std::min(same->value, value);
+  return isLower;
+}
+
+DistributedWork DistributedSolver::work()
+{
+  return { this->Own.rounds, this->Ranks.sum(this->Own.updates), this->Ranks.sum(this->Own.bytes) };
+}
+
+}

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gather/GatheredSurface.h"
+
+#include "mesh/TriangleMesh.h"
+#include "pieces/PointKeys.h"
+#include "split/SplitMesh.h"
+
+#include <algorithm>
+#include <set>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** The vertices that carry the points of paths; the same on all ranks. */
+std::vector<GlobalVertex> carriersOf(RankGroup& ranks, std::span<const GlobalPath> paths)
+{
+  std::set<GlobalVertex> carriers;
+  for (const GlobalPath& path : paths)
+  {
+    for (const GlobalPathPoint& point : path)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        if (point.weights[c] > 0.0)
+        {
+          carriers.insert(point.corners[c]);
+        }
+      }
+    }
+  }
+  RankGroup::Message message;
+  for (const GlobalVertex& carrier : carriers)
+  {
+    append(message, carrier);
+  }
+  return valuesIn<GlobalVertex>(ranks.fromFirst(message));
+}
+
+}
+
+GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& surface,
+  std::span<const GlobalPath> lines, const bridge::Barriers& barriers,
+  const std::vector<double>& cost)
+  : Surface(surface)
+  , Mesh(surface.sharedPiece()->mesh())
+  , Barriers(barriers)
+  , Cost(cost)
+{
+  SolveOptions options;
+  options.cost = cost;
+  options.excluded = barriers.excluded;
+  options.closedTriangles = barriers.closed;
+  const PatchCutter cutter(surface.divided(), options);
+  std::vector<Index> here;
+  for (const GlobalVertex& carrier : carriersOf(ranks, lines))
+  {
+    if (const Index vertex = surface.shared().find(carrier); vertex != NoIndex)
+    {
+      here.push_back(vertex);
+    }
+  }
+  const bool hasCost = ranks.isAny(!cost.empty());
+  const auto patches = patchesOfAll(ranks, [&] { return cutter.cutRound(here, nullptr); });
+  ranks.together(
+    [&]
+    {
+      if (ranks.rank() > 0)
+      {
+        this->closeMoved(cutter.trianglesRound(here));
+        return;
+      }
+      Corridor moved;
+      moved.add(patches, {});
+      this->takeIn(moved, barriers, cost, hasCost);
+    });
+}
+
+void GatheredSurface::closeMoved(const std::vector<Index>& triangles)
+{
+  this->HasMoved.resize(this->Mesh->numberOfTriangles(), false);
+  this->Barriers.closed.resize(this->Mesh->numberOfTriangles(), 0);
+  for (const Index triangle : triangles)
+  {
+    this->HasMoved[triangle] = true;
+    this->Barriers.closed[triangle] = 1;
+  }
+}
+
+void GatheredSurface::takeIn(const Corridor& moved, const bridge::Barriers& barriers,
+  const std::vector<double>& cost, bool hasCost)
+{
+  const TriangleMesh& piece = this->Surface.mesh();
+  const SharedPoints& shared = this->Surface.shared();
+  std::vector<Vector3> points(piece.numberOfPoints());
+  std::vector<Index> kinds(piece.numberOfPoints());
+  for (Index point = 0; point < piece.numberOfPoints(); ++point)
+  {
+    const Index vertex = piece.vertexOfPoint(point);
+    kinds[point] = vertex == NoIndex ? point : piece.pointOfVertex(vertex);
+    points[point] = vertex == NoIndex ? Vector3{} : piece.position(vertex);
+  }
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : piece.triangles())
+  {
+    triangles.push_back(
+      { piece.pointOfVertex(t[0]), piece.pointOfVertex(t[1]), piece.pointOfVertex(t[2]) });
+  }
+  std::vector<std::uint8_t> closed = barriers.closed;
+  closed.resize(piece.numberOfTriangles(), 0);
+
+  std::vector<Index> pointOf;
+  std::vector<const PatchVertex*> added;
+  for (const PatchVertex& vertex : moved.vertices())
+  {
+    const Index known = shared.find(vertex.vertex);
+    if (known != NoIndex)
+    {
+      pointOf.push_back(piece.pointOfVertex(known));
+      continue;
+    }
+    const auto number = static_cast<Index>(points.size());
+    pointOf.push_back(number);
+    points.push_back(vertex.position);
+    kinds.push_back(number);
+    this->Added.push_back(vertex.vertex);
+    this->PointOfAdded.emplace(vertex.vertex, number);
+    added.push_back(&vertex);
+  }
+  for (const PatchTriangle& triangle : moved.triangles())
+  {
+    const Triangle corners{ pointOf[triangle.corners[0]], pointOf[triangle.corners[1]],
+      pointOf[triangle.corners[2]] };
+    const bool mayBeOwn = std::all_of(
+      corners.begin(), corners.end(), [&](Index point) { return point < piece.numberOfPoints(); });
+    if (mayBeOwn &&
+      !piece
+         .trianglesWith(std::array{ piece.vertexOfPoint(corners[0]),
+           piece.vertexOfPoint(corners[1]), piece.vertexOfPoint(corners[2]) })
+         .empty())
+    {
+      continue;
+    }
+    triangles.push_back(corners);
+    closed.push_back(triangle.isClosed ? 1 : 0);
+  }
+  this->Mesh = std::make_shared<const TriangleMesh>(points, triangles, kinds);
+
+  this->Barriers.closed.clear();
+  for (Index t = 0; t < this->Mesh->numberOfTriangles(); ++t)
+  {
+    this->Barriers.closed.push_back(closed[this->Mesh->sourceOfTriangle(t)]);
+  }
+  this->Barriers.excluded.clear();
+  this->Cost.clear();
+  for (Index v = 0; v < this->Mesh->numberOfVertices(); ++v)
+  {
+    const Index point = this->Mesh->pointOfVertex(v);
+    const bool isAdded = point >= piece.numberOfPoints();
+    const Index old = isAdded ? NoIndex : piece.vertexOfPoint(point);
+    const PatchVertex* from = isAdded ? added[point - piece.numberOfPoints()] : nullptr;
+    const bool isExcluded =
+      isAdded ? from->isExcluded != 0 : !barriers.excluded.empty() && barriers.excluded[old];
+    this->Barriers.excluded.push_back(isExcluded ? 1 : 0);
+    if (hasCost)
+    {
+      this->Cost.push_back(isAdded ? from->cost : cost[old]);
+    }
+  }
+}
+
+GlobalVertex GatheredSurface::globalOf(Index vertex) const
+{
+  const TriangleMesh& piece = this->Surface.mesh();
+  const Index point = this->Mesh->pointOfVertex(vertex);
+  return point < piece.numberOfPoints()
+    ? this->Surface.shared().globalOf(piece.vertexOfPoint(point))
+    : this->Added[point - piece.numberOfPoints()];
+}
+
+Index GatheredSurface::find(const GlobalVertex& vertex) const
+{
+  const Index ofPiece = this->Surface.shared().find(vertex);
+  if (ofPiece != NoIndex)
+  {
+    return this->Mesh->vertexOfPoint(this->Surface.mesh().pointOfVertex(ofPiece));
+  }
+  const auto added = this->PointOfAdded.find(vertex);
+  return added == this->PointOfAdded.end() ? NoIndex : this->Mesh->vertexOfPoint(added->second);
+}
+
+std::vector<SurfacePath> GatheredSurface::pathsOf(std::span<const GlobalPath> paths) const
+{
+  std::vector<SurfacePath> here;
+  for (const GlobalPath& path : paths)
+  {
+    SurfacePath& local = here.emplace_back();
+    for (const GlobalPathPoint& point : path)
+    {
+      PathPoint& at = local.emplace_back(PathPoint{ {}, point.weights });
+      for (int c = 0; c < 3; ++c)
+      {
+        at.corners[c] = point.weights[c] > 0.0 ? this->find(point.corners[c]) : NoIndex;
+      }
+      // A corner without a weight is of no account, but must be one.
+      std::replace(at.corners.begin(), at.corners.end(), NoIndex, at.carriers()[0]);
+    }
+  }
+  return here;
+}
+
+void GatheredSurface::relocate(GlobalPoint& point) const
+{
+  PathPoint at{ {}, point.weights };
+  bool isHere = true;
+  for (int c = 0; c < 3; ++c)
+  {
+    at.corners[c] = this->find(point.corners[c]);
+    isHere = isHere && (at.corners[c] != NoIndex || point.weights[c] == 0.0);
+  }
+  point.here.clear();
+  if (!isHere)
+  {
+    return;
+  }
+  const Carriers carriers = at.carriers();
+  for (const Index triangle : this->Mesh->trianglesWith({ carriers.begin(), carriers.end() }))
+  {
+    if (point.here.empty() && (this->HasMoved.empty() || !this->HasMoved[triangle]))
+    {
+      SurfacePoint& here = point.here.emplace_back(SurfacePoint{ triangle, {} });
+      for (int c = 0; c < 3; ++c)
+      {
+        here.weights[c] = weightOf(at, this->Mesh->triangle(triangle)[c]);
+      }
+    }
+  }
+}
+
+void GatheredSurface::relocateRegions(
+  RankGroup& ranks, const DividedMesh& mesh, const SplitMesh* split, std::vector<Seed>& seeds) const
+{
+  std::vector<StartValue> own;
+  for (Index s = 0; s < seeds.size(); ++s)
+  {
+    for (Index& vertex : seeds[s].vertices)
+    {
+      vertex = this->Mesh->vertexOfPoint(this->Surface.mesh().pointOfVertex(vertex));
+      if (ranks.rank() > 0)
+      {
+        own.push_back({ vertex, s, 0.0, false });
+      }
+    }
+  }
+  // What moved to the first rank may be in a region that none of its own vertices is in.
+  for (const StartValue& other : mesh.shared().exchange(ranks, own))
+  {
+    if (ranks.rank() == 0)
+    {
+      seeds[other.label].vertices.push_back(
+        split ? split->origin(other.vertex).carriers()[0] : other.vertex);
+    }
+  }
+}
+
+GlobalPathPoint GatheredSurface::originOf(const GlobalVertex& vertex, const SplitMesh* split) const
+{
+  if (vertex.rank > 0)
+  {
+    // It is on no triangle here, and on the other ranks nothing has another number.
+    return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };
+  }
+  const PathPoint at = split ? split->origin(vertex.vertex) : PathPoint::atVertex(vertex.vertex);
+  return { { this->globalOf(at.corners[0]), this->globalOf(at.corners[1]),
+             this->globalOf(at.corners[2]) },
+    at.weights };
+}
+
+std::vector<Key> GatheredSurface::keysOf(const TriangleMesh& mesh, const SplitMesh* split) const
+{
+  std::vector<Key> keys;
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    if (split && !isVertex(split->origin(v)))
+    {
+      keys.push_back(NoKey);
+      continue;
+    }
+    const GlobalVertex vertex = this->globalOf(split ? split->origin(v).carriers()[0] : v);
+    keys.push_back({ static_cast<std::uint64_t>(vertex.rank), vertex.vertex, 0, 0 });
+  }
+  return keys;
+}
+
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "global/GlobalPoints.h"
+
+#include "input/PointIdentity.h"
+#include "mesh/TriangleMesh.h"
+#include "pieces/SharedPoints.h"
+#include "request/PointResolver.h"
+#include "solve/SeedFront.h"
+
+#include "vtkIdList.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <unordered_map>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** The nearest point of one rank's piece. */
+struct Projection
+{
+  double distance = std::numeric_limits<double>::infinity();
+  Vector3 position;
+  SurfacePoint point;
+
+  auto order() const
+  {
+    return std::tuple(this->distance, this->position.x, this->position.y, this->position.z);
+  }
+};
+
+std::vector<Projection> projectionsHere(const DistributedSurface& surface,
+  std::span<const double> coordinates, const std::string& property, Precision precision)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  std::vector<Projection> projections;
+  for (const Vector3& position : bridge::positionsAt(coordinates, property))
+  {
+    Projection projection;
+    if (mesh.numberOfTriangles() > 0)
+    {
+      const auto nearest = surface.piece().closestPoints().closestPoint(position);
+      projection.distance = nearest.distance;
+      projection.point = precision == Precision::Single
+        ? bridge::snappedAsSingle(mesh, nearest.point)
+        : nearest.point;
+      projection.position = mesh.positionOf(projection.point);
+    }
+    projections.push_back(projection);
+  }
+  return projections;
+}
+
+/** The rank whose projection is the nearest, for each of the projections. */
+std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& own)
+{
+  std::vector<double> flat;
+  for (const Projection& p : own)
+  {
+    flat.insert(flat.end(), { p.distance, p.position.x, p.position.y, p.position.z });
+  }
+  const std::vector<std::vector<double>> all = ranks.gatherByRank(flat);
+  std::vector<int> nearest(own.size(), 0);
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const auto order = [&](int rank)
+    {
+      const double* p = all[rank].data() + 4 * i;
+      return std::tuple(p[0], p[1], p[2], p[3]);
+    };
+    for (int rank = 1; rank < ranks.size(); ++rank)
+    {
+      nearest[i] = order(rank) < order(nearest[i]) ? rank : nearest[i];
+    }
+  }
+  return nearest;
+}
+
+/** A point by the vertices that carry it, in a row of numbers that ranks send each other. */
+class CarriedPoint
+{
+public:
+  static constexpr std::size_t Size = 14;
+  using Row = std::array<double, Size>;
+
+  static Row rowOf(std::size_t number, const Vector3& position, const TriangleMesh& mesh,
+    const SharedPoints& shared, const SurfacePoint& point)
+  {
+    Row row{ static_cast<double>(number), position.x, position.y, position.z };
+    for (int c = 0; c < 3; ++c)
+    {
+      const GlobalVertex carrier = shared.globalOf(mesh.triangle(point.triangle)[c]);
+      double* entry = row.data() + 4 + 3 * c;
+      entry[0] = carrier.rank;
+      entry[1] = carrier.vertex;
+      entry[2] = point.weights[c];
+      row.back() = std::max(row.back(), mesh.longestEdgeAround(mesh.triangle(point.triangle)[c]));
+    }
+    return row;
+  }
+
+  explicit CarriedPoint(const double* row)
+    : Values(row)
+  {
+  }
+
+  std::size_t number() const { return static_cast<std::size_t>(this->Values[0]); }
+
+  GlobalPoint point(const TriangleMesh& mesh, const SharedPoints& shared) const
+  {
+    GlobalPoint point{ { this->Values[1], this->Values[2], this->Values[3] },
+      this->here(mesh, shared), {}, {}, 0.0 };
+    this->carry(point);
+    return point;
+  }
+
+  /** Gives a point the carriers. */
+  void carry(GlobalPoint& point) const
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* entry = this->Values + 4 + 3 * c;
+      point.corners[c] = { static_cast<int>(entry[0]), static_cast<Index>(entry[1]) };
+      point.weights[c] = entry[2];
+    }
+    point.longestEdge = this->Values[Size - 1];
+  }
+
+private:
+  /** The point on this rank's piece, if it has all carriers and a triangle with them. */
+  std::vector<SurfacePoint> here(const TriangleMesh& mesh, const SharedPoints& shared) const
+  {
+    std::vector<Index> carriers;
+    std::vector<double> weights;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* entry = this->Values + 4 + 3 * c;
+      if (entry[2] > 0.0)
+      {
+        carriers.push_back(
+          shared.find({ static_cast<int>(entry[0]), static_cast<Index>(entry[1]) }));
+        weights.push_back(entry[2]);
+      }
+    }
+    if (std::find(carriers.begin(), carriers.end(), NoIndex) != carriers.end())
+    {
+      return {};
+    }
+    const std::vector<Index> triangles = mesh.trianglesWith(carriers);
+    if (triangles.empty())
+    {
+      return {};
+    }
+    SurfacePoint point{ triangles.front(), { 0.0, 0.0, 0.0 } };
+    const Triangle& corners = mesh.triangle(point.triangle);
+    for (std::size_t i = 0; i < carriers.size(); ++i)
+    {
+      point.weights[std::find(corners.begin(), corners.end(), carriers[i]) - corners.begin()] =
+        weights[i];
+    }
+    return { point };
+  }
+
+  const double* Values;
+};
+
+/** The points that any rank sends, in the order of their numbers. */
+std::vector<GlobalPoint> shareRows(RankGroup& ranks, const DistributedSurface& surface,
+  const std::vector<double>& ownRows, std::size_t count, std::vector<bool>& isKnown)
+{
+  std::vector<GlobalPoint> points(count);
+  isKnown.assign(count, false);
+  const std::vector<double> rows = ranks.gather(ownRows);
+  for (std::size_t i = 0; i < rows.size(); i += CarriedPoint::Size)
+  {
+    const CarriedPoint carried(rows.data() + i);
+    points[carried.number()] = carried.point(surface.mesh(), surface.shared());
+    isKnown[carried.number()] = true;
+  }
+  return points;
+}
+
+void append(std::vector<double>& rows, const CarriedPoint::Row& row)
+{
+  rows.insert(rows.end(), row.begin(), row.end());
+}
+
+/** For each id, the owned vertex of this rank that has it, or NoIndex. */
+std::vector<Index> ownedVerticesWith(
+  const DistributedSurface& surface, vtkIdList* ids, const std::vector<vtkIdType>& globalIds)
+{
+  std::vector<Index> vertices(ids->GetNumberOfIds(), NoIndex);
+  std::unordered_multimap<vtkIdType, std::size_t> wanted;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    wanted.emplace(ids->GetId(i), i);
+  }
+  for (Index point = 0; point < globalIds.size(); ++point)
+  {
+    const Index vertex = surface.mesh().vertexOfPoint(point);
+    const auto [first, last] = wanted.equal_range(globalIds[point]);
+    for (auto found = first; found != last; ++found)
+    {
+      if (vertex != NoIndex && surface.shared().owns(vertex))
+      {
+        vertices[found->second] = vertex;
+      }
+    }
+  }
+  return vertices;
+}
+
+}
+
+std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
+  std::span<const double> coordinates, const std::string& property, Precision precision)
+{
+  std::vector<Projection> own;
+  ranks.together([&] { own = projectionsHere(surface, coordinates, property, precision); });
+  if (own.empty())
+  {
+    return {};
+  }
+  const std::vector<int> nearest = nearestRanks(ranks, own);
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    if (nearest[i] == ranks.rank())
+    {
+      append(rows,
+        CarriedPoint::rowOf(i, own[i].position, surface.mesh(), surface.shared(), own[i].point));
+    }
+  }
+  std::vector<bool> isKnown;
+  return shareRows(ranks, surface, rows, own.size(), isKnown);
+}
+
+void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>& points)
+{
+  std::vector<double> own;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (const SurfacePoint& here : points[i].here)
+    {
+      append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), here));
+    }
+  }
+  // By increasing rank; so the lowest one that has a point has the last word.
+  const std::vector<double> rows = ranks.gather(own);
+  for (std::size_t i = rows.size(); i > 0; i -= CarriedPoint::Size)
+  {
+    const CarriedPoint carried(rows.data() + i - CarriedPoint::Size);
+    carried.carry(points[carried.number()]);
+  }
+}
+
+std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own)
+{
+  std::vector<double> points;
+  std::set<std::array<double, 3>> ofLowerRanks;
+  for (const std::vector<double>& ofRank : ranks.gatherByRank(own))
+  {
+    std::set<std::array<double, 3>> ofThis;
+    for (std::size_t i = 0; i < ofRank.size(); i += 3)
+    {
+      const std::array point{ ofRank[i], ofRank[i + 1], ofRank[i + 2] };
+      if (!ofLowerRanks.contains(point))
+      {
+        points.insert(points.end(), point.begin(), point.end());
+        ofThis.insert(point);
+      }
+    }
+    ofLowerRanks.merge(ofThis);
+  }
+  return points;
+}
+
+std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property)
+{
+  std::vector<double> own;
+  ranks.together(
+    [&]
+    {
+      if (source)
+      {
+        own = bridge::PointSource(source).coordinates;
+      }
+    });
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, own), property, Precision::Single);
+}
+
+std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,
+  const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role)
+{
+  if (ids->GetNumberOfIds() == 0)
+  {
+    return {};
+  }
+  const TriangleMesh& mesh = surface.mesh();
+  std::vector<Index> vertices;
+  ranks.together(
+    [&]
+    {
+      if (ranks.size() == 1)
+      {
+        vertices = bridge::verticesWithIds(surface.piece(), ids, role);
+        return;
+      }
+      if (!blocks.haveGlobalPointIds())
+      {
+        throw std::invalid_argument(role +
+          " point ids are global ids on several ranks, and the "
+          "input has none. Make them by Generate Global Ids.");
+      }
+      vertices = ownedVerticesWith(surface, ids, bridge::globalPointIdsOf(blocks));
+    });
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (vertices[i] != NoIndex)
+    {
+      append(rows,
+        CarriedPoint::rowOf(
+          i, mesh.position(vertices[i]), mesh, surface.shared(), mesh.pointAtVertex(vertices[i])));
+    }
+  }
+  std::vector<bool> isKnown;
+  std::vector<GlobalPoint> points = shareRows(ranks, surface, rows, vertices.size(), isKnown);
+  const auto missing = std::find(isKnown.begin(), isKnown.end(), false);
+  if (missing != isKnown.end())
+  {
+    throw std::invalid_argument(role + " point id " +
+      std::to_string(ids->GetId(missing - isKnown.begin())) +
+      " does not exist: on no rank does a point of the surface have this global id. Choose "
+      "another.");
+  }
+  return points;
+}
+
+Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& here)
+{
+  return here.empty() ? Triangle{ NoIndex, NoIndex, NoIndex } : bridge::targetAt(mesh, here[0]);
+}
+
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "global/GlobalSeeds.h"
+
+#include "request/PointResolver.h"
+
+#include <set>
+#include <stdexcept>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** x y z of the source's points that no line uses. */
+std::vector<double> loosePoints(const bridge::PointSource& source)
+{
+  std::vector<bool> isOnLine(source.coordinates.size() / 3, false);
+  for (const auto& line : source.lines)
+  {
+    for (const std::size_t number : line)
+    {
+      isOnLine[number] = true;
+    }
+  }
+  std::vector<double> loose;
+  for (std::size_t i = 0; i < isOnLine.size(); ++i)
+  {
+    if (!isOnLine[i])
+    {
+      const double* point = source.coordinates.data() + 3 * i;
+      loose.insert(loose.end(), point, point + 3);
+    }
+  }
+  return loose;
+}
+
+}
+
+std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
+{
+  std::vector<Seed> seeds;
+  for (GlobalPoint& point : points)
+  {
+    seeds.push_back(Seed::atPosition(point.position, std::move(point.here)));
+  }
+  return seeds;
+}
+
+std::vector<GlobalPoint> loosePointsOf(
+  RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source)
+{
+  std::vector<double> loose;
+  ranks.together(
+    [&]
+    {
+      if (source)
+      {
+        loose = loosePoints(bridge::PointSource(source));
+      }
+    });
+  return globalPointsAt(ranks, surface, pointsOfAll(ranks, loose), "SeedSource", Precision::Single);
+}
+
+std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions)
+{
+  std::vector<double> own;
+  for (const auto& [value, vertices] : regions)
+  {
+    own.push_back(value);
+  }
+  const std::vector<double> all = ranks.gather(own);
+  std::vector<Seed> seeds;
+  for (const double value : std::set<double>(all.begin(), all.end()))
+  {
+    seeds.push_back(Seed::onRegion(std::move(regions[value])));
+  }
+  return seeds;
+}
+
+}

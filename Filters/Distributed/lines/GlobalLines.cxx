@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lines/GlobalLines.h"
+
+#include "algorithm/DistributedPathFinder.h"
+#include "march/FastMarchingSolver.h"
+#include "path/SurfaceCurve.h"
+#include "request/PointSource.h"
+
+#include <algorithm>
+#include <set>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** The lines of a source, x y z of one point after the other. */
+std::vector<std::vector<double>> linesHere(vtkDataObject* source)
+{
+  std::vector<std::vector<double>> lines;
+  if (source)
+  {
+    const bridge::PointSource points(source);
+    for (const std::vector<std::size_t>& numbers : points.lines)
+    {
+      std::vector<double>& line = lines.emplace_back();
+      for (const std::size_t number : numbers)
+      {
+        const double* point = points.coordinates.data() + 3 * number;
+        line.insert(line.end(), point, point + 3);
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<std::vector<double>> linesOfAll(
+  RankGroup& ranks, const std::vector<std::vector<double>>& own)
+{
+  std::vector<double> flat;
+  for (const std::vector<double>& line : own)
+  {
+    flat.push_back(static_cast<double>(line.size()));
+    flat.insert(flat.end(), line.begin(), line.end());
+  }
+  std::vector<std::vector<double>> lines;
+  std::set<std::vector<double>> ofLowerRanks;
+  for (const std::vector<double>& ofRank : ranks.gatherByRank(flat))
+  {
+    std::set<std::vector<double>> ofThis;
+    for (auto at = ofRank.begin(); at != ofRank.end();)
+    {
+      const auto first = at + 1;
+      at = first + static_cast<std::ptrdiff_t>(*at);
+      std::vector<double> line(first, at);
+      if (!ofLowerRanks.contains(line))
+      {
+        ofThis.insert(line);
+        lines.push_back(std::move(line));
+      }
+    }
+    ofLowerRanks.merge(ofThis);
+  }
+  return lines;
+}
+
+/** Whether two points lie in one triangle, of any rank. */
+bool shareFace(
+  RankGroup& ranks, const DistributedSurface& surface, const GlobalPoint& a, const GlobalPoint& b)
+{
+  std::set<GlobalVertex> carriers;
+  for (const GlobalPoint* point : { &a, &b })
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      if (point->weights[c] > 0.0)
+      {
+        carriers.insert(point->corners[c]);
+      }
+    }
+  }
+  std::vector<Index> here;
+  for (const GlobalVertex& carrier : carriers)
+  {
+    here.push_back(surface.shared().find(carrier));
+  }
+  const bool areAllHere = std::find(here.begin(), here.end(), NoIndex) == here.end();
+  return ranks.isAny(here.size() <= 3 && areAllHere && !surface.mesh().trianglesWith(here).empty());
+}
+
+GlobalPath globalPathOf(const TracedPath& traced)
+{
+  GlobalPath path;
+  for (const PathPoint& point : traced.path)
+  {
+    GlobalPathPoint& global = path.emplace_back(GlobalPathPoint{ {}, point.weights });
+    for (int c = 0; c < 3; ++c)
+    {
+      global.corners[c] = traced.ground->vertex(point.corners[c]).vertex;
+    }
+  }
+  return path;
+}
+
+}
+
+GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
+  vtkDataObject* source, const std::string& property)
+{
+  std::vector<std::vector<double>> own;
+  ranks.together([&] { own = linesHere(source); });
+  GlobalLines lines;
+  for (const std::vector<double>& line : linesOfAll(ranks, own))
+  {
+    lines.push_back(globalPointsAt(ranks, surface, line, property, Precision::Single));
+  }
+  return lines;
+}
+
+std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
+  const bridge::PathGround& input, const GlobalLines& lines, const std::string& property)
+{
+  FastMarchingSolver solver(surface.sharedPiece()->mesh());
+  const PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {},
+    input };
+  std::vector<GlobalPath> paths;
+  for (const std::vector<GlobalPoint>& line : lines)
+  {
+    GlobalPath path{ { line[0].corners, line[0].weights } };
+    for (std::size_t i = 1; i < line.size(); ++i)
+    {
+      if (shareFace(ranks, surface, line[i - 1], line[i]))
+      {
+        path.push_back({ line[i].corners, line[i].weights });
+        continue;
+      }
+      DistributedPathFinder finder(request, { line[i - 1] });
+      const auto way = finder.march({ &line[i], 1 }) ? finder.pathFrom(line[i]) : std::nullopt;
+      if (!way)
+      {
+        throwUnjoined(property + "'s line " + std::to_string(paths.size()), i);
+      }
+      const GlobalPath back = globalPathOf(*way);
+      if (!back.empty())
+      {
+        path.insert(path.end(), back.rbegin() + 1, back.rend());
+      }
+    }
+    paths.push_back(ranks.rank() == 0 ? std::move(path) : GlobalPath{});
+  }
+  return paths;
+}
+
+}

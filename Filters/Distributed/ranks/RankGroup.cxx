@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ranks/RankGroup.h"
+
+#include "filter/ErrorMessage.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <unistd.h>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** Tells our messages from those of others on the same controller. */
+constexpr int LengthTag = 81501;
+constexpr int ContentTag = 81502;
+
+/** Not-a-number is the same as itself here. */
+bool areSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}
+
+RankGroup::RankGroup(vtkMultiProcessController* controller)
+  : Controller(controller)
+{
+  if (controller)
+  {
+    this->Size = controller->GetNumberOfProcesses();
+    this->Rank = controller->GetLocalProcessId();
+  }
+}
+
+std::vector<std::vector<double>> RankGroup::gatherByRank(std::span<const double> own)
+{
+  if (this->Size == 1)
+  {
+    return { { own.begin(), own.end() } };
+  }
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(this->Size);
+  this->Controller->AllGather(&length, lengths.data(), 1);
+  std::vector<vtkIdType> offsets(this->Size);
+  std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), vtkIdType{ 0 });
+  std::vector<double> all(offsets.back() + lengths.back());
+  if (!all.empty())
+  {
+    this->Controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
+  }
+  std::vector<std::vector<double>> byRank;
+  for (int rank = 0; rank < this->Size; ++rank)
+  {
+    const auto first = all.begin() + offsets[rank];
+    byRank.emplace_back(first, first + lengths[rank]);
+  }
+  return byRank;
+}
+
+std::vector<double> RankGroup::gather(std::span<const double> own)
+{
+  std::vector<double> all;
+  for (const std::vector<double>& values : this->gatherByRank(own))
+  {
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+void RankGroup::takeLeast(std::span<double> values)
+{
+  if (this->Size > 1)
+  {
+    const std::vector<double> own(values.begin(), values.end());
+    this->Controller->AllReduce(
+      own.data(), values.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+  }
+}
+
+double RankGroup::sum(double own)
+{
+  const std::vector<double> all = this->gather({ &own, 1 });
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
+RankGroup::Message RankGroup::fromFirst(Message message)
+{
+  auto length = static_cast<vtkIdType>(message.size());
+  if (this->Size > 1)
+  {
+    this->Controller->Broadcast(&length, 1, 0);
+    message.resize(length);
+    if (length > 0)
+    {
+      this->Controller->Broadcast(message.data(), length, 0);
+    }
+  }
+  return message;
+}
+
+std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
+{
+  if (this->Size == 1)
+  {
+    return { own };
+  }
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(this->Size);
+  this->Controller->Gather(&length, lengths.data(), 1, 0);
+  std::vector<vtkIdType> offsets(this->Size);
+  std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), vtkIdType{ 0 });
+  Message all(offsets.back() + lengths.back());
+  this->Controller->GatherV(own.data(), all.data(), length, lengths.data(), offsets.data(), 0);
+  std::vector<Message> byRank;
+  for (int rank = 0; this->Rank == 0 && rank < this->Size; ++rank)
+  {
+    const auto first = all.begin() + offsets[rank];
+    byRank.emplace_back(first, first + lengths[rank]);
+  }
+  return byRank;
+}
+
+double RankGroup::newNumber()
+{
+  static double last = 0.0;
+  const std::vector<double> lasts = this->gather({ &last, 1 });
+  last = *std::max_element(lasts.begin(), lasts.end()) + 1.0;
+  return last;
+}
+
+bool RankGroup::haveSame(double number)
+{
+  const std::vector<double> all = this->gather({ &number, 1 });
+  return number > 0.0 &&
+    std::all_of(all.begin(), all.end(), [number](double other) { return other == number; });
+}
+
+unsigned RankGroup::threadsOfThisRank()
+{
+  const unsigned usable = std::max(1u, std::thread::hardware_concurrency());
+  if (this->Size == 1)
+  {
+    return usable;
+  }
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  // A number that a double holds exactly.
+  const auto machine = static_cast<double>(std::hash<std::string>{}(name.data()) >> 12);
+  const std::vector<double> machines = this->gather({ &machine, 1 });
+  const auto ranks = static_cast<unsigned>(std::count(machines.begin(), machines.end(), machine));
+  // A rank may be bound to some of the processors only, and then shares those with no other.
+  const auto processors = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
+  return std::clamp(processors / ranks, 1u, usable);
+}
+
+void RankGroup::together(const std::function<void()>& step)
+{
+  if (this->Size == 1)
+  {
+    step();
+    return;
+  }
+  std::string message;
+  double failed = this->Size;
+  try
+  {
+    step();
+  }
+  catch (const std::exception& error)
+  {
+    message = bridge::messageOf(error);
+    failed = this->Rank;
+  }
+  this->takeLeast({ &failed, 1 });
+  if (failed < this->Size)
+  {
+    const int rank = static_cast<int>(failed);
+    auto length = static_cast<vtkIdType>(message.size());
+    this->Controller->Broadcast(&length, 1, rank);
+    message.resize(length);
+    this->Controller->Broadcast(message.data(), length, rank);
+    throw std::runtime_error(message);
+  }
+}
+
+void RankGroup::requireSame(std::span<const double> values, const std::string& what)
+{
+  const auto all = this->gatherByRank(values);
+  const auto isOther = [&](const std::vector<double>& others)
+  { return !std::equal(others.begin(), others.end(), all[0].begin(), all[0].end(), areSame); };
+  const auto other = std::find_if(all.begin(), all.end(), isOther);
+  if (other != all.end())
+  {
+    throw std::invalid_argument("The " + what + " of rank " + std::to_string(other - all.begin()) +
+      " are not those of rank 0. Set the same on all ranks.");
+  }
+}
+
+std::vector<int> RankGroup::others() const
+{
+  std::vector<int> others;
+  for (int rank = 0; rank < this->Size; ++rank)
+  {
+    if (rank != this->Rank)
+    {
+      others.push_back(rank);
+    }
+  }
+  this->sort(others);
+  return others;
+}
+
+void RankGroup::sort(std::vector<int>& partners) const
+{
+  std::sort(partners.begin(), partners.end(),
+    [this](int a, int b) { return (a ^ this->Rank) < (b ^ this->Rank); });
+}
+
+std::vector<RankGroup::Message> RankGroup::exchange(
+  std::span<const int> partners, const std::vector<Message>& messages)
+{
+  std::vector<Message> received;
+  for (std::size_t i = 0; i < partners.size(); ++i)
+  {
+    if (this->isFirstToSend(partners[i]))
+    {
+      this->send(messages[i], partners[i]);
+      received.push_back(this->receive(partners[i]));
+    }
+    else
+    {
+      received.push_back(this->receive(partners[i]));
+      this->send(messages[i], partners[i]);
+    }
+  }
+  return received;
+}
+
+void RankGroup::send(const Message& message, int partner)
+{
+  const auto length = static_cast<vtkIdType>(message.size());
+  this->Controller->Send(&length, 1, partner, LengthTag);
+  if (length > 0)
+  {
+    this->Controller->Send(message.data(), length, partner, ContentTag);
+  }
+}
+
+RankGroup::Message RankGroup::receive(int partner)
+{
+  vtkIdType length = 0;
+  this->Controller->Receive(&length, 1, partner, LengthTag);
+  Message message(length);
+  if (length > 0)
+  {
+    this->Controller->Receive(message.data(), length, partner, ContentTag);
+  }
+  return message;
+}
+
+}
