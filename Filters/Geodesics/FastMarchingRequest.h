@@ -4,7 +4,7 @@
 #define geodesic_bridge_FastMarchingRequest_h
 
 #include "filter/ProgressReporter.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 

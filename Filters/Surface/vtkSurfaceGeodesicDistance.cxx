@@ -22,10 +22,10 @@
 #include "lines/LinedSurface.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
 #include "solve/DistanceSolver.h"
@@ -254,8 +254,8 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
     vtkDataObject::GetData(run.inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
-  this->GatherGuides(ranks, run.blocks, *internal.Surface, barriers, cost);
-  const geodesic::bridge::InputGround input(internal.Surface->piece(), run.blocks);
+  this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
+  const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, this->Method == DIJKSTRA });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
@@ -263,11 +263,11 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   std::vector<geodesic::Triangle> targets;
   for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
   {
-    for (geodesic::SurfacePoint& here : point.here)
+    for (geodesic::SurfacePoint& local : point.local)
     {
-      here = surface.pointOf(here);
+      local = surface.pointOf(local);
     }
-    targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.here));
+    targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.local));
   }
   geodesic::distributed::DistributedSolver partition(ranks, internal.Lined.divided());
   geodesic::SolveOptions options = surface.options();

@@ -12,7 +12,7 @@
 #include "vtkSmartPointer.h"
 
 #include "filter/ErrorMessage.h"
-#include "global/SharedGuides.h"
+#include "global/SharedCostAndBarriers.h"
 #include "input/ArrayValues.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
@@ -22,7 +22,7 @@
 #include "pieces/InnerFaces.h"
 #include "pieces/PointKeys.h"
 #include "ranks/RankGroup.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "request/PointResolver.h"
 #include "solve/DijkstraSolver.h"
 
@@ -143,7 +143,7 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicFilter::GatherGuides(geodesic::distributed::RankGroup& ranks,
+void vtkSurfaceGeodesicFilter::GatherCostAndBarriers(geodesic::distributed::RankGroup& ranks,
   const geodesic::bridge::InputBlocks& blocks,
   const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
   std::vector<double>& cost)

@@ -156,7 +156,7 @@ protected:
    * BARRIER_ARRAY and the cost of each vertex (empty: 1), the same on all ranks where they share
    * vertices. Collective.
    */
-  void GatherGuides(geodesic::distributed::RankGroup& ranks,
+  void GatherCostAndBarriers(geodesic::distributed::RankGroup& ranks,
     const geodesic::bridge::InputBlocks& blocks,
     const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
     std::vector<double>& cost);

@@ -19,12 +19,12 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 #include "output/PathOutput.h"
 #include "path/PathFinder.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
 #include "solve/DistanceSolver.h"
 
@@ -38,7 +38,7 @@ struct vtkSurfaceGeodesicPath::Run
 {
   geodesic::distributed::RankGroup& ranks;
   vtkInformationVector** inputVector;
-  geodesic::bridge::InputGround input;
+  geodesic::bridge::InputPathAttributes input;
 };
 
 /** A path on the input's own mesh, or on a part of it, from one point to another. */
@@ -59,22 +59,22 @@ struct vtkSurfaceGeodesicPath::Internals
   geodesic::distributed::LinedSurface Lined;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   // Segments are the same as long as all this is.
-  std::optional<geodesic::bridge::SolveSurface> Ground;
+  std::optional<geodesic::bridge::SolveSurface> Solved;
   int Method = FAST_MARCHING;
   geodesic::PathStyle Style;
   std::vector<Segment> Segments;
 
   /** Takes on what segments depend on, and drops those that no longer hold. */
-  void setGround(
-    geodesic::bridge::SolveSurface ground, int method, const geodesic::PathStyle& style)
+  void setSurface(
+    geodesic::bridge::SolveSurface solved, int method, const geodesic::PathStyle& style)
   {
-    const bool isSame = this->Ground && this->Ground->isLike(ground) && this->Method == method &&
+    const bool isSame = this->Solved && this->Solved->isLike(solved) && this->Method == method &&
       this->Style == style;
     if (!isSame)
     {
       this->Segments.clear();
     }
-    this->Ground.emplace(std::move(ground));
+    this->Solved.emplace(std::move(solved));
     this->Method = method;
     this->Style = style;
   }
@@ -83,9 +83,9 @@ struct vtkSurfaceGeodesicPath::Internals
   std::optional<geodesic::distributed::TracedPath> onInput(
     std::optional<geodesic::distributed::TracedPath> path) const
   {
-    if (path && !path->ground)
+    if (path && !path->corridor)
     {
-      path->path = this->Ground->basePathOf(path->path);
+      path->path = this->Solved->basePathOf(path->path);
     }
     return path;
   }
@@ -195,7 +195,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   Internals& internal = *this->Internal;
   internal.Surface = this->FindSurface(ranks, blocks);
   const Run run{ ranks, inputVector,
-    geodesic::bridge::InputGround(internal.Surface->piece(), blocks) };
+    geodesic::bridge::InputPathAttributes(internal.Surface->piece(), blocks) };
   this->MostPointsOnARank = internal.Surface->mostPointsOnARank();
   const Points waypoints = this->GatherPoints(
     run, WAYPOINT_SOURCE_PORT, this->WaypointCoordinates, "WaypointPositions", "WaypointSource");
@@ -205,17 +205,17 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   std::vector<double> cost;
   const auto barrierLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
     vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
-  this->GatherGuides(ranks, blocks, *internal.Surface, barriers, cost);
+  this->GatherCostAndBarriers(ranks, blocks, *internal.Surface, barriers, cost);
   const bool hasCost = ranks.isAny(!cost.empty());
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const bool hadMethod = internal.Method == this->Method;
-  internal.setGround(
+  internal.setSurface(
     internal.Lined.update(ranks,
       { internal.Surface, run.input, {}, barrierLines, barriers, cost, this->Method == DIJKSTRA }),
     this->Method, style);
-  const auto& mesh = internal.Ground->mesh();
+  const auto& mesh = internal.Solved->mesh();
   if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)
   {
     internal.Solver = this->MakeSolver(mesh);
@@ -264,9 +264,9 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
     {
       for (std::size_t i = 0; i < points.size(); ++i)
       {
-        for (geodesic::SurfacePoint& here : openPoints[i].here)
+        for (geodesic::SurfacePoint& local : openPoints[i].local)
         {
-          here = this->Internal->Ground->openPointOf(here, role + " " + std::to_string(i));
+          local = this->Internal->Solved->openPointOf(local, role + " " + std::to_string(i));
         }
       }
     });
@@ -282,7 +282,7 @@ geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run
 {
   const Internals& internal = *this->Internal;
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
-    internal.Lined.divided(), *internal.Solver, internal.Ground->options(), internal.Style,
+    internal.Lined.divided(), *internal.Solver, internal.Solved->options(), internal.Style,
     run.input };
 }
 
@@ -425,10 +425,11 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     if (segment.Path && run.ranks.rank() == 0)
     {
       const geodesic::distributed::TracedPath& path = *segment.Path;
-      const geodesic::bridge::PathGround& ground =
-        path.ground ? static_cast<const geodesic::bridge::PathGround&>(*path.ground) : run.input;
-      const double length = paths.add(ground,
-        geodesic::beginningOf(ground.mesh(), path.path, maximumLength,
+      const geodesic::bridge::PathAttributes& attributes = path.corridor
+        ? static_cast<const geodesic::bridge::PathAttributes&>(*path.corridor)
+        : run.input;
+      const double length = paths.add(attributes,
+        geodesic::beginningOf(attributes.mesh(), path.path, maximumLength,
           std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),
         static_cast<vtkIdType>(i), isChain ? arcLength : 0.0);
       arcLength += length;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/InputSurface.h"
 
-#include "input/KeptByVersion.h"
 #include "input/ObjectVersion.h"
 #include "input/PolyDataTriangles.h"
+#include "input/VersionCache.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -99,7 +99,7 @@ void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
 std::shared_ptr<const InputSurface> InputSurface::of(
   const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
 {
-  static KeptByVersion<InputVersion, const InputSurface> known;
+  static VersionCache<InputVersion, const InputSurface> known;
   return known.get(versionOf(blocks, points),
     [&]
     {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/OuterSurface.h"
 
-#include "input/KeptByVersion.h"
 #include "input/ObjectVersion.h"
+#include "input/VersionCache.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -198,7 +198,7 @@ std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
 
 std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
 {
-  static KeptByVersion<DataVersion, vtkPolyData> known;
+  static VersionCache<DataVersion, vtkPolyData> known;
   return known.get(versionOf(data), [&] { return extracted(data); });
 }
 

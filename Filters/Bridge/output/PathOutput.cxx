@@ -53,10 +53,10 @@ PathOutput::PathOutput(double heightOffset, bool namesBlocks)
 PathOutput::~PathOutput() = default;
 
 double PathOutput::add(
-  const PathGround& ground, const SurfacePath& path, vtkIdType segment, double arcLength)
+  const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment, double arcLength)
 {
-  const TriangleMesh& mesh = ground.mesh();
-  const SurfaceNormals normals(mesh, [&](Index vertex) { return ground.normalOf(vertex); });
+  const TriangleMesh& mesh = attributes.mesh();
+  const SurfaceNormals normals(mesh, [&](Index vertex) { return attributes.normalOf(vertex); });
   double length = 0.0;
   // A polyline has two points at least.
   const std::size_t count = std::max<std::size_t>(path.size(), 2);
@@ -76,12 +76,12 @@ double PathOutput::add(
     const Index first = nearest[0];
     const Index second = nearest[nearest.size() > 1 ? 1 : 0];
     this->ArcLengths->InsertNextValue(arcLength + length);
-    this->OriginalPointIds->InsertNextValue(ground.idOf(first));
-    this->OriginalBlocks->InsertNextValue(ground.blockOf(first));
+    this->OriginalPointIds->InsertNextValue(attributes.idOf(first));
+    this->OriginalBlocks->InsertNextValue(attributes.blockOf(first));
     for (Index end : { first, second })
     {
-      this->EdgePointIds->InsertNextValue(ground.idOf(end));
-      this->EdgeBlocks->InsertNextValue(ground.blockOf(end));
+      this->EdgePointIds->InsertNextValue(attributes.idOf(end));
+      this->EdgeBlocks->InsertNextValue(attributes.blockOf(end));
     }
     this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
   }

@@ -3,7 +3,7 @@
 #ifndef geodesic_bridge_PathOutput_h
 #define geodesic_bridge_PathOutput_h
 
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 #include "path/PathPoint.h"
 
 #include "vtkNew.h"
@@ -35,13 +35,13 @@ public:
   ~PathOutput();
 
   /**
-   * @param ground     what the path runs on
+   * @param attributes the mesh that the path runs on, and what the input says of it
    * @param segment    its number
    * @param arcLength  at its first point
    * @return its length on the surface, before the offset
    */
   double add(
-    const PathGround& ground, const SurfacePath& path, vtkIdType segment, double arcLength);
+    const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment, double arcLength);
   void writeTo(vtkPolyData* output) const;
   double totalLength() const { return this->TotalLength; }
 

@@ -4,7 +4,7 @@
 #define geodesic_bridge_SolveSurface_h
 
 #include "path/PathPoint.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "request/SurfaceLines.h"
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"

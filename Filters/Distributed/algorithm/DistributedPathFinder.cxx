@@ -47,14 +47,14 @@ std::vector<Ball> ballsRound(std::span<const GlobalPoint> points)
   return balls;
 }
 
-std::vector<SurfacePoint> pointsHere(std::span<const GlobalPoint> points)
+std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
 {
-  std::vector<SurfacePoint> here;
+  std::vector<SurfacePoint> local;
   for (const GlobalPoint& point : points)
   {
-    here.push_back(point.here.front());
+    local.push_back(point.local.front());
   }
-  return here;
+  return local;
 }
 
 /** The number of the end that a path leads to. */
@@ -71,21 +71,21 @@ Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const S
 class DistributedPathFinder::CorridorSolver final : public DistanceSolver
 {
 public:
-  CorridorSolver(DistributedPathFinder& finder, Corridor& corridor, CorridorGround& ground)
+  CorridorSolver(DistributedPathFinder& finder, Corridor& corridor, CorridorMesh& mesh)
     : Finder(finder)
     , Collected(corridor)
-    , Ground(ground)
+    , Mesh(mesh)
   {
   }
 
-  const TriangleMesh& mesh() const override { return this->Ground.mesh(); }
+  const TriangleMesh& mesh() const override { return this->Mesh.mesh(); }
 
   const DistanceField& solve(std::span<const Seed>, const SolveOptions& options) override
   {
     std::vector<GlobalVertex> targets;
     for (const Triangle& target : options.targets)
     {
-      targets.push_back(this->Ground.vertex(target[0]).vertex);
+      targets.push_back(this->Mesh.vertex(target[0]).vertex);
     }
     if (this->Finder.reach(targets))
     {
@@ -93,13 +93,13 @@ public:
       this->Finder.give(Order::Cut, bytesOf<Ball>(balls));
       this->Collected.add(this->Finder.cutOnAll(balls), {});
     }
-    return this->Ground.fieldOf(this->Collected, this->Finder.Field->stopReason());
+    return this->Mesh.fieldOf(this->Collected, this->Finder.Field->stopReason());
   }
 
 private:
   DistributedPathFinder& Finder;
   Corridor& Collected;
-  CorridorGround& Ground;
+  CorridorMesh& Mesh;
 };
 
 DistributedPathFinder::DistributedPathFinder(
@@ -110,7 +110,7 @@ DistributedPathFinder::DistributedPathFinder(
 {
   if (request.ranks.size() == 1)
   {
-    this->Whole.emplace(request.solver, pointsHere(this->Ends), request.options, request.style);
+    this->Whole.emplace(request.solver, localPoints(this->Ends), request.options, request.style);
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
@@ -123,11 +123,11 @@ bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
 {
   if (this->Whole)
   {
-    return this->Whole->march(pointsHere(starts));
+    return this->Whole->march(localPoints(starts));
   }
   return this->onCorridor(starts,
-           [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
-           { return finder.march(ground->pointsOf(starts)) ? Index{ 1 } : Index{ 0 }; }) == 1;
+           [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
+           { return finder.march(corridor->pointsOf(starts)) ? Index{ 1 } : Index{ 0 }; }) == 1;
 }
 
 std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& start)
@@ -135,26 +135,26 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
   TracedPath traced;
   if (this->Whole)
   {
-    auto path = this->Whole->pathFrom(start.here.front());
+    auto path = this->Whole->pathFrom(start.local.front());
     if (!path)
     {
       return std::nullopt;
     }
     traced.path = std::move(*path);
-    traced.end = endOf(traced.path, this->Request.solver.mesh(), pointsHere(this->Ends));
+    traced.end = endOf(traced.path, this->Request.solver.mesh(), localPoints(this->Ends));
     return traced;
   }
   traced.end = this->onCorridor({ &start, 1 },
-    [&](PathFinder& finder, const std::shared_ptr<const CorridorGround>& ground)
+    [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
     {
-      const SurfacePoint here = ground->pointsOf({ &start, 1 }).front();
-      auto path = finder.march({ &here, 1 }) ? finder.pathFrom(here) : std::nullopt;
+      const SurfacePoint local = corridor->pointsOf({ &start, 1 }).front();
+      auto path = finder.march({ &local, 1 }) ? finder.pathFrom(local) : std::nullopt;
       if (!path)
       {
         return NoIndex;
       }
-      this->takeToInput(*path, *ground, traced);
-      return endOf(*path, ground->mesh(), ground->pointsOf(this->Ends));
+      this->takeToInput(*path, *corridor, traced);
+      return endOf(*path, corridor->mesh(), corridor->pointsOf(this->Ends));
     });
   return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
 }
@@ -199,17 +199,16 @@ Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Act
   this->extend(corridor, ballsRound(points));
   while (true)
   {
-    const auto ground = std::make_shared<CorridorGround>(corridor, this->HasCost);
+    const auto mesh = std::make_shared<CorridorMesh>(corridor, this->HasCost);
     try
     {
-      CorridorSolver source(*this, corridor, *ground);
-      PathFinder finder(
-        source, ground->pointsOf(this->Ends), ground->options(), this->Request.style);
-      return action(finder, ground);
+      CorridorSolver source(*this, corridor, *mesh);
+      PathFinder finder(source, mesh->pointsOf(this->Ends), mesh->options(), this->Request.style);
+      return action(finder, mesh);
     }
     catch (const IncompleteRing& end)
     {
-      const PatchVertex& vertex = ground->vertex(end.vertex());
+      const PatchVertex& vertex = mesh->vertex(end.vertex());
       const Ball ball{ vertex.position, ReachInEdges * vertex.longestEdge };
       this->extend(corridor, { &ball, 1 });
     }
@@ -279,7 +278,7 @@ std::vector<SurfacePatch> DistributedPathFinder::cutOnAll(std::span<const Ball> 
 }
 
 void DistributedPathFinder::takeToInput(
-  const SurfacePath& path, const CorridorGround& corridor, TracedPath& traced)
+  const SurfacePath& path, const CorridorMesh& corridor, TracedPath& traced)
 {
   std::vector<GlobalVertex> carriers;
   std::map<GlobalVertex, Index> numbers;
@@ -308,12 +307,12 @@ void DistributedPathFinder::takeToInput(
   this->give(Order::CutInput, bytesOf<GlobalVertex>(carriers));
   Corridor round;
   round.add(this->cutInputOnAll(carriers), {});
-  traced.ground = std::make_shared<const CorridorGround>(round, false);
+  traced.corridor = std::make_shared<const CorridorMesh>(round, false);
   for (PathPoint& point : traced.path)
   {
     for (Index& corner : point.corners)
     {
-      corner = traced.ground->find(carriers[corner]);
+      corner = traced.corridor->find(carriers[corner]);
     }
   }
 }
@@ -322,18 +321,18 @@ std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
   std::span<const GlobalVertex> vertices)
 {
   const DistributedSurface& surface = this->Request.surface;
-  std::vector<Index> here;
+  std::vector<Index> local;
   for (const GlobalVertex& vertex : vertices)
   {
     if (const Index known = surface.shared().find(vertex); known != NoIndex)
     {
-      here.push_back(known);
+      local.push_back(known);
     }
   }
   return patchesOfAll(this->Request.ranks,
     [&]
     {
-      SurfacePatch patch = this->InputCutter->cutRound(here, nullptr);
+      SurfacePatch patch = this->InputCutter->cutRound(local, nullptr);
       for (PatchVertex& vertex : patch.vertices)
       {
         const Index number = surface.shared().find(vertex.vertex);
@@ -372,15 +371,15 @@ bool DistributedPathFinder::reach(const std::vector<GlobalVertex>& targets)
 
 void DistributedPathFinder::solve(std::span<const GlobalVertex> targets)
 {
-  std::vector<Triangle> here;
+  std::vector<Triangle> local;
   for (const GlobalVertex& target : targets)
   {
     const Index vertex = this->Request.mesh.shared().find(target);
-    here.push_back({ vertex, vertex, vertex });
+    local.push_back({ vertex, vertex, vertex });
   }
   SolveOptions options = this->Request.options;
   options.partition = &this->Partition;
-  options.targets = here;
+  options.targets = local;
   options.targetMode = TargetMode::All;
   this->Field = &this->Request.solver.solve(seedsAt(this->Ends), options);
 }

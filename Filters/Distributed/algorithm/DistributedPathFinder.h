@@ -5,7 +5,8 @@
 
 #include "algorithm/DistributedSolver.h"
 #include "gather/Corridor.h"
-#include "gather/CorridorGround.h"
+#include "gather/CorridorMesh.h"
+#include "gather/PatchCutter.h"
 #include "global/GlobalPoints.h"
 #include "path/PathFinder.h"
 #include "ranks/RankGroup.h"
@@ -44,7 +45,7 @@ struct PathRequest
   SolveOptions options;
   PathStyle style;
   /** The surface's piece, with what the input says of it. */
-  const bridge::PathGround& input;
+  const bridge::PathAttributes& input;
 };
 
 /** A path to one of the ends. */
@@ -53,7 +54,7 @@ struct TracedPath
   /** On the solver's mesh, or on the ground; empty on all ranks but the first. */
   SurfacePath path;
   /** Of several ranks, on the first: the surface round the path; else null. */
-  std::shared_ptr<const CorridorGround> ground;
+  std::shared_ptr<const CorridorMesh> corridor;
   /** The number of the end. */
   Index end = NoIndex;
 };
@@ -88,7 +89,7 @@ public:
 private:
   class CorridorSolver;
   /** @return what is told to all ranks */
-  using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorGround>&)>;
+  using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorMesh>&)>;
 
   enum class Order : char
   {
@@ -116,7 +117,7 @@ private:
   void extend(Corridor& corridor, std::span<const Ball> balls);
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
   /** A path of a corridor on the input's surface. */
-  void takeToInput(const SurfacePath& path, const CorridorGround& corridor, TracedPath& traced);
+  void takeToInput(const SurfacePath& path, const CorridorMesh& corridor, TracedPath& traced);
   std::vector<SurfacePatch> cutInputOnAll(std::span<const GlobalVertex> vertices);
   /** Lets the field reach vertices, unless it does; none: all. */
   bool reach(const std::vector<GlobalVertex>& targets);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gather/GatheredSurface.h"
 
+#include "gather/PatchCutter.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/PointKeys.h"
 #include "split/SplitMesh.h"
@@ -15,7 +16,7 @@ namespace
 {
 
 /** The vertices that carry the points of paths; the same on all ranks. */
-std::vector<GlobalVertex> carriersOf(RankGroup& ranks, std::span<const GlobalPath> paths)
+std::vector<GlobalVertex> verticesOfPaths(RankGroup& ranks, std::span<const GlobalPath> paths)
 {
   std::set<GlobalVertex> carriers;
   for (const GlobalPath& path : paths)
@@ -54,22 +55,22 @@ GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& sur
   options.excluded = barriers.excluded;
   options.closedTriangles = barriers.closed;
   const PatchCutter cutter(surface.divided(), options);
-  std::vector<Index> here;
-  for (const GlobalVertex& carrier : carriersOf(ranks, lines))
+  std::vector<Index> local;
+  for (const GlobalVertex& carrier : verticesOfPaths(ranks, lines))
   {
     if (const Index vertex = surface.shared().find(carrier); vertex != NoIndex)
     {
-      here.push_back(vertex);
+      local.push_back(vertex);
     }
   }
   const bool hasCost = ranks.isAny(!cost.empty());
-  const auto patches = patchesOfAll(ranks, [&] { return cutter.cutRound(here, nullptr); });
+  const auto patches = patchesOfAll(ranks, [&] { return cutter.cutRound(local, nullptr); });
   ranks.together(
     [&]
     {
       if (ranks.rank() > 0)
       {
-        this->closeMoved(cutter.trianglesRound(here));
+        this->closeMoved(cutter.trianglesRound(local));
         return;
       }
       Corridor moved;
@@ -193,10 +194,10 @@ Index GatheredSurface::find(const GlobalVertex& vertex) const
 
 std::vector<SurfacePath> GatheredSurface::pathsOf(std::span<const GlobalPath> paths) const
 {
-  std::vector<SurfacePath> here;
+  std::vector<SurfacePath> localPaths;
   for (const GlobalPath& path : paths)
   {
-    SurfacePath& local = here.emplace_back();
+    SurfacePath& local = localPaths.emplace_back();
     for (const GlobalPathPoint& point : path)
     {
       PathPoint& at = local.emplace_back(PathPoint{ {}, point.weights });
@@ -208,7 +209,7 @@ std::vector<SurfacePath> GatheredSurface::pathsOf(std::span<const GlobalPath> pa
       std::replace(at.corners.begin(), at.corners.end(), NoIndex, at.carriers()[0]);
     }
   }
-  return here;
+  return localPaths;
 }
 
 void GatheredSurface::relocate(GlobalPoint& point) const
@@ -220,7 +221,7 @@ void GatheredSurface::relocate(GlobalPoint& point) const
     at.corners[c] = this->find(point.corners[c]);
     isHere = isHere && (at.corners[c] != NoIndex || point.weights[c] == 0.0);
   }
-  point.here.clear();
+  point.local.clear();
   if (!isHere)
   {
     return;
@@ -228,12 +229,12 @@ void GatheredSurface::relocate(GlobalPoint& point) const
   const Carriers carriers = at.carriers();
   for (const Index triangle : this->Mesh->trianglesWith({ carriers.begin(), carriers.end() }))
   {
-    if (point.here.empty() && (this->HasMoved.empty() || !this->HasMoved[triangle]))
+    if (point.local.empty() && (this->HasMoved.empty() || !this->HasMoved[triangle]))
     {
-      SurfacePoint& here = point.here.emplace_back(SurfacePoint{ triangle, {} });
+      SurfacePoint& local = point.local.emplace_back(SurfacePoint{ triangle, {} });
       for (int c = 0; c < 3; ++c)
       {
-        here.weights[c] = weightOf(at, this->Mesh->triangle(triangle)[c]);
+        local.weights[c] = weightOf(at, this->Mesh->triangle(triangle)[c]);
       }
     }
   }

@@ -4,13 +4,13 @@
 #define geodesic_distributed_GatheredSurface_h
 
 #include "gather/Corridor.h"
+#include "global/GlobalPath.h"
 #include "global/GlobalPoints.h"
-#include "lines/GlobalLines.h"
 #include "path/PathPoint.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/KeyMatches.h"
 #include "ranks/RankGroup.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "solve/Seed.h"
 
 #include <cstdint>

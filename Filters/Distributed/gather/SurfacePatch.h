@@ -3,19 +3,15 @@
 #ifndef geodesic_distributed_SurfacePatch_h
 #define geodesic_distributed_SurfacePatch_h
 
-#include "base/BoundingBox.h"
-#include "pieces/DividedMesh.h"
+#include "base/Vector3.h"
 #include "pieces/SharedPoints.h"
 #include "ranks/RankGroup.h"
-#include "solve/DistanceField.h"
-#include "solve/SolveOptions.h"
 
 #include "vtkType.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace geodesic::distributed
@@ -65,39 +61,11 @@ struct SurfacePatch
 };
 
 /** A patch as it is sent, and back. */
-RankGroup::Message messageOf(const SurfacePatch& patch);
-SurfacePatch patchIn(const RankGroup::Message& message);
+RankGroup::Message packed(const SurfacePatch& patch);
+SurfacePatch unpacked(const RankGroup::Message& message);
 /** What each rank cuts, on the first rank; nothing on the others. Collective. */
 std::vector<SurfacePatch> patchesOfAll(
-  RankGroup& ranks, const std::function<SurfacePatch()>& cutHere);
-
-/** Cuts patches out of this rank's mesh. */
-class PatchCutter
-{
-public:
-  /**
-   * The mesh and the arrays of the options must live as long as this. Time O(n).
-   * @param options costs and barriers
-   * @param leftOut one flag a triangle that another rank has in place of this one, or empty
-   */
-  PatchCutter(const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut = {});
-
-  /** @param field null: no vertex has a distance yet */
-  SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
-  /** The same of the triangles round some vertices. */
-  SurfacePatch cutRound(std::span<const Index> vertices, const DistanceField* field) const;
-  std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
-
-private:
-  std::vector<Index> verticesIn(std::span<const Ball> balls) const;
-  PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
-
-  const DividedMesh& Mesh;
-  SolveOptions Options;
-  std::vector<bool> LeftOut;
-  /** A box round each block of consecutive vertices, which lie near each other. */
-  std::vector<BoundingBox> Boxes;
-};
+  RankGroup& ranks, const std::function<SurfacePatch()>& cutLocally);
 
 }
 

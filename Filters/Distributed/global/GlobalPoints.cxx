@@ -35,7 +35,7 @@ struct Projection
   }
 };
 
-std::vector<Projection> projectionsHere(const DistributedSurface& surface,
+std::vector<Projection> localProjections(const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property, Precision precision)
 {
   const TriangleMesh& mesh = surface.mesh();
@@ -115,7 +115,7 @@ public:
   GlobalPoint point(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
     GlobalPoint point{ { this->Values[1], this->Values[2], this->Values[3] },
-      this->here(mesh, shared), {}, {}, 0.0 };
+      this->local(mesh, shared), {}, {}, 0.0 };
     this->carry(point);
     return point;
   }
@@ -134,7 +134,7 @@ public:
 
 private:
   /** The point on this rank's piece, if it has all carriers and a triangle with them. */
-  std::vector<SurfacePoint> here(const TriangleMesh& mesh, const SharedPoints& shared) const
+  std::vector<SurfacePoint> local(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
     std::vector<Index> carriers;
     std::vector<double> weights;
@@ -222,7 +222,7 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
   std::span<const double> coordinates, const std::string& property, Precision precision)
 {
   std::vector<Projection> own;
-  ranks.together([&] { own = projectionsHere(surface, coordinates, property, precision); });
+  ranks.together([&] { own = localProjections(surface, coordinates, property, precision); });
   if (own.empty())
   {
     return {};
@@ -246,9 +246,9 @@ void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>
   std::vector<double> own;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (const SurfacePoint& here : points[i].here)
+    for (const SurfacePoint& local : points[i].local)
     {
-      append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), here));
+      append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), local));
     }
   }
   // By increasing rank; so the lowest one that has a point has the last word.
@@ -344,9 +344,9 @@ std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSur
   return points;
 }
 
-Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& here)
+Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& local)
 {
-  return here.empty() ? Triangle{ NoIndex, NoIndex, NoIndex } : bridge::targetAt(mesh, here[0]);
+  return local.empty() ? Triangle{ NoIndex, NoIndex, NoIndex } : bridge::targetAt(mesh, local[0]);
 }
 
 }

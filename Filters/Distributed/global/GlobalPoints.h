@@ -27,7 +27,7 @@ struct GlobalPoint
   /** The same on all ranks. */
   Vector3 position;
   /** The point on this rank's piece: one, or none where the piece does not have it. */
-  std::vector<SurfacePoint> here;
+  std::vector<SurfacePoint> local;
   /** The corners of a triangle that it lies in, and their weights; the same on all ranks. */
   std::array<GlobalVertex, 3> corners;
   std::array<double, 3> weights;
@@ -85,7 +85,7 @@ std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSur
   const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role);
 
 /** A target of the front (see SolveOptions::targets). */
-Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& here);
+Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& local);
 
 }
 

@@ -42,7 +42,7 @@ std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)
   std::vector<Seed> seeds;
   for (GlobalPoint& point : points)
   {
-    seeds.push_back(Seed::atPosition(point.position, std::move(point.here)));
+    seeds.push_back(Seed::atPosition(point.position, std::move(point.local)));
   }
   return seeds;
 }

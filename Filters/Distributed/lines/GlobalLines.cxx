@@ -16,7 +16,7 @@ namespace
 {
 
 /** The lines of a source, x y z of one point after the other. */
-std::vector<std::vector<double>> linesHere(vtkDataObject* source)
+std::vector<std::vector<double>> coordinatesOfLines(vtkDataObject* source)
 {
   std::vector<std::vector<double>> lines;
   if (source)
@@ -80,13 +80,14 @@ bool shareFace(
       }
     }
   }
-  std::vector<Index> here;
+  std::vector<Index> local;
   for (const GlobalVertex& carrier : carriers)
   {
-    here.push_back(surface.shared().find(carrier));
+    local.push_back(surface.shared().find(carrier));
   }
-  const bool areAllHere = std::find(here.begin(), here.end(), NoIndex) == here.end();
-  return ranks.isAny(here.size() <= 3 && areAllHere && !surface.mesh().trianglesWith(here).empty());
+  const bool areAllLocal = std::find(local.begin(), local.end(), NoIndex) == local.end();
+  return ranks.isAny(
+    local.size() <= 3 && areAllLocal && !surface.mesh().trianglesWith(local).empty());
 }
 
 GlobalPath globalPathOf(const TracedPath& traced)
@@ -97,7 +98,7 @@ GlobalPath globalPathOf(const TracedPath& traced)
     GlobalPathPoint& global = path.emplace_back(GlobalPathPoint{ {}, point.weights });
     for (int c = 0; c < 3; ++c)
     {
-      global.corners[c] = traced.ground->vertex(point.corners[c]).vertex;
+      global.corners[c] = traced.corridor->vertex(point.corners[c]).vertex;
     }
   }
   return path;
@@ -109,7 +110,7 @@ GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
   vtkDataObject* source, const std::string& property)
 {
   std::vector<std::vector<double>> own;
-  ranks.together([&] { own = linesHere(source); });
+  ranks.together([&] { own = coordinatesOfLines(source); });
   GlobalLines lines;
   for (const std::vector<double>& line : linesOfAll(ranks, own))
   {
@@ -119,7 +120,7 @@ GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
 }
 
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
-  const bridge::PathGround& input, const GlobalLines& lines, const std::string& property)
+  const bridge::PathAttributes& input, const GlobalLines& lines, const std::string& property)
 {
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
   const PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {},
@@ -136,12 +137,12 @@ std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& 
         continue;
       }
       DistributedPathFinder finder(request, { line[i - 1] });
-      const auto way = finder.march({ &line[i], 1 }) ? finder.pathFrom(line[i]) : std::nullopt;
-      if (!way)
+      const auto joint = finder.march({ &line[i], 1 }) ? finder.pathFrom(line[i]) : std::nullopt;
+      if (!joint)
       {
         throwUnjoined(property + "'s line " + std::to_string(paths.size()), i);
       }
-      const GlobalPath back = globalPathOf(*way);
+      const GlobalPath back = globalPathOf(*joint);
       if (!back.empty())
       {
         path.insert(path.end(), back.rbegin() + 1, back.rend());

@@ -3,12 +3,12 @@
 #ifndef geodesic_distributed_GlobalLines_h
 #define geodesic_distributed_GlobalLines_h
 
+#include "global/GlobalPath.h"
 #include "global/GlobalPoints.h"
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -28,14 +28,6 @@ using GlobalLines = std::vector<std::vector<GlobalPoint>>;
 GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
   vtkDataObject* source, const std::string& property);
 
-/** A point of a path over the pieces of several ranks. */
-struct GlobalPathPoint
-{
-  std::array<GlobalVertex, 3> corners;
-  std::array<double, 3> weights;
-};
-using GlobalPath = std::vector<GlobalPathPoint>;
-
 /**
  * Each line joined over the surface, as by joinedCurve. Collective, on several ranks.
  * @param input    this rank's piece
@@ -44,7 +36,7 @@ using GlobalPath = std::vector<GlobalPathPoint>;
  * @throws std::exception on all ranks where no way joins two points
  */
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
-  const bridge::PathGround& input, const GlobalLines& lines, const std::string& property);
+  const bridge::PathAttributes& input, const GlobalLines& lines, const std::string& property);
 
 }
 

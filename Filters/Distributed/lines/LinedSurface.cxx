@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lines/LinedSurface.h"
 
-#include "global/SharedGuides.h"
+#include "global/SharedCostAndBarriers.h"
 #include "pieces/DistributedSurface.h"
 #include "split/SplitMesh.h"
 
@@ -12,18 +12,18 @@ namespace
 {
 
 /** The points of lines, on one rank. */
-std::vector<bridge::LinePoints> linesHere(const GlobalLines& lines)
+std::vector<bridge::LinePoints> localLines(const GlobalLines& lines)
 {
-  std::vector<bridge::LinePoints> here;
+  std::vector<bridge::LinePoints> local;
   for (const std::vector<GlobalPoint>& line : lines)
   {
-    bridge::LinePoints& points = here.emplace_back();
+    bridge::LinePoints& points = local.emplace_back();
     for (const GlobalPoint& point : line)
     {
-      points.push_back(point.here.front());
+      points.push_back(point.local.front());
     }
   }
-  return here;
+  return local;
 }
 
 }
@@ -35,7 +35,8 @@ bridge::SolveSurface LinedSurface::update(RankGroup& ranks, const LinedRequest& 
   this->Gathered.reset();
   if (ranks.size() == 1)
   {
-    this->Lines.update(this->mesh(), linesHere(request.seedLines), linesHere(request.barrierLines));
+    this->Lines.update(
+      this->mesh(), localLines(request.seedLines), localLines(request.barrierLines));
   }
   else
   {

@@ -8,7 +8,7 @@
 #include "lines/GlobalLines.h"
 #include "pieces/DividedMesh.h"
 #include "ranks/RankGroup.h"
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
 #include "request/SurfaceLines.h"
 
@@ -23,7 +23,7 @@ struct LinedRequest
 {
   std::shared_ptr<const DistributedSurface> surface;
   /** This rank's piece. */
-  const bridge::PathGround& input;
+  const bridge::PathAttributes& input;
   const GlobalLines& seedLines;
   const GlobalLines& barrierLines;
   /** By the piece's vertices and triangles. */

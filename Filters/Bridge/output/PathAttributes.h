@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_bridge_PathGround_h
-#define geodesic_bridge_PathGround_h
+#ifndef geodesic_bridge_PathAttributes_h
+#define geodesic_bridge_PathAttributes_h
 
 #include "base/Vector3.h"
 #include "input/InputSurface.h"
@@ -14,10 +14,10 @@ namespace geodesic::bridge
 {
 
 /** What a path runs on, and what the input says of the vertices that carry it. */
-class PathGround
+class PathAttributes
 {
 public:
-  virtual ~PathGround() = default;
+  virtual ~PathAttributes() = default;
 
   virtual const TriangleMesh& mesh() const = 0;
   /** The id of the input's point. */
@@ -29,11 +29,11 @@ public:
 };
 
 /** The input's own mesh. */
-class InputGround final : public PathGround
+class InputPathAttributes final : public PathAttributes
 {
 public:
   /** Both must live as long as this. */
-  InputGround(const InputSurface& surface, const InputBlocks& blocks)
+  InputPathAttributes(const InputSurface& surface, const InputBlocks& blocks)
     : Surface(surface)
     , Blocks(blocks)
   {

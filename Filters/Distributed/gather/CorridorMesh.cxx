@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gather/CorridorGround.h"
+#include "gather/CorridorMesh.h"
 
 #include "path/PathPoint.h"
 
@@ -29,7 +29,7 @@ TriangleMesh meshOf(const Corridor& corridor)
 
 }
 
-CorridorGround::CorridorGround(const Corridor& corridor, bool hasCost)
+CorridorMesh::CorridorMesh(const Corridor& corridor, bool hasCost)
   : Vertices(corridor.vertices())
   , Mesh(meshOf(corridor))
   , Field(this->Mesh.numberOfVertices())
@@ -52,13 +52,13 @@ CorridorGround::CorridorGround(const Corridor& corridor, bool hasCost)
   }
 }
 
-std::optional<Vector3> CorridorGround::normalOf(Index vertex) const
+std::optional<Vector3> CorridorMesh::normalOf(Index vertex) const
 {
   const PatchVertex& known = this->vertex(vertex);
   return known.hasNormal ? std::optional(known.normal) : std::nullopt;
 }
 
-SolveOptions CorridorGround::options() const
+SolveOptions CorridorMesh::options() const
 {
   SolveOptions options;
   options.cost = this->Cost;
@@ -68,9 +68,9 @@ SolveOptions CorridorGround::options() const
   return options;
 }
 
-std::vector<SurfacePoint> CorridorGround::pointsOf(std::span<const GlobalPoint> points) const
+std::vector<SurfacePoint> CorridorMesh::pointsOf(std::span<const GlobalPoint> points) const
 {
-  std::vector<SurfacePoint> here;
+  std::vector<SurfacePoint> local;
   for (const GlobalPoint& point : points)
   {
     PathPoint path{ {}, point.weights };
@@ -78,12 +78,12 @@ std::vector<SurfacePoint> CorridorGround::pointsOf(std::span<const GlobalPoint> 
     {
       path.corners[c] = this->find(point.corners[c]);
     }
-    here.push_back(surfacePointOf(this->Mesh, path));
+    local.push_back(surfacePointOf(this->Mesh, path));
   }
-  return here;
+  return local;
 }
 
-const DistanceField& CorridorGround::fieldOf(const Corridor& corridor, StopReason reason)
+const DistanceField& CorridorMesh::fieldOf(const Corridor& corridor, StopReason reason)
 {
   this->Field.reset();
   for (Index v = 0; v < this->Mesh.numberOfVertices(); ++v)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -9,17 +9,17 @@
 namespace geodesic::bridge
 {
 
-vtkIdType InputGround::idOf(Index vertex) const
+vtkIdType InputPathAttributes::idOf(Index vertex) const
 {
   return this->Surface.numbering().idOfPoint(this->mesh().pointOfVertex(vertex));
 }
 
-vtkIdType InputGround::blockOf(Index vertex) const
+vtkIdType InputPathAttributes::blockOf(Index vertex) const
 {
   return this->Surface.numbering().flatIndexOf(this->mesh().pointOfVertex(vertex));
 }
 
-std::optional<Vector3> InputGround::normalOf(Index vertex) const
+std::optional<Vector3> InputPathAttributes::normalOf(Index vertex) const
 {
   const BlockNumbering& numbering = this->Surface.numbering();
   const Index point = this->mesh().pointOfVertex(vertex);

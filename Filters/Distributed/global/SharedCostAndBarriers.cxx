@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "global/SharedGuides.h"
+#include "global/SharedCostAndBarriers.h"
 
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_distributed_SharedGuides_h
-#define geodesic_distributed_SharedGuides_h
+#ifndef geodesic_distributed_SharedCostAndBarriers_h
+#define geodesic_distributed_SharedCostAndBarriers_h
 
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"

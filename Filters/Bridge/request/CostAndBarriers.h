@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_bridge_GuideResolver_h
-#define geodesic_bridge_GuideResolver_h
+#ifndef geodesic_bridge_CostAndBarriers_h
+#define geodesic_bridge_CostAndBarriers_h
 
 #include "input/ArrayValues.h"
 #include "input/InputSurface.h"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_distributed_CorridorGround_h
-#define geodesic_distributed_CorridorGround_h
+#ifndef geodesic_distributed_CorridorMesh_h
+#define geodesic_distributed_CorridorMesh_h
 
 #include "gather/Corridor.h"
 #include "global/GlobalPoints.h"
 #include "mesh/TriangleMesh.h"
-#include "output/PathGround.h"
+#include "output/PathAttributes.h"
 #include "solve/DistanceField.h"
 #include "solve/SolveOptions.h"
 
@@ -19,11 +19,11 @@ namespace geodesic::distributed
 {
 
 /** The mesh of a corridor, for the algorithms that find paths on a whole surface. */
-class CorridorGround final : public bridge::PathGround
+class CorridorMesh final : public bridge::PathAttributes
 {
 public:
   /** @param hasCost whether costs count */
-  CorridorGround(const Corridor& corridor, bool hasCost);
+  CorridorMesh(const Corridor& corridor, bool hasCost);
 
   const TriangleMesh& mesh() const override { return this->Mesh; }
   /** Global ids; -1 where there are none. */

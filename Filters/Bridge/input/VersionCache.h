@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_bridge_KeptByVersion_h
-#define geodesic_bridge_KeptByVersion_h
+#ifndef geodesic_bridge_VersionCache_h
+#define geodesic_bridge_VersionCache_h
 
 #include <memory>
 #include <mutex>
@@ -14,7 +14,7 @@ namespace geodesic::bridge
 /** What was made of inputs, found again by their versions for as long as somebody uses it. Safe to
  * use from several threads; one makes at a time. */
 template <class Version, class Made>
-class KeptByVersion
+class VersionCache
 {
 public:
   /** What is known of a version, or else what @p make returns. */

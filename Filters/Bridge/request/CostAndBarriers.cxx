@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "request/GuideResolver.h"
+#include "request/CostAndBarriers.h"
 
 #include "base/NumberText.h"
 

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gather/PatchCutter.h"
+
+#include "base/SortUnique.h"
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <unordered_map>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** The number of consecutive vertices that share one bounding box. */
+constexpr Index BlockSize = 256;
+
+/** A ball a little larger: copies of a point that are one by their ids may differ by rounding. */
+Ball widened(const Ball& ball)
+{
+  constexpr double rounding = 1e-6;
+  const Vector3& c = ball.centre;
+  return { c, ball.radius + rounding * (std::abs(c.x) + std::abs(c.y) + std::abs(c.z)) };
+}
+
+}
+
+PatchCutter::PatchCutter(
+  const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut)
+  : Mesh(mesh)
+  , Options(options)
+  , LeftOut(std::move(leftOut))
+{
+  const std::span<const Vector3> positions = mesh.mesh().positions();
+  for (std::size_t first = 0; first < positions.size(); first += BlockSize)
+  {
+    BoundingBox& box = this->Boxes.emplace_back();
+    for (const Vector3& p :
+      positions.subspan(first, std::min<std::size_t>(BlockSize, positions.size() - first)))
+    {
+      box.add(p);
+    }
+  }
+}
+
+SurfacePatch PatchCutter::cut(std::span<const Ball> balls, const DistanceField* field) const
+{
+  return this->cutRound(this->verticesIn(balls), field);
+}
+
+SurfacePatch PatchCutter::cutRound(
+  std::span<const Index> vertices, const DistanceField* field) const
+{
+  const TriangleMesh& mesh = this->Mesh.mesh();
+  SurfacePatch patch;
+  std::unordered_map<Index, std::uint32_t> places;
+  for (const Index t : this->trianglesRound(vertices))
+  {
+    PatchTriangle triangle{ {}, this->Options.isClosed(t) ? 1u : 0u };
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index vertex = mesh.triangle(t)[c];
+      const auto [place, isNew] =
+        places.emplace(vertex, static_cast<std::uint32_t>(patch.vertices.size()));
+      if (isNew)
+      {
+        patch.vertices.push_back(this->patchVertex(vertex, field));
+      }
+      triangle.corners[c] = place->second;
+    }
+    patch.triangles.push_back(triangle);
+  }
+  return patch;
+}
+
+std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
+{
+  const TriangleMesh& mesh = this->Mesh.mesh();
+  std::vector<Index> vertices;
+  for (const Ball& exact : balls)
+  {
+    const Ball ball = widened(exact);
+    for (std::size_t block = 0; block < this->Boxes.size(); ++block)
+    {
+      if (ball.contains(this->Boxes[block].nearestTo(ball.centre)))
+      {
+        const auto first = static_cast<Index>(block * BlockSize);
+        const Index last = std::min(first + BlockSize, mesh.numberOfVertices());
+        for (Index v = first; v < last; ++v)
+        {
+          if (ball.contains(mesh.position(v)))
+          {
+            vertices.push_back(v);
+          }
+        }
+      }
+    }
+  }
+  sortUnique(vertices);
+  return vertices;
+}
+
+std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) const
+{
+  const TriangleMesh& mesh = this->Mesh.mesh();
+  std::vector<Index> triangles;
+  for (const Index vertex : vertices)
+  {
+    const std::span<const RingEntry> ring = mesh.ring(vertex);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (ring[i].opensTriangle())
+      {
+        const std::array corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
+        const std::vector<Index> same = mesh.trianglesWith(corners);
+        std::copy_if(same.begin(), same.end(), std::back_inserter(triangles),
+          [&](Index triangle) { return this->LeftOut.empty() || !this->LeftOut[triangle]; });
+      }
+    }
+  }
+  sortUnique(triangles);
+  return triangles;
+}
+
+PatchVertex PatchCutter::patchVertex(Index vertex, const DistanceField* field) const
+{
+  return { this->Mesh.shared().globalOf(vertex), this->Mesh.mesh().position(vertex),
+    this->Mesh.longestSides()[vertex],
+    this->Options.cost.empty() ? 1.0 : this->Options.cost[vertex],
+    field ? field->distance(vertex) : DistanceField::Unreached,
+    field ? field->nearestSeed(vertex) : NoIndex, this->Options.isExcluded(vertex) ? 1u : 0u };
+}
+
+}

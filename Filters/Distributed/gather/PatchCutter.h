@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_PatchCutter_h
+#define geodesic_distributed_PatchCutter_h
+
+#include "base/BoundingBox.h"
+#include "gather/SurfacePatch.h"
+#include "pieces/DividedMesh.h"
+#include "solve/DistanceField.h"
+#include "solve/SolveOptions.h"
+
+#include <span>
+#include <vector>
+
+namespace geodesic::distributed
+{
+
+/** Cuts patches out of this rank's mesh. */
+class PatchCutter
+{
+public:
+  /**
+   * The mesh and the arrays of the options must live as long as this. Time O(n).
+   * @param options costs and barriers
+   * @param leftOut one flag a triangle that another rank has in place of this one, or empty
+   */
+  PatchCutter(const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut = {});
+
+  /** @param field null: no vertex has a distance yet */
+  SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
+  /** The same of the triangles round some vertices. */
+  SurfacePatch cutRound(std::span<const Index> vertices, const DistanceField* field) const;
+  std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
+
+private:
+  std::vector<Index> verticesIn(std::span<const Ball> balls) const;
+  PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
+
+  const DividedMesh& Mesh;
+  SolveOptions Options;
+  std::vector<bool> LeftOut;
+  /** A box round each block of consecutive vertices, which lie near each other. */
+  std::vector<BoundingBox> Boxes;
+};
+
+}
+
+#endif
