@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Abort.h
- * @brief The abort of a filter, in VTK 9.1 as in later ones.
+ * @brief Aborts a filter by the means that the VTK version has.
  *
- * Later ones have a flag of their own for an output that is incomplete, and can be aborted from
- * upstream. In 9.1 there is AbortExecute alone, which the executive takes back before each run.
+ * Versions after VTK 9.1 mark an incomplete output by a flag of its own, and abort a filter as well
+ * when a filter upstream was aborted. VTK 9.1 has AbortExecute only, which the executive resets
+ * before each run.
  */
 #ifndef geodesic_bridge_Abort_h
 #define geodesic_bridge_Abort_h
@@ -13,7 +14,7 @@
 namespace geodesic::bridge
 {
 
-/** Whether the filter, as it runs, is to stop. Its output counts as aborted then. */
+/** Returns whether a running filter must stop. If so, its output counts as aborted. */
 template <class Filter>
 bool checkAbort(Filter& filter)
 {
@@ -27,6 +28,7 @@ bool checkAbort(Filter& filter)
   }
 }
 
+/** Marks the output of a filter as incomplete. */
 template <class Filter>
 void setAborted(Filter& filter)
 {
@@ -40,6 +42,7 @@ void setAborted(Filter& filter)
   }
 }
 
+/** Returns whether the output of a filter is marked as incomplete. */
 template <class Filter>
 bool isAborted(Filter& filter)
 {

@@ -10,7 +10,7 @@
 namespace geodesic::bridge
 {
 
-/** What a filter tells its user about an exception from Core or Bridge. */
+/** The message that a filter shows its user for an exception from Core or Bridge. */
 inline std::string messageOf(const std::exception& error)
 {
   if (dynamic_cast<const std::bad_alloc*>(&error))

@@ -14,7 +14,7 @@
 namespace geodesic::bridge
 {
 
-/** Tells a filter's observers how far a march is, about a hundred times a run. */
+/** Reports the progress of a march to a filter's observers, about a hundred times a run. */
 class ProgressReporter
 {
 public:
@@ -25,8 +25,8 @@ public:
   }
 
   /**
-   * @param taken vertices taken from the queue so far; few are taken more than once
-   * @return false where the filter is to abort
+   * @param taken number of vertices taken from the queue so far; few vertices are taken twice
+   * @return false if the filter must abort
    */
   bool report(std::size_t taken)
   {

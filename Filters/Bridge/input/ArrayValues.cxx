@@ -20,7 +20,7 @@ ChosenArray chosenArray(
   { return block.surface->GetAttributes(kind)->GetArray(name.c_str()); };
   const auto hasIt = [&](const InputBlock& block) { return find(block) != nullptr; };
   const bool isAnywhere = std::any_of(blocks.begin(), blocks.end(), hasIt);
-  // ParaView's choice of no array is the name None.
+  // ParaView gives the name None where the user chose no array.
   if (!isAnywhere && name == "None")
   {
     return {};

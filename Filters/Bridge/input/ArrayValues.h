@@ -17,10 +17,10 @@ namespace geodesic::bridge
 {
 
 /**
- * Appends the values of an array of one component, whatever their type.
- * @param count  how many there must be
- * @param role   what the array is, for the message
- * @throws std::invalid_argument where the array has another shape
+ * Appends the values of an array that has one component and any value type.
+ * @param count  number of tuples that the array must have
+ * @param role   name of the array in the error message
+ * @throws std::invalid_argument if the array has another number of components or tuples
  */
 template <class Value>
 void appendValues(
@@ -47,23 +47,28 @@ void appendValues(
   }
 }
 
-/** An array of the input that its user chose. */
+/** A point or cell array of the input that the user chose, or none. */
 struct ChosenArray
 {
-  /** The property and the name in quotes, for messages. */
+  /**
+   * The property's name and the array's name in quotes, for error messages; empty if none is
+   * chosen.
+   */
   std::string role;
   bool isOfCells = false;
-  /** One a point or cell of all blocks; NaN in blocks without faces. */
+  /** One value for each point or cell of all blocks; NaN in blocks without faces. */
   std::vector<double> values;
 
-  /** Whether one is chosen. */
+  /** Whether an array is chosen. */
   explicit operator bool() const { return !this->role.empty(); }
 };
 
 /**
- * @param property  who asks for the array
- * @param name      of the array; "None" and no such array in any block: none is chosen
- * @throws std::invalid_argument where blocks with faces do not have it, or not with one component
+ * @param property  the property that names the array, for the error message
+ * @param name      the array's name; "None" means no array, unless a block has an array of that
+ *                  name
+ * @throws std::invalid_argument if a block with faces lacks the array or has it with several
+ * components
  */
 ChosenArray chosenArray(
   const InputBlocks& blocks, const std::string& property, const std::string& name, bool isOfCells);

@@ -18,36 +18,39 @@ namespace geodesic::bridge
 {
 
 /**
- * Numbers the points and cells of all blocks of an input one after the other, and knows them by the
- * ids that users know: of a data set its own, of several blocks and on several ranks their global
- * point ids. Lives longer than the input.
+ * Numbers the points and cells of all blocks of an input consecutively, and converts between these
+ * numbers and the point ids that users give and read.
+ *
+ * The users' ids are the data set's own point ids or, with several blocks or ranks, global point
+ * ids. This object stays valid when the input is gone.
  */
 class BlockNumbering
 {
 public:
-  /** @param rank that has these blocks of an input on several ranks */
+  /** @param rank the rank that has these blocks, if the input is spread over several ranks */
   explicit BlockNumbering(const InputBlocks& blocks, std::optional<int> rank = {});
 
   std::size_t numberOfBlocks() const { return this->Blocks.size(); }
   Index firstPointOf(std::size_t block) const { return this->Blocks[block].firstPoint; }
   Index firstCellOf(std::size_t block) const { return this->Blocks[block].firstCell; }
-  /** The block that has a point. Time O(log blocks). */
+  /** The number of the block that contains a point. Time O(log blocks). */
   std::size_t blockOfPoint(Index point) const;
-  /** Whether an id tells a point without its block. */
+  /** Whether a point's id identifies the point without its block. */
   bool hasUniqueIds() const { return this->UniqueIds; }
-  /** The id of a point, in its block where ids are not unique; -1 for one that VTK made. */
+  /** The id of a point, within its block if ids are not unique; -1 for a point that VTK made. */
   vtkIdType idOfPoint(Index point) const;
-  /** The number of a point's data set in the composite one. */
+  /** VTK's flat index of the data set that contains a point. */
   unsigned int flatIndexOf(Index point) const;
   /** See DataSetLeaf::block. */
   unsigned int blockNumberOf(Index point) const;
-  /** A point in a message: its id, and block and rank where they are needed. */
+  /** The name of a point in messages: its id, with block and rank if the id is not unique. */
   std::string nameOfPoint(Index point) const;
   /**
-   * The points that have ids, a list for each id, empty where there is none. Ids must be unique.
+   * Returns the points with the given ids: a list for each id, empty if no point has it.
+   * @pre hasUniqueIds()
    */
   std::vector<std::vector<Index>> pointsWithIds(std::span<const vtkIdType> ids) const;
-  /** How many ids there are, counted from 0; 0 where ids are global. */
+  /** The number of ids, which count from 0; 0 if ids are global. */
   vtkIdType numberOfIds() const { return this->NumberOfIds; }
 
 private:
@@ -59,7 +62,7 @@ private:
     unsigned int flatIndex;
     unsigned int number;
     std::string name;
-    /** Null where the ids count from 0. */
+    /** Null if the ids count from 0. */
     vtkSmartPointer<vtkDataArray> ids;
     std::shared_ptr<vtkPolyData> outerSurface;
   };

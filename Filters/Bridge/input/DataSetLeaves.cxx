@@ -26,7 +26,7 @@ std::string nameOf(vtkCompositeDataIterator* block)
   return name ? std::string("\"") + name + "\"" : std::to_string(block->GetCurrentFlatIndex());
 }
 
-/** The number of the block that each data set of a tree belongs to. */
+/** Returns the number of the block that each data set of a tree belongs to. */
 std::map<vtkDataObject*, unsigned int> blockNumbersOf(vtkDataObjectTree* tree)
 {
   std::map<vtkDataObject*, unsigned int> numbers;

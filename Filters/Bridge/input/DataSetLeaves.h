@@ -16,17 +16,22 @@ namespace geodesic::bridge
 struct DataSetLeaf
 {
   vtkDataSet* data;
-  /** Its number in the composite data set as VTK counts them; 0 for the data object itself. */
+  /** VTK's flat index in the composite data set; 0 if the data object is the data set. */
   unsigned int flatIndex = 0;
-  /** Of its block: the partitions of one partitioned data set, on all ranks, are one block. */
+  /**
+   * The number of its block. All partitions of one partitioned data set, on all ranks, are one
+   * block.
+   */
   unsigned int block = 0;
-  /** For messages: its name in quotes, or its number; empty for the data object itself. */
+  /**
+   * Its name in quotes, or its flat index, for messages; empty if the data object is the data set.
+   */
   std::string name;
 };
 
 /**
- * The data object itself, or the leaves of a composite one in their order, without empty places and
- * what is no data set.
+ * Returns the data object if it is a data set, or the data sets in a composite one in their order.
+ * Empty leaves and leaves of other types are left out.
  */
 std::vector<DataSetLeaf> leavesOf(vtkDataObject* object);
 

@@ -32,7 +32,7 @@ vtkDataArray* InputBlock::globalPointIds() const
 {
   vtkPointData* pointData = this->surface->GetPointData();
   vtkDataArray* ids = pointData->GetGlobalIds();
-  // An array that has only the name comes from scripts and from formats that know no attributes.
+  // Scripts, and file formats without attributes, give the ids as an ordinary array of this name.
   return ids ? ids : pointData->GetArray("GlobalPointIds");
 }
 

@@ -21,19 +21,22 @@ struct InputBlock : DataSetLeaf
 
   /** The data set itself, or its outer surface. */
   vtkPolyData* surface;
-  /** What holds the outer surface; null where the data set is its own surface. */
+  /** Owns the outer surface; null if the data set is its own surface. */
   std::shared_ptr<vtkPolyData> outerSurface;
 
-  /** Whether it has polygons or strips. */
+  /** Whether the surface has polygons or strips. */
   bool hasFaces() const;
-  /** What makes points of different blocks one, one component; null where there is no such array.
+  /**
+   * The array of global point ids, one component; null if the block has none. Points of different
+   * blocks with the same id are the same point.
    */
   vtkDataArray* globalPointIds() const;
 };
 
 /**
- * The data sets of an input, by leavesOf. Points and cells of all together are numbered block by
- * block. Borrows the input for one run of a filter.
+ * The data sets of an input, in the order of leavesOf(). Points and cells are numbered
+ * consecutively, block by block. The input must outlive this object, which serves one run of a
+ * filter.
  */
 class InputBlocks
 {
@@ -45,12 +48,12 @@ public:
   auto begin() const { return this->Blocks.begin(); }
   auto end() const { return this->Blocks.end(); }
 
-  /** Puts others in the place of the outer surfaces, in their order. */
+  /** Replaces the outer surfaces, in their order. */
   void setOuterSurfaces(const std::vector<std::shared_ptr<vtkPolyData>>& surfaces);
 
-  /** How many have faces. */
+  /** The number of blocks with faces. */
   std::size_t numberWithFaces() const;
-  /** Whether all that have faces have global point ids. */
+  /** Whether all blocks with faces have global point ids. */
   bool haveGlobalPointIds() const;
 
 private:

@@ -20,7 +20,7 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Tells inputs apart. */
+/** Identifies the points and cells of an input. */
 struct InputVersion
 {
   PointIdentity points;
@@ -48,7 +48,7 @@ InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& points)
   return version;
 }
 
-/** For all of them, so that they do not grow block by block; polygons may be several triangles. */
+/** Reserves memory for all blocks at once. Polygons can give more triangles than are reserved. */
 void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTriangles& triangles)
 {
   vtkIdType numberOfPoints = 0;

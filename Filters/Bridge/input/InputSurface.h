@@ -17,19 +17,20 @@ namespace geodesic::bridge
 {
 
 /**
- * What is built once for an input's points and cells and shared by every run of every filter on it:
- * the mesh, and on first use the structure that finds closest points.
+ * The triangle mesh of an input, and the search tree for closest points, which is built on first
+ * use. Both are built once for an input's points and cells and shared by all filters and runs.
  */
 class InputSurface
 {
 public:
   /**
-   * The surface of an input, built now unless some filter still holds it. It is known by the
-   * objects that hold points and cells, and ids where they count, and by their modification times,
-   * so new arrays on the same surface, or a shallow copy of it, find it again.
-   * @param team threads to build it on
-   * @throws std::invalid_argument where there is no triangle, polygon or strip, unless this is one
-   * piece of several; and see TriangleMesh and kindsOfPoints
+   * Returns the surface of an input; it is built now unless some filter still holds it. The surface
+   * is identified by the VTK objects that hold the points, the cells and, if they matter, the ids,
+   * and by the modification times of these objects. So a shallow copy of the input, and the same
+   * input with new arrays, find the same surface.
+   * @param team the threads that build the surface
+   * @throws std::invalid_argument if the input has no triangle, polygon or strip with an area,
+   * unless it is one piece of several; also as TriangleMesh and kindsOfPoints()
    */
   static std::shared_ptr<const InputSurface> of(const InputBlocks& blocks,
     const PointIdentity& identity, const ThreadTeam& team = ThreadTeam());
@@ -38,14 +39,14 @@ public:
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const ClosestPointTree& closestPoints() const;
-  /** How the mesh's points and the cells of all blocks are numbered. */
+  /** The numbering of the mesh's points and of the cells of all blocks. */
   const BlockNumbering& numbering() const { return this->Numbering; }
   /** The cell that a triangle of the mesh was cut from. */
   Index cellOfTriangle(Index triangle) const;
 
 private:
   BlockNumbering Numbering;
-  /** By the source triangle; empty where the cells are the triangles, counted from FirstCell. */
+  /** The cell of each source triangle; empty if source triangle i is cell FirstCell + i. */
   std::vector<Index> CellOfSource;
   Index FirstCell = 0;
   std::shared_ptr<const TriangleMesh> Mesh;

@@ -9,8 +9,9 @@ namespace geodesic::bridge
 {
 
 /**
- * An object as it is now; null is allowed. Modification times are never used twice, so a reused
- * address does not matter.
+ * Identifies the present state of a VTK object, which may be null, by its address and its
+ * modification time. VTK never gives a modification time twice, so an address that is used again
+ * does not matter.
  */
 struct ObjectVersion
 {

@@ -37,8 +37,8 @@ namespace
 {
 
 /**
- * Tells data sets apart by what they are made of: ParaView hands over a new shallow copy of the
- * same data set in every run.
+ * Identifies a data set by the objects and numbers that it consists of. Its address would not do,
+ * because ParaView passes a new shallow copy of the same data set in every run.
  */
 struct DataVersion
 {
@@ -120,7 +120,9 @@ void addIds(vtkDataSetAttributes* attributes, vtkIdType count, const char* name)
   attributes->AddArray(ids);
 }
 
-/** VTK makes points of its own where it cuts curved faces, and interpolates the numbers of others.
+/**
+ * Sets the id of each point that VTK made on a curved face to -1. VTK interpolates the ids of such
+ * points from the ids of other points.
  */
 void forgetMadePoints(vtkDataSet* data, vtkPolyData* surface)
 {
@@ -151,11 +153,15 @@ std::shared_ptr<vtkPolyData> extractedBy(vtkDataSet* data, bool passIds)
   return { surface, [](vtkPolyData* s) { s->UnRegister(nullptr); } };
 }
 
-/** The cells of an image or a grid of rows; ids and attributes stay. */
+/**
+ * Converts an image, or a rectilinear or structured grid. Point and cell ids and all arrays stay
+ * the same.
+ */
 vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
-  // As precise as vtkGeometryFilter is without ghost cells, so that pieces fit to each other.
+  // vtkGeometryFilter makes points of this precision for pieces without ghost cells, and the points
+  // of all pieces must be equal.
   append->SetOutputPointsPrecision(vtkStructuredGrid::SafeDownCast(data)
       ? vtkAlgorithm::DEFAULT_PRECISION
       : vtkAlgorithm::SINGLE_PRECISION);
@@ -170,21 +176,22 @@ std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
   vtkSmartPointer<vtkUnstructuredGrid> made;
   if (!grid && data->GetCellGhostArray())
   {
-    // VTK puts faces at wrong places here, unless the grid is a cube that begins at 0.
+    // vtkGeometryFilter puts the faces of such data at wrong places if there are ghost cells,
+    // unless the grid is a cube whose extent begins at 0.
     made = unstructured(data);
     grid = made;
   }
   if (!grid)
   {
-    // The other filter gives the six sides of an image points of their own.
+    // vtkDataSetSurfaceFilter would give each of the six sides of an image its own points.
     return extractedBy<vtkGeometryFilter>(data, true);
   }
-  // The other filter leaves holes beside hidden cells.
+  // vtkGeometryFilter would leave holes beside hidden cells.
   if (!hasCurvedCells(grid))
   {
     return extractedBy<vtkDataSetSurfaceFilter>(grid, true);
   }
-  // The ids that VTK gives here are those of a grid that it made on its way.
+  // For curved cells, VTK's ids would be those of an intermediate grid, so the ids are added here.
   vtkNew<vtkUnstructuredGrid> numbered;
   numbered->ShallowCopy(grid);
   addIds(numbered->GetPointData(), grid->GetNumberOfPoints(), PointIds);

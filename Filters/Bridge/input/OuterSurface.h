@@ -12,9 +12,10 @@ namespace geodesic::bridge
 {
 
 /**
- * The outer surface of a grid or an image, as VTK extracts it, with the data set's arrays and two
- * more, vtkOriginalPointIds (-1: made by VTK in a curved face) and vtkOriginalCellIds. It is
- * extracted now unless somebody still holds it from the data set as it is, or a shallow copy.
+ * Returns the outer surface of a grid or an image, as VTK extracts it. The surface has the data
+ * set's arrays and two more: vtkOriginalPointIds, which is -1 for points that VTK made on a curved
+ * face, and vtkOriginalCellIds. It is extracted now, unless somebody still holds the surface of
+ * this unchanged data set or of a shallow copy.
  */
 std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data);
 

@@ -19,7 +19,7 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Gives points that are equal in an order the number of the lowest of them. */
+/** Gives all points that compare equal the number of the lowest of them. */
 template <class IsBefore>
 void joinEqual(std::vector<Index> group, IsBefore&& isBefore, std::vector<Index>& kinds)
 {
@@ -33,7 +33,10 @@ void joinEqual(std::vector<Index> group, IsBefore&& isBefore, std::vector<Index>
   }
 }
 
-/** Shared points may differ by what their pieces were rounded to, not by more. */
+/**
+ * Checks that points with the same global id differ by no more than the rounding of their
+ * coordinates.
+ */
 void checkDistances(const std::vector<vtkIdType>& ids, const std::vector<Index>& kinds,
   const std::vector<Vector3>& points)
 {
@@ -136,7 +139,7 @@ std::vector<Index> kindsOfPoints(
     const Index end = next + static_cast<Index>(block.surface->GetNumberOfPoints());
     for (; next < end; ++next)
     {
-      // Coordinates that are no numbers have no order.
+      // Coordinates that are NaN have no order.
       const bool isNumbered = ids.empty() || ids[next] >= 0;
       if (isNumbered && isFinite(points[next]))
       {

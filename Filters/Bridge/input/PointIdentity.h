@@ -15,7 +15,7 @@
 namespace geodesic::bridge
 {
 
-/** Which points of an input are one and the same to the front. */
+/** The rule by which several points of an input are one vertex of the mesh. */
 struct PointIdentity
 {
   enum class By
@@ -26,37 +26,39 @@ struct PointIdentity
   };
 
   By by = By::Nothing;
+  /** Whether points of different blocks can be one vertex. */
   bool acrossBlocks = false;
-  /** The rank that has this piece of a surface; none: the surface is in one piece. */
+  /** The rank that has this piece of the surface; none if the surface is in one piece. */
   std::optional<int> rank = {};
 
   friend bool operator==(const PointIdentity&, const PointIdentity&) = default;
 };
 
 /**
- * The rule: by global ids where all pieces have them, else by coordinates where coincident points
- * are to be merged, else by nothing.
+ * Chooses the rule: global ids if all pieces have them; otherwise coordinates if coincident points
+ * are to be merged; otherwise nothing.
  */
 PointIdentity::By identityBy(bool haveGlobalIds, bool mergeCoincidentPoints);
 
 /**
- * The rule for the blocks of an input.
- * @throws std::invalid_argument where several blocks are to be connected and nothing tells which of
- * their points are one
+ * Chooses the rule for the blocks of an input.
+ * @throws std::invalid_argument if several blocks are to be connected and nothing tells which of
+ * their points are the same
  */
 PointIdentity identityOf(const InputBlocks& blocks, bool mergeCoincidentPoints, bool connectBlocks);
 
 /**
- * The global id of each point of all blocks, which must have them (see
- * InputBlocks::haveGlobalPointIds); -1 in blocks without faces.
+ * Returns the global id of each point of all blocks; -1 in blocks without faces.
+ * @pre blocks.haveGlobalPointIds()
  */
 std::vector<vtkIdType> globalPointIdsOf(const InputBlocks& blocks);
 
 /**
- * For each point of all blocks the lowest one that it is the same as.
+ * Returns for each point of all blocks the lowest point that is the same vertex.
  * @param points their coordinates
- * @throws std::invalid_argument where points of one global id are far apart
  * Time O(n log n).
+ * @throws std::invalid_argument if points with the same global id are farther apart than by
+ * rounding
  */
 std::vector<Index> kindsOfPoints(
   const InputBlocks& blocks, const PointIdentity& identity, const std::vector<Vector3>& points);

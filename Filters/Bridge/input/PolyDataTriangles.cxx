@@ -38,7 +38,7 @@ struct CopyCoordinates
   }
 };
 
-/** Cuts polygons into triangles, one after the other. */
+/** Cuts polygons and strips into triangles. */
 class Triangulator
 {
 public:
@@ -80,7 +80,9 @@ public:
   }
 
 private:
-  /** How far the diagonal from corner i to i + 2 leaves both halves on their own side; > 0: does.
+  /**
+   * Positive if the diagonal from corner i to i + 2 has the other two corners on different sides,
+   * so that it lies inside the quadrilateral.
    */
   double innerness(int i) const
   {
@@ -91,9 +93,9 @@ private:
   }
 
   /**
-   * Whether the diagonal from corner 0 is the shorter one; of two equal ones that of the corner
-   * with the smallest coordinates. Which corner comes first does not matter: where a grid is cut
-   * for several ranks its faces may begin elsewhere.
+   * Whether the diagonal from corner 0 is the shorter one. If both are equally long, the one that
+   * ends at the corner with the smallest coordinates is taken. So the choice does not depend on
+   * which corner comes first, which can differ between the pieces of a grid on several ranks.
    */
   bool isFirstDiagonalBetter() const
   {
@@ -235,7 +237,7 @@ void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, I
   const auto isHidden = [&](vtkIdType cell)
   { return ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0; };
   Triangulator triangulator(points, triangles.corners);
-  // A polydata numbers its vertices first, then lines, polygons and strips.
+  // A vtkPolyData numbers its vertices first, then its lines, polygons and strips.
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   const auto noteCell = [&]
   { triangles.cells.resize(triangles.corners.size(), firstCell + static_cast<Index>(cell++)); };

@@ -14,8 +14,8 @@ namespace geodesic::bridge
 {
 
 /**
- * Appends the coordinates of all points, whatever their type.
- * @throws std::length_error for more points than an Index can tell apart
+ * Appends the coordinates of all points, which may have any value type.
+ * @throws std::length_error if there are more points than an Index can number
  */
 void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points);
 
@@ -23,19 +23,19 @@ void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points);
 struct SurfaceTriangles
 {
   std::vector<Triangle> corners;
-  /** The number of a cell a triangle. */
+  /** The cell of each triangle. */
   std::vector<Index> cells;
 };
 
 /**
  * Appends the triangles of the surface's polygons and strips. A quadrilateral is cut along its
- * shorter inner diagonal, a larger polygon by vtkPolygon; one that has no proper inside becomes a
- * fan round its first point. Vertices and lines are no surface, and neither are cells that the
- * array vtkGhostType marks as hidden.
- * @param points      the surface's, from @p firstPoint on
- * @param firstPoint  the number of its point 0 in @p triangles
- * @param firstCell   the number of its cell 0 in @p triangles
- * @throws std::invalid_argument for a cell that names a point which does not exist
+ * shorter inner diagonal, a larger polygon by vtkPolygon; a polygon that vtkPolygon can't cut
+ * becomes a fan of triangles at its first point. Vertices, lines, and cells that the array
+ * vtkGhostType marks as hidden are left out.
+ * @param points      coordinates of all points; those of the surface begin at @p firstPoint
+ * @param firstPoint  the number of the surface's point 0 in @p triangles
+ * @param firstCell   the number of the surface's cell 0 in @p triangles
+ * @throws std::invalid_argument if a cell uses a point that does not exist
  */
 void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, Index firstPoint,
   Index firstCell, SurfaceTriangles& triangles);

@@ -11,13 +11,16 @@
 namespace geodesic::bridge
 {
 
-/** What was made of inputs, found again by their versions for as long as somebody uses it. Safe to
- * use from several threads; one makes at a time. */
+/**
+ * Finds an object again that was made from an input, by the input's version, for as long as
+ * somebody holds the object. Safe to use from several threads; only one of them makes an object at
+ * a time.
+ */
 template <class Version, class Made>
 class VersionCache
 {
 public:
-  /** What is known of a version, or else what @p make returns. */
+  /** Returns the object that was made for a version, or else the result of @p make. */
   template <class Make>
   std::shared_ptr<Made> get(Version version, const Make& make)
   {

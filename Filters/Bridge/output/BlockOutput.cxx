@@ -19,7 +19,7 @@ namespace
 void copyBlock(const InputBlock& block, vtkDataObject* output)
 {
   output->ShallowCopy(block.surface);
-  // An outer surface may have been extracted in an earlier run, for another time.
+  // The outer surface may have been extracted in an earlier run, for another time.
   output->GetInformation()->CopyEntry(
     block.data->GetInformation(), vtkDataObject::DATA_TIME_STEP());
   vtkNew<vtkFieldData> fields;

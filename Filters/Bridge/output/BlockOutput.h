@@ -15,10 +15,10 @@ namespace geodesic::bridge
 {
 
 /**
- * Makes an output that is the input with each data set's surface in its place: shallow copies, also
- * of field data and time.
- * @param output   a polydata, or a tree of the input's class
- * @param complete adds to the copy of a block's surface
+ * Fills the output with shallow copies of the blocks' surfaces, in the structure of the input. Each
+ * copy has the field data and the time of its data set.
+ * @param output   a vtkPolyData, or a vtkDataObjectTree of the input's class
+ * @param complete called with the copy of each block's surface, to add arrays to it
  */
 void writeBlocks(const InputBlocks& blocks, vtkDataObject* input, vtkDataObject* output,
   const std::function<void(std::size_t block, vtkPolyData* surface)>& complete);

@@ -13,7 +13,10 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Calls @p visit with each of the input's points and its vertex in the field, or NoIndex. */
+/**
+ * Calls @p visit with each of the input's points and its vertex in the field, or NoIndex if the
+ * field does not reach the point.
+ */
 template <class Visit>
 void visitPoints(const FieldOnInput& input, Visit&& visit)
 {

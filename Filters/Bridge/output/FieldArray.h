@@ -20,25 +20,32 @@ class SplitMesh;
 namespace geodesic::bridge
 {
 
-/** A field of distances and the input's mesh, or that and the split copy which has the field. */
+/** A distance field, and the input's mesh on which the field is shown. */
 struct FieldOnInput
 {
   const TriangleMesh& mesh;
   const DistanceField& field;
+  /** The split copy of the mesh that has the field; null if the mesh itself has it. */
   const SplitMesh* split = nullptr;
-  /** The points that are asked for: all, or those of one block. */
+  /** The points to show: all of them, or those of one block. */
   Index firstPoint = 0;
   Index numberOfPoints = mesh.numberOfPoints();
 };
 
-/** The distances at the input's points, @p unreached where there is none; one component. */
+/**
+ * Returns an array of one component: the distance at each of the points, or @p unreached at points
+ * without a distance.
+ */
 vtkSmartPointer<vtkDoubleArray> distanceArray(
   const FieldOnInput& input, double unreached, const char* name);
 
-/** The numbers of the nearest seeds at the input's points, -1 where there is none. */
+/**
+ * Returns an array of one component: the number of the nearest seed at each of the points, or -1 at
+ * points without a distance.
+ */
 vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, const char* name);
 
-/** How many of the points have a distance. */
+/** Returns the number of points that have a distance. */
 vtkIdType numberOfReachedPoints(const FieldOnInput& input);
 
 }

@@ -13,26 +13,29 @@
 namespace geodesic::bridge
 {
 
-/** What a path runs on, and what the input says of the vertices that carry it. */
+/** The mesh that a path runs on, and the attributes of the input at its vertices. */
 class PathAttributes
 {
 public:
   virtual ~PathAttributes() = default;
 
   virtual const TriangleMesh& mesh() const = 0;
-  /** The id of the input's point. */
+  /** The id of the input's point at a vertex. */
   virtual vtkIdType idOf(Index vertex) const = 0;
-  /** The number of its block in the composite data set, where ids do not tell points apart. */
+  /**
+   * The flat index of that point's block in the composite data set, for inputs whose ids are not
+   * unique.
+   */
   virtual vtkIdType blockOf(Index vertex) const = 0;
-  /** The input's normal, of any length; none where it has none. */
+  /** The input's normal at a vertex, of any length; none if the input has no normals there. */
   virtual std::optional<Vector3> normalOf(Index vertex) const = 0;
 };
 
-/** The input's own mesh. */
+/** The input's own mesh, with the attributes of its points. */
 class InputPathAttributes final : public PathAttributes
 {
 public:
-  /** Both must live as long as this. */
+  /** Both arguments must outlive this object. */
   InputPathAttributes(const InputSurface& surface, const InputBlocks& blocks)
     : Surface(surface)
     , Blocks(blocks)

@@ -58,7 +58,7 @@ double PathOutput::add(
   const TriangleMesh& mesh = attributes.mesh();
   const SurfaceNormals normals(mesh, [&](Index vertex) { return attributes.normalOf(vertex); });
   double length = 0.0;
-  // A polyline has two points at least.
+  // A polyline needs at least two points.
   const std::size_t count = std::max<std::size_t>(path.size(), 2);
   this->Lines->InsertNextCell(static_cast<int>(count));
   for (std::size_t i = 0; i < count; ++i)

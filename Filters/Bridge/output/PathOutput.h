@@ -20,25 +20,33 @@ namespace geodesic::bridge
 
 /**
  * Collects paths as polylines with these arrays.
- * Of points: ArcLength (the scalars; from the beginning of the path, or of the chain of paths),
- * OriginalPointIds (the nearest of the input's points that carry the path's), EdgePointIds (the two
- * ends of the edge, nearest first; at a vertex twice the same; inside a face the two nearest
- * corners), Normals (of length 1); where ids do not tell of which block the points are, also
- * OriginalBlocks and EdgeBlocks, their blocks' numbers in the composite data set. Of cells:
- * Segment, Length. Of the field: TotalLength.
+ *
+ * Point arrays:
+ * - ArcLength, the scalars: the length from the beginning of the path, or of the chain of paths.
+ * - OriginalPointIds: the id of the nearest input point that carries the path's point.
+ * - EdgePointIds: the ids of the two ends of the point's edge, nearest first; at a vertex twice the
+ *   same id; inside a face the two nearest corners.
+ * - OriginalBlocks and EdgeBlocks, if ids do not identify a point without its block: the flat
+ *   indices of the blocks of these points in the composite data set.
+ * - Normals: of length 1.
+ *
+ * Cell arrays: Segment and Length. Field array: TotalLength.
  */
 class PathOutput
 {
 public:
-  /** @param namesBlocks whether ids do not tell of which block points are */
+  /**
+   * @param heightOffset the length by which paths are raised along the normals, in the mesh's unit
+   * @param namesBlocks whether to write OriginalBlocks and EdgeBlocks
+   */
   PathOutput(double heightOffset, bool namesBlocks);
   ~PathOutput();
 
   /**
    * @param attributes the mesh that the path runs on, and what the input says of it
-   * @param segment    its number
-   * @param arcLength  at its first point
-   * @return its length on the surface, before the offset
+   * @param segment    the path's number, for the array Segment
+   * @param arcLength  the value of ArcLength at the path's first point
+   * @return the path's length on the surface, without the offset
    */
   double add(
     const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment, double arcLength);

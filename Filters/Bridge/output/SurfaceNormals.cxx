@@ -57,7 +57,7 @@ Vector3 SurfaceNormals::atVertex(Index vertex) const
   {
     if (ring[i].opensTriangle())
     {
-      // Rings have no orientation; the triangle itself has the input's.
+      // Rings have no orientation, but the triangle has the orientation of the input's face.
       const std::array<Index, 3> corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
       const Triangle& t = this->Mesh.triangle(this->Mesh.trianglesWith(corners).front());
       sum = sum +

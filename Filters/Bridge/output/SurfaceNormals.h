@@ -13,17 +13,20 @@ class vtkDataArray;
 namespace geodesic::bridge
 {
 
-/** Normals of length 1 at points of a surface. */
+/** Unit normals at points of a surface. */
 class SurfaceNormals
 {
 public:
-  /** The input's normal at a vertex, of any length; none where it has none. */
+  /**
+   * Returns the input's normal at a vertex, of any length, or none if the input has no normal
+   * there.
+   */
   using InputNormal = std::function<std::optional<Vector3>(Index vertex)>;
 
   /**
-   * @param mesh        must live as long as this
-   * @param inputNormal where it gives none, normals are those of the faces round each vertex,
-   *                    weighted by area
+   * @param mesh        must outlive this object
+   * @param inputNormal gives the input's normals; where it gives none, the normal of a vertex is
+   *                    the mean of the normals of its faces, weighted by area
    */
   SurfaceNormals(const TriangleMesh& mesh, InputNormal inputNormal)
     : Mesh(mesh)
@@ -31,10 +34,10 @@ public:
   {
   }
 
-  /** @param inputNormals by point, or null: none */
+  /** @param inputNormals the input's normal at each point; null if it has none */
   SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNormals);
 
-  /** Between vertices theirs, interpolated. */
+  /** The normal at a point; between vertices it is interpolated. */
   Vector3 at(const PathPoint& point) const;
 
 private:

@@ -48,7 +48,7 @@ std::vector<double> costOfValues(const InputSurface& surface, std::span<const do
   }
   for (Index v = 0; v < cost.size(); ++v)
   {
-    // A vertex without points is of triangles without an area, and on no front's way.
+    // A vertex without points belongs only to triangles without an area, which no front crosses.
     cost[v] = count[v] > 0 ? cost[v] / count[v] : 1.0;
   }
   return cost;

@@ -16,7 +16,7 @@ class vtkIdList;
 namespace geodesic::bridge
 {
 
-/** What the values of a cost array are. */
+/** The meaning of the values of a cost array. */
 enum class CostMeaning
 {
   Cost,
@@ -25,25 +25,28 @@ enum class CostMeaning
 };
 
 /**
- * The cost at each vertex from values at the input's points; the mean where points are merged.
- * @param role what has the values, for the message
- * @throws std::invalid_argument where a value on the surface is not positive and finite, naming the
- * first such point
+ * Computes the cost at each vertex from values at the input's points. The cost of merged points is
+ * the mean of theirs.
+ * @param role name of the values in the error message
+ * @throws std::invalid_argument if a value on the surface is not positive and finite; the message
+ * names the first such point
  */
 std::vector<double> costOfValues(const InputSurface& surface, std::span<const double> values,
   CostMeaning meaning, const std::string& role);
 
-/** Where the front may not go. */
+/** The vertices and triangles that no front enters. */
 struct Barriers
 {
-  /** One flag a vertex, or empty. */
+  /** One flag for each vertex; empty if none is excluded. */
   std::vector<std::uint8_t> excluded;
-  /** One flag a triangle, or empty. */
+  /** One flag for each triangle; empty if none is closed. */
   std::vector<std::uint8_t> closed;
 };
 
-/** Excludes points; those that no cell uses need no excluding. Throws for an id that does not
- * exist. */
+/**
+ * Excludes the points with the given ids; null means none. Points that no cell uses are ignored.
+ * @throws std::invalid_argument if an id does not exist
+ */
 void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers);
 
 /** Excludes the points, or closes the cells, whose value is neither 0 nor NaN. */

@@ -31,7 +31,7 @@ namespace
     " is not on the surface: no triangle, polygon or strip uses it. Choose another point.");
 }
 
-/** The height over the longest side: the shortest way from a corner to the opposite side. */
+/** The shortest height of a triangle, which is the one over its longest side. */
 double shortestHeight(const TriangleMesh& mesh, Index triangle)
 {
   const Triangle& corners = mesh.triangle(triangle);

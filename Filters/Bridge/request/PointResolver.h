@@ -20,37 +20,41 @@ namespace geodesic::bridge
 {
 
 /**
- * Positions from their coordinates, x y z of one after the other.
- * @param property what gave them, for the message
- * @throws std::invalid_argument where the length is no multiple of 3 or a coordinate is not finite
+ * Makes positions from a list of coordinates, x y z of each position in turn.
+ * @param property name of the list in the error message
+ * @throws std::invalid_argument if the length is not a multiple of 3, or a coordinate is not finite
  */
 std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std::string& property);
 
 /**
- * The point on the edge or vertex that it is as near to as single precision can tell: most data
- * sets have such coordinates, and a line along edges should be one.
+ * Moves a point onto an edge or a vertex that is so near that single precision can't tell them
+ * apart. Most data sets have coordinates in single precision, and a line along edges should stay on
+ * the edges.
  */
 SurfacePoint snappedAsSingle(const TriangleMesh& mesh, const SurfacePoint& point);
 
 /**
- * The vertex that stands for a point of the input.
- * @param role  what the point is, for the message
- * @throws std::invalid_argument for an id that does not exist, or whose point no cell uses
+ * Returns the vertex of a point of the input.
+ * @param role  name of the point in the error message
+ * @throws std::invalid_argument if the id does not exist, or no cell uses the point
  */
 Index vertexAtPoint(const TriangleMesh& mesh, vtkIdType id, const std::string& role);
 
-/** The same for several points; @p ids may be null: none. */
+/**
+ * Returns the vertices of several points; @p ids may be null, which means none.
+ * @throws as vertexAtPoint()
+ */
 std::vector<Index> verticesAtPoints(
   const TriangleMesh& mesh, vtkIdList* ids, const std::string& role);
 
 /**
- * The vertices of points that the user names by their ids (see BlockNumbering).
- * @throws as vertexAtPoint, and where the ids do not tell points apart
+ * Returns the vertices of points that the user gives by their ids (see BlockNumbering).
+ * @throws as vertexAtPoint(), and if the ids are not unique
  */
 std::vector<Index> verticesWithIds(
   const InputSurface& surface, vtkIdList* ids, const std::string& role);
 
-/** A target of the front (see SolveOptions::targets): the corners round a point, or a vertex. */
+/** Returns the target of a march (see SolveOptions::targets) for a point, or for a vertex. */
 Triangle targetAt(const TriangleMesh& mesh, const SurfacePoint& point);
 Triangle targetAt(Index vertex);
 

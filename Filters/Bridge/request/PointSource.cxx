@@ -16,7 +16,7 @@ namespace geodesic::bridge
 namespace
 {
 
-/** @param first the number that the source gave to the data set's first point */
+/** @param first the number of the data set's first point in the source */
 void appendLine(vtkIdList* points, std::size_t first, PointSource& source)
 {
   if (points->GetNumberOfIds() == 0)
@@ -40,7 +40,7 @@ void append(vtkDataSet* data, PointSource& source)
     data->GetPoint(i, source.coordinates.data() + 3 * (first + i));
   }
   vtkNew<vtkIdList> points;
-  // VTK 9.1 can't number the cells of poly data where a line has no points.
+  // VTK 9.1 can't number the cells of a vtkPolyData if a line has no points.
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
     vtkCellArray* lines = polyData->GetLines();

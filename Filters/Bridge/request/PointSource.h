@@ -16,9 +16,9 @@ struct PointSource
 {
   explicit PointSource(vtkDataObject* data);
 
-  /** x y z of one point after the other. */
+  /** x y z of each point in turn. */
   std::vector<double> coordinates;
-  /** The numbers of the points of each line and polyline, without those that have none. */
+  /** The point numbers of each line and polyline. Lines without points are left out. */
   std::vector<std::vector<std::size_t>> lines;
 };
 

@@ -10,8 +10,10 @@ namespace geodesic::bridge
 namespace
 {
 
-/** Calls @p visit with each vertex and the number of its point, or of a cell that it is a corner
- * of. */
+/**
+ * Calls @p visit with each vertex and the number of its point, or with each corner of a triangle
+ * and the number of the triangle's cell.
+ */
 void visitVertices(const InputSurface& surface, bool ofCells,
   const std::function<void(Index vertex, Index number)>& visit)
 {

@@ -16,16 +16,19 @@
 namespace geodesic::bridge
 {
 
-/** One seed at each vertex. */
+/** Makes one seed at each vertex. */
 std::vector<Seed> seedsAtVertices(const TriangleMesh& mesh, std::span<const Index> vertices);
 
-/** The vertices of the points or cells that have a value. */
+/** For each value, the vertices of the points or cells that have it. */
 using RegionsByValue = std::map<double, std::vector<Index>>;
 
-/** The regions of each value of the array but 0. NaN is 0. */
+/** Makes a region for each value of the array except 0 and NaN. */
 RegionsByValue regionsOfArray(const InputSurface& surface, const ChosenArray& array);
 
-/** The region of all selected points, by 0, and that of all selected cells, by 1. */
+/**
+ * Makes a region of all selected points, under the value 0, and one of all selected cells, under
+ * the value 1.
+ */
 RegionsByValue regionsOfSelection(const InputSurface& surface, const SelectedElements& selected);
 
 }

@@ -34,7 +34,7 @@ bool namesNothing(vtkSelection* selection)
   return true;
 }
 
-/** The flags of a data set's own points or cells; empty where none is selected. */
+/** Returns the flags of a data set's own points or cells; empty if none is selected. */
 std::vector<std::uint8_t> flagsOf(vtkDataSet* data, int kind)
 {
   std::vector<std::uint8_t> flags;
@@ -47,8 +47,8 @@ std::vector<std::uint8_t> flagsOf(vtkDataSet* data, int kind)
 
 /**
  * Appends the flags of a block's surface.
- * @param flags     of the data set's own points or cells; empty: none is set
- * @param original  the array that tells which of them the surface's are
+ * @param flags     flags of the data set's own points or cells; empty if none is set
+ * @param original  name of the surface's array that has the ids of the data set's points or cells
  */
 void appendFlags(const InputBlock& block, int kind, const std::vector<std::uint8_t>& flags,
   const char* original, std::vector<std::uint8_t>& all)

@@ -14,16 +14,16 @@ class vtkSelection;
 namespace geodesic::bridge
 {
 
-/** What a selection selects of an input. */
+/** The points and cells of an input that a selection selects. */
 struct SelectedElements
 {
   SelectedElements(vtkSelection* selection, vtkDataObject* input, const InputBlocks& blocks);
 
-  /** Whether the selection names nothing at all. */
+  /** Whether the selection is empty, whatever the input is. */
   bool isEmpty = true;
-  /** One flag a point of the blocks' surfaces. */
+  /** One flag for each point of the blocks' surfaces. */
   std::vector<std::uint8_t> points;
-  /** One flag a cell of the blocks' surfaces. */
+  /** One flag for each cell of the blocks' surfaces. */
   std::vector<std::uint8_t> cells;
 };
 

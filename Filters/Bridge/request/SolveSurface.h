@@ -17,41 +17,52 @@ namespace geodesic::bridge
 {
 
 /**
- * The mesh that a request is solved on, and the request on it: the input's own mesh, or the copy
- * that is split along the lines of seeds and barriers.
+ * The mesh that a request is solved on, and the request's cost, barriers and seeds on that mesh.
+ * The mesh is the input's own, or a copy that is split along the lines of seeds and barriers.
+ * Points and paths of the input's own mesh are called base points and base paths.
  */
 class SolveSurface
 {
 public:
   /**
-   * @param mesh       the input's, or on several ranks what took its place: its points after the
-   *                   input's are other ranks'
-   * @param alongEdges whether ways go along edges only: then they also keep off the points that
-   *                   the splitting made on barriers
+   * @param mesh       the input's mesh; on several ranks it can have more points of other ranks
+   *                   after the input's
+   * @param alongEdges whether paths run along edges only; then the points that the splitting made
+   *                   on barriers are excluded as well
    */
   SolveSurface(std::shared_ptr<const InputSurface> base,
     const std::shared_ptr<const TriangleMesh>& mesh, const SurfaceLines& lines,
     const Barriers& barriers, const std::vector<double>& cost, bool alongEdges);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
+  /** Null if the mesh is not split. */
   const SplitMesh* split() const { return this->Split.get(); }
-  /** One flag a vertex, or empty; for what other ranks exclude. */
+  /** One flag for each vertex, or empty. The caller adds the vertices that other ranks exclude. */
   std::vector<std::uint8_t>& excluded() { return this->Excluded; }
-  /** What does not depend on where to start: cost and barriers, which live as long as this. */
+  /**
+   * The cost and the barriers. The options refer to arrays of this object, which must outlive them.
+   */
   SolveOptions options() const;
 
+  /** Returns the point of this mesh at a base point. */
   SurfacePoint pointOf(const SurfacePoint& basePoint) const;
-  /** @throws std::invalid_argument for a point on a line of a barrier, naming it @p name */
+  /**
+   * Returns the point of this mesh at a base point.
+   * @throws std::invalid_argument if the point lies on a barrier; the message calls it @p name
+   */
   SurfacePoint openPointOf(const SurfacePoint& basePoint, const std::string& name) const;
-  /** @throws as openPointOf */
+  /**
+   * Returns the seeds on this mesh. The points of curves come from the lines of seeds.
+   * @throws as openPointOf()
+   */
   std::vector<Seed> seedsOf(const std::vector<Seed>& baseSeeds) const;
   /**
-   * A path of this mesh on the input's own, without the points inside faces that it runs straight
-   * through.
+   * Converts a path to one of the input's own mesh. Points inside the input's faces are left out if
+   * the path runs straight through them.
    */
   SurfacePath basePathOf(const SurfacePath& path) const;
 
-  /** Whether a request on this would find the same ways as on another one. */
+  /** Whether both have the same mesh, cost and barriers, so that paths are the same. */
   bool isLike(const SolveSurface& other) const;
 
 private:

@@ -17,30 +17,32 @@ class SplitMesh;
 namespace geodesic::bridge
 {
 
-/** Points on the surface that a line leads through. */
+/** The points on the surface that a line runs through. */
 using LinePoints = std::vector<SurfacePoint>;
 
 /**
- * The lines that seeds and barriers give: joined over the surface and, where they cross faces, with
- * a copy of the mesh that is split along them.
+ * The lines of seeds and barriers, joined over the surface by shortest paths. If any of them
+ * crosses faces, there is a copy of the mesh that is split along the lines.
  */
 class SurfaceLines
 {
 public:
   /**
-   * Joins and splits, unless it did so for the same mesh and lines last time.
-   * @throws std::invalid_argument where the points of a line are on parts that do not hang together
+   * Joins the points of each line and splits the mesh, unless mesh and lines are those of the last
+   * call.
+   * @throws std::invalid_argument if the points of a line are on parts of the surface that are not
+   * connected
    */
   void update(const std::shared_ptr<const TriangleMesh>& mesh, std::vector<LinePoints> seeds,
     std::vector<LinePoints> barriers);
 
-  /** Lines that are joined; splits where that is needed. */
+  /** Sets lines that are joined already, and splits the mesh if needed. */
   void take(const std::shared_ptr<const TriangleMesh>& mesh, std::vector<SurfacePath> seeds,
     std::vector<SurfacePath> barriers);
 
   const std::vector<SurfacePath>& seeds() const { return this->SeedPaths; }
   const std::vector<SurfacePath>& barriers() const { return this->BarrierPaths; }
-  /** Null where all lines run along edges of the mesh. */
+  /** The split mesh; null if all lines run along edges of the mesh. */
   const std::shared_ptr<const SplitMesh>& split() const { return this->Split; }
 
 private:
