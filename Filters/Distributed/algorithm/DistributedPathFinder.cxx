@@ -19,8 +19,9 @@ namespace
 {
 
 /**
- * How far a corridor reaches round where a path needs more of it, in longest edges there: far
- * enough that the path goes on for a while, and no farther than beside it something may be needed.
+ * The radius of the ball by which a corridor grows where a path needs more triangles, in longest
+ * edges there. It lets the path go on for a while, and brings few triangles that are too far beside
+ * the path.
  */
 constexpr double ReachInEdges = 8.0;
 
@@ -35,7 +36,7 @@ RankGroup::Message bytesOf(std::span<const T> values)
   return message;
 }
 
-/** Balls that hold the corners round points. */
+/** Returns balls that contain the corners of the triangles with the points. */
 std::vector<Ball> ballsRound(std::span<const GlobalPoint> points)
 {
   constexpr double rounding = 1e-6;
@@ -57,7 +58,7 @@ std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
   return local;
 }
 
-/** The number of the end that a path leads to. */
+/** Returns the number of the end point that a path leads to. */
 Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const SurfacePoint> ends)
 {
   const auto isThere = [&](const SurfacePoint& end)
@@ -67,7 +68,7 @@ Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const S
 
 }
 
-/** Gives the field that all ranks make, on the corridor. */
+/** A solver on the corridor, which returns the field that all ranks solve together. */
 class DistributedPathFinder::CorridorSolver final : public DistanceSolver
 {
 public:
@@ -90,7 +91,7 @@ public:
     if (this->Finder.reach(targets))
     {
       const std::vector<Ball> balls(this->Collected.balls().begin(), this->Collected.balls().end());
-      this->Finder.give(Order::Cut, bytesOf<Ball>(balls));
+      this->Finder.sendOrder(Order::Cut, bytesOf<Ball>(balls));
       this->Collected.add(this->Finder.cutOnAll(balls), {});
     }
     return this->Mesh.fieldOf(this->Collected, this->Finder.Field->stopReason());
@@ -171,18 +172,18 @@ Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, con
 {
   if (this->Request.ranks.rank() > 0)
   {
-    return this->serve();
+    return this->followOrders();
   }
   try
   {
     const Index answer = this->lead(points, action);
-    this->give(Order::Done, bytesOf<Index>({ &answer, 1 }));
+    this->sendOrder(Order::Done, bytesOf<Index>({ &answer, 1 }));
     return answer;
   }
   catch (const std::exception& error)
   {
     const std::string message = bridge::messageOf(error);
-    this->give(Order::Fail, { message.begin(), message.end() });
+    this->sendOrder(Order::Fail, { message.begin(), message.end() });
     throw;
   }
 }
@@ -215,7 +216,7 @@ Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Act
   }
 }
 
-Index DistributedPathFinder::serve()
+Index DistributedPathFinder::followOrders()
 {
   while (true)
   {
@@ -232,17 +233,17 @@ Index DistributedPathFinder::serve()
       case Order::CutInput:
         try
         {
-          this->follow(static_cast<Order>(order.front()), content);
+          this->carryOut(static_cast<Order>(order.front()), content);
         }
         catch (const std::exception&)
         {
-          // It failed on all ranks, and the first one orders what now.
+          // The step failed on all ranks, and the first rank sends the next order.
         }
     }
   }
 }
 
-void DistributedPathFinder::follow(Order order, const RankGroup::Message& content)
+void DistributedPathFinder::carryOut(Order order, const RankGroup::Message& content)
 {
   if (order == Order::Solve)
   {
@@ -258,7 +259,7 @@ void DistributedPathFinder::follow(Order order, const RankGroup::Message& conten
   }
 }
 
-void DistributedPathFinder::give(Order order, const RankGroup::Message& content)
+void DistributedPathFinder::sendOrder(Order order, const RankGroup::Message& content)
 {
   RankGroup::Message message{ static_cast<char>(order) };
   message.insert(message.end(), content.begin(), content.end());
@@ -267,7 +268,7 @@ void DistributedPathFinder::give(Order order, const RankGroup::Message& content)
 
 void DistributedPathFinder::extend(Corridor& corridor, std::span<const Ball> balls)
 {
-  this->give(Order::Cut, bytesOf(balls));
+  this->sendOrder(Order::Cut, bytesOf(balls));
   corridor.add(this->cutOnAll(balls), balls);
   this->LargestCorridor = std::max(this->LargestCorridor, corridor.vertices().size());
 }
@@ -304,10 +305,10 @@ void DistributedPathFinder::takeToInput(
     return point;
   };
   traced.path = basePath(corridor.mesh(), path, originOf);
-  this->give(Order::CutInput, bytesOf<GlobalVertex>(carriers));
-  Corridor round;
-  round.add(this->cutInputOnAll(carriers), {});
-  traced.corridor = std::make_shared<const CorridorMesh>(round, false);
+  this->sendOrder(Order::CutInput, bytesOf<GlobalVertex>(carriers));
+  Corridor alongPath;
+  alongPath.add(this->cutInputOnAll(carriers), {});
+  traced.corridor = std::make_shared<const CorridorMesh>(alongPath, false);
   for (PathPoint& point : traced.path)
   {
     for (Index& corner : point.corners)
@@ -357,13 +358,13 @@ bool DistributedPathFinder::reach(const std::vector<GlobalVertex>& targets)
     return false;
   }
   this->Reached.insert(targets.begin(), targets.end());
-  // What earlier paths needed, later ones may need again.
+  // Later paths may need the targets of earlier paths again.
   std::vector<GlobalVertex> all;
   if (!targets.empty())
   {
     all.assign(this->Reached.begin(), this->Reached.end());
   }
-  this->give(Order::Solve, bytesOf<GlobalVertex>(all));
+  this->sendOrder(Order::Solve, bytesOf<GlobalVertex>(all));
   this->solve(all);
   this->FirstCorridor.reset();
   return true;

@@ -29,112 +29,132 @@ namespace geodesic::distributed
 
 class GatheredSurface;
 
-/** What paths are sought on, by each rank for its piece. */
+/** The surface and the options of a search for paths. Each rank gives those of its piece. */
 struct PathRequest
 {
   RankGroup& ranks;
   const DistributedSurface& surface;
-  /** What took the surface's place on several ranks, and how the first one split it; else null. */
+  /**
+   * The surface with moved triangles, if there are several ranks and lines, and the first rank's
+   * split mesh; otherwise null.
+   */
   const GatheredSurface* gathered;
   const SplitMesh* split;
-  /** What is solved on, on several ranks. */
+  /** The mesh that is solved on, if there are several ranks. */
   const DividedMesh& mesh;
-  /** On one rank of any mesh, on several of this one. */
+  /** The local solver. On several ranks it must be a solver of the mesh above. */
   DistanceSolver& solver;
   /** Cost, barriers, progress. */
   SolveOptions options;
   PathStyle style;
-  /** The surface's piece, with what the input says of it. */
+  /** This rank's piece with the attributes of the input. */
   const bridge::PathAttributes& input;
 };
 
-/** A path to one of the ends. */
+/** A path to one of the end points. */
 struct TracedPath
 {
-  /** On the solver's mesh, or on the ground; empty on all ranks but the first. */
+  /**
+   * The path on the solver's mesh or, if there is one, on the corridor. Empty on all ranks but the
+   * first.
+   */
   SurfacePath path;
-  /** Of several ranks, on the first: the surface round the path; else null. */
+  /** On the first of several ranks, the surface along the path; otherwise null. */
   std::shared_ptr<const CorridorMesh> corridor;
-  /** The number of the end. */
+  /** The number of the end point. */
   Index end = NoIndex;
 };
 
 /**
- * Finds shortest paths to the nearest of some points on a surface whose pieces are on any number of
- * ranks, as PathFinder does on one.
+ * Finds shortest paths to the nearest of several end points, on a surface whose pieces are on any
+ * number of ranks. PathFinder does the same on one rank.
  *
- * All ranks solve the field together. The first one finds the path, by a PathFinder on a corridor
- * of the surface: where that needs triangles that the corridor does not have (see IncompleteRing),
- * all ranks send those in a ball there, and it begins again. The others do what the first one
- * orders until it is done. So the first rank holds its piece and O(length of the path) triangles,
- * however the surface was cut. All calls are collective, with the same points on all ranks.
+ * All ranks solve the field together. The first rank then finds the path, by a PathFinder on a
+ * corridor of the surface. If the PathFinder needs triangles that the corridor does not have (see
+ * IncompleteRing), all ranks send their triangles in a ball there, and the search begins again. The
+ * other ranks follow the first rank's orders until it is done. So the first rank holds its piece
+ * and O(length of the path) triangles, however the surface was cut into pieces.
+ *
+ * All calls are collective; all ranks must pass the same points.
  */
 class DistributedPathFinder
 {
 public:
   /**
-   * @param ends where paths end, at least one, as restated on the solver's mesh; so are all points
-   *             given later
+   * @param ends the points where paths may end, at least one. These points, and all points passed
+   *             later, must refer to the solver's mesh (see restate())
    */
   DistributedPathFinder(const PathRequest& request, std::vector<GlobalPoint> ends);
 
-  /** See PathFinder::march. */
+  /** See PathFinder::march(). */
   bool march(std::span<const GlobalPoint> starts);
-  /** See PathFinder::pathFrom; also none when cancelled. */
+  /** See PathFinder::pathFrom(). Returns none as well if the search was cancelled. */
   std::optional<TracedPath> pathFrom(const GlobalPoint& start);
 
-  /** The number of points on the rank that holds most, corridors included. */
+  /** Returns the largest number of points on any rank, including those of corridors. */
   vtkIdType mostPointsOnARank();
 
 private:
   class CorridorSolver;
-  /** @return what is told to all ranks */
+  /**
+   * What the first rank does with a path finder on a corridor.
+   * @return the answer for all ranks
+   */
   using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorMesh>&)>;
 
   enum class Order : char
   {
-    /** To march to vertices, GlobalVertex one after the other; none: everywhere. */
+    /** March to vertices. The content is a list of GlobalVertex; an empty one means everywhere. */
     Solve,
-    /** To send what is in balls. */
+    /** Send the triangles in balls. The content is a list of Ball. */
     Cut,
-    /** To send what is round points of the input, GlobalVertex one after the other. */
+    /** Send the input's triangles at vertices. The content is a list of GlobalVertex. */
     CutInput,
-    /** No more; and the answer. */
+    /** Stop. The content is the answer. */
     Done,
-    /** To throw this message. */
+    /** Throw an exception. The content is its message. */
     Fail
   };
 
-  /** Does something with a path finder on the first rank, on a corridor with some points. */
+  /**
+   * Runs an action on the first rank, with a path finder on a corridor that has the points, and
+   * returns the action's answer on all ranks.
+   */
   Index onCorridor(std::span<const GlobalPoint> points, const Action& action);
   Index lead(std::span<const GlobalPoint> points, const Action& action);
-  Index serve();
-  /** @pre it is one to solve or to cut */
-  void follow(Order order, const RankGroup::Message& content);
-  void give(Order order, const RankGroup::Message& content);
+  Index followOrders();
+  /**
+   * Carries out one order of the first rank.
+   * @pre the order is Solve, Cut or CutInput
+   */
+  void carryOut(Order order, const RankGroup::Message& content);
+  void sendOrder(Order order, const RankGroup::Message& content);
 
   /** Adds all triangles in some balls to a corridor of the first rank. */
   void extend(Corridor& corridor, std::span<const Ball> balls);
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
-  /** A path of a corridor on the input's surface. */
+  /** Converts a path on a corridor to one on the input's surface. */
   void takeToInput(const SurfacePath& path, const CorridorMesh& corridor, TracedPath& traced);
   std::vector<SurfacePatch> cutInputOnAll(std::span<const GlobalVertex> vertices);
-  /** Lets the field reach vertices, unless it does; none: all. */
+  /**
+   * Makes the field reach vertices, or all vertices if there are no targets.
+   * @return whether the field was solved again for that
+   */
   bool reach(const std::vector<GlobalVertex>& targets);
   void solve(std::span<const GlobalVertex> targets);
 
   PathRequest Request;
   std::vector<GlobalPoint> Ends;
-  /** On one rank. */
+  /** The path finder on the whole surface, if there is only one rank. */
   std::optional<PathFinder> Whole;
   DistributedSolver Partition;
   std::optional<PatchCutter> Cutter;
   std::optional<PatchCutter> InputCutter;
   bool HasCost = false;
-  /** What the field is known to reach, or to have no way to. */
+  /** The vertices that the field reaches, or is known to be unable to reach. */
   std::set<GlobalVertex> Reached;
   const DistanceField* Field = nullptr;
-  /** That of the ends alone. */
+  /** The corridor at the end points alone. */
   std::optional<Corridor> FirstCorridor;
   std::size_t LargestCorridor = 0;
 };

@@ -56,7 +56,8 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   std::exception_ptr error;
   while (true)
   {
-    // Of the whole surface: what waits first, whether someone failed or was cancelled, the targets.
+    // The state of the whole surface: the least distance that is left, whether a rank failed or was
+    // cancelled, and the distances of the targets.
     std::vector<double> state{ front.nextDistance(), error ? 0.0 : 1.0,
       front.isCancelled() ? 0.0 : 1.0 };
     const std::vector<double> targets = limit.targetDistances();

@@ -16,34 +16,35 @@ namespace geodesic::distributed
 
 class DividedMesh;
 
-/** What solving on several ranks took, over all of them. */
+/** The work of solving, over all ranks. */
 struct DistributedWork
 {
-  /** Times that the ranks marched and exchanged values. */
+  /** How often the ranks marched and exchanged values. */
   std::size_t rounds = 0;
-  /** Vertices taken from queues. */
+  /** The number of vertices taken from queues. */
   double updates = 0.0;
-  /** Sent from neighbour to neighbour. */
+  /** The number of bytes sent between neighbours. */
   double bytes = 0.0;
 };
 
 /**
- * Solves on a surface whose pieces are on several ranks: given to the local solver of each rank as
- * SolveOptions::partition, it makes their fields one.
+ * Solves on a surface whose pieces are on several ranks. Each rank's local solver takes this object
+ * as SolveOptions::partition; together their fields are one field of the whole surface.
  *
- * In each round every rank marches up to a common limit and sends the values of shared vertices
- * that fell to the ranks that share them; lower ones start the march again. Done when no rank has
- * anything left. The limit grows with what is left, so that no rank marches far on values that
- * will still fall. X. Yang, F. Stern, A highly scalable massively parallel fast marching method for
- * the Eikonal equation, J. Comput. Phys. 332 (2017). As the update is monotone the field is that of
- * the whole surface on one rank (to 1e-10).
+ * In each round every rank marches up to a common limit. Then it sends the values of shared
+ * vertices that became lower to the ranks that share them, and a received value that is lower
+ * starts the march there again. The solver is done when no rank has any work left. The limit
+ * follows the least distance that is left, so that no rank marches far on values that will still
+ * become lower. X. Yang, F. Stern, A highly scalable massively parallel fast marching method for
+ * the Eikonal equation, J. Comput. Phys. 332 (2017). Because the update is monotone, the field is
+ * that of the whole surface on one rank (to 1e-10).
  *
  * No rank ever holds more of the surface than its piece.
  */
 class DistributedSolver final : public Partition
 {
 public:
-  /** @param ranks and @param mesh must live as long as this */
+  /** @param ranks,mesh must outlive this object */
   DistributedSolver(RankGroup& ranks, const DividedMesh& mesh);
 
   bool isDivided() const override { return this->Ranks.size() > 1; }
@@ -58,23 +59,26 @@ public:
   std::vector<StartValue> exchange(std::span<const StartValue> own) override;
   bool march(MarchingFront& front, StopLimit& limit) override;
 
-  /** Since this was made. Collective. */
+  /** Returns the work since this object was made. Collective. */
   DistributedWork work();
 
 private:
-  /** A value as it was last sent to or heard from those that share the vertex. */
+  /** A label's lowest value that was sent to, or received from, the ranks that share the vertex. */
   struct KnownValue
   {
     Index label;
     double value;
   };
 
-  /** By how much the limit grows from round to round. */
+  /** Returns by how much the limit grows from round to round. Collective. */
   double stepOf(const MarchingFront& front);
   void exchangeNews(MarchingFront& front);
-  /** One message for each neighbour. */
+  /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
-  /** Whether a value is lower than what those that share the slot know; then they will know it. */
+  /**
+   * Whether a value is lower than the known value of its slot and label. If so, it becomes the
+   * known value.
+   */
   bool isNews(std::uint32_t slot, Index label, double value);
 
   RankGroup& Ranks;

@@ -15,23 +15,26 @@ namespace geodesic::distributed
 {
 
 /**
- * The part of a surface round a path, joined from patches that ranks cut out of their pieces. A
- * vertex is one by its GlobalVertex, and a triangle that several ranks have is there once.
+ * The part of a surface along a path, joined from patches that ranks cut out of their pieces. Equal
+ * GlobalVertex mean the same vertex. A triangle that several ranks have is there once.
  */
 class Corridor
 {
 public:
   /**
-   * Takes in what all ranks cut along some balls. What it has already takes on the patches'
-   * distances.
+   * Adds the patches that all ranks cut for some balls. Vertices that are there already get the
+   * distances of the patches.
    */
   void add(std::span<const SurfacePatch> patches, std::span<const Ball> balls);
 
   std::span<const Ball> balls() const { return this->Balls; }
   const std::vector<PatchVertex>& vertices() const { return this->Vertices; }
-  /** Their corners are places in that list. */
+  /** The triangles; their corners are positions in vertices(). */
   const std::vector<PatchTriangle>& triangles() const { return this->Triangles; }
-  /** Whether a vertex, by its place, lies in one of the balls: then it has all its triangles. */
+  /**
+   * Whether the vertex at a position of vertices() lies in one of the balls. Then all its triangles
+   * are there.
+   */
   bool isComplete(std::size_t place) const { return this->Complete[place]; }
 
 private:
@@ -43,7 +46,7 @@ private:
   std::vector<bool> Complete;
   std::vector<PatchTriangle> Triangles;
   std::map<GlobalVertex, std::uint32_t> Places;
-  /** The places of triangles by their sorted corners. */
+  /** The positions of triangles by their sorted corners. */
   std::map<std::array<std::uint32_t, 3>, std::size_t> TrianglePlaces;
 };
 

@@ -23,7 +23,7 @@ TriangleMesh meshOf(const Corridor& corridor)
   {
     triangles.push_back({ triangle.corners[0], triangle.corners[1], triangle.corners[2] });
   }
-  // Small, and the other ranks of this machine have work as well.
+  // One thread is enough for a small mesh, while other ranks of this machine have work as well.
   return TriangleMesh(points, triangles, CoincidentPoints::Separate, ThreadTeam(1));
 }
 

@@ -18,31 +18,43 @@
 namespace geodesic::distributed
 {
 
-/** The mesh of a corridor, for the algorithms that find paths on a whole surface. */
+/** The mesh of a corridor, on which PathFinder works as on a whole surface. */
 class CorridorMesh final : public bridge::PathAttributes
 {
 public:
-  /** @param hasCost whether costs count */
+  /** @param hasCost whether options() has the costs of the corridor's vertices */
   CorridorMesh(const Corridor& corridor, bool hasCost);
 
   const TriangleMesh& mesh() const override { return this->Mesh; }
-  /** Global ids; -1 where there are none. */
+  /** The global id of a vertex; -1 if the input has none. */
   vtkIdType idOf(Index vertex) const override { return this->vertex(vertex).id; }
   vtkIdType blockOf(Index) const override { return 0; }
   std::optional<Vector3> normalOf(Index vertex) const override;
 
-  /** Costs and barriers, and where the corridor ends; all live as long as this. */
+  /**
+   * The cost, the barriers, and the vertices that lack triangles of the surface. The options refer
+   * to arrays of this object, which must outlive them.
+   */
   SolveOptions options() const;
   const PatchVertex& vertex(Index vertex) const
   {
     return this->Vertices[this->Mesh.pointOfVertex(vertex)];
   }
-  /** @pre the corridor has the vertex */
+  /**
+   * Returns the mesh's number of a vertex.
+   * @pre the corridor has the vertex
+   */
   Index find(const GlobalVertex& vertex) const { return this->VertexOf.at(vertex); }
-  /** Points whose triangles the corridor has. */
+  /**
+   * Converts points to points of this mesh.
+   * @pre the corridor has the triangles of the points
+   */
   std::vector<SurfacePoint> pointsOf(std::span<const GlobalPoint> points) const;
 
-  /** The field by the distances that the corridor has now; its triangles must be the same. */
+  /**
+   * Makes the field from the distances that the corridor has now.
+   * @pre the corridor's triangles are the same as when this was made
+   */
   const DistanceField& fieldOf(const Corridor& corridor, StopReason reason);
 
 private:

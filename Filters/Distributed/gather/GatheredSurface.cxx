@@ -15,7 +15,9 @@ namespace geodesic::distributed
 namespace
 {
 
-/** The vertices that carry the points of paths; the same on all ranks. */
+/**
+ * Returns the vertices that carry the points of the first rank's paths, on all ranks. Collective.
+ */
 std::vector<GlobalVertex> verticesOfPaths(RankGroup& ranks, std::span<const GlobalPath> paths)
 {
   std::set<GlobalVertex> carriers;
@@ -205,7 +207,7 @@ std::vector<SurfacePath> GatheredSurface::pathsOf(std::span<const GlobalPath> pa
       {
         at.corners[c] = point.weights[c] > 0.0 ? this->find(point.corners[c]) : NoIndex;
       }
-      // A corner without a weight is of no account, but must be one.
+      // A corner without a weight does not matter, but it must exist.
       std::replace(at.corners.begin(), at.corners.end(), NoIndex, at.carriers()[0]);
     }
   }
@@ -255,7 +257,8 @@ void GatheredSurface::relocateRegions(
       }
     }
   }
-  // What moved to the first rank may be in a region that none of its own vertices is in.
+  // Vertices that moved to the first rank can be in a region of which the first rank's piece has no
+  // vertex.
   for (const StartValue& other : mesh.shared().exchange(ranks, own))
   {
     if (ranks.rank() == 0)
@@ -270,7 +273,8 @@ GlobalPathPoint GatheredSurface::originOf(const GlobalVertex& vertex, const Spli
 {
   if (vertex.rank > 0)
   {
-    // It is on no triangle here, and on the other ranks nothing has another number.
+    // The first rank has no triangle with this vertex, and vertices keep their numbers on the other
+    // ranks.
     return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };
   }
   const PathPoint at = split ? split->origin(vertex.vertex) : PathPoint::atVertex(vertex.vertex);

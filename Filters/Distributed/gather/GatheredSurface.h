@@ -28,48 +28,62 @@ namespace geodesic::distributed
 {
 
 /**
- * The pieces of a surface with all triangles round some lines on the first rank, which can so be
- * split along them by that rank alone: no other has an edge that a line crosses. O(length of the
- * lines) triangles move. On the other ranks they stay as closed ones, so that vertices keep their
- * numbers, and the vertices of moved triangles are shared with the first rank.
+ * The pieces of a surface, with all triangles along some lines moved to the first rank. That rank
+ * alone can then split the surface along the lines, because no other rank has an edge that a line
+ * crosses.
+ *
+ * O(length of the lines) triangles move. The other ranks keep them as closed triangles, so that
+ * vertices keep their numbers, and share their vertices with the first rank.
  */
 class GatheredSurface
 {
 public:
   /**
    * Collective.
-   * @param lines    on the first rank; not read on the others
-   * @param barriers, cost by the piece's vertices and triangles
+   * @param lines    the paths of all lines, on the first rank; ignored on the others
+   * @param barriers,cost for the vertices and triangles of this rank's piece
    */
   GatheredSurface(RankGroup& ranks, const DistributedSurface& surface,
     std::span<const GlobalPath> lines, const bridge::Barriers& barriers,
     const std::vector<double>& cost);
 
-  /** The piece's mesh, on the first rank with what moved there, its points after the input's. */
+  /**
+   * The piece's mesh. On the first rank it includes the triangles that moved there, with their
+   * points after the input's.
+   */
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const bridge::Barriers& barriers() const { return this->Barriers; }
   const std::vector<double>& cost() const { return this->Cost; }
 
-  /** What the first rank has of these. */
+  /** Converts paths to paths on mesh(). On the first rank only. */
   std::vector<SurfacePath> pathsOf(std::span<const GlobalPath> paths) const;
-  /** A point where it is now: on the mesh, or nowhere on this rank. */
+  /**
+   * Sets GlobalPoint::local to the point's place on mesh(); empty if the point is not on this rank
+   * now.
+   */
   void relocate(GlobalPoint& point) const;
   /**
-   * The vertices of regions on the mesh, by those on the piece. Collective.
-   * @param mesh by keysOf
+   * Converts the vertices of regions from the piece to mesh(). Collective.
+   * @param mesh made with the keys of keysOf()
    */
   void relocateRegions(RankGroup& ranks, const DividedMesh& mesh, const SplitMesh* split,
     std::vector<Seed>& seeds) const;
 
-  /** One flag a triangle that moved to the first rank; empty there. */
+  /**
+   * One flag for each triangle of this rank: whether it moved to the first rank. Empty on the first
+   * rank.
+   */
   const std::vector<bool>& movedTriangles() const { return this->HasMoved; }
   /**
-   * Where a vertex is on the pieces. On the first rank.
-   * @param vertex as DividedMesh names it that was made by keysOf
+   * Returns the place of a vertex on the pieces. On the first rank only.
+   * @param vertex as a DividedMesh with the keys of keysOf() identifies it
    */
   GlobalPathPoint originOf(const GlobalVertex& vertex, const SplitMesh* split) const;
 
-  /** What the vertices of the mesh, or of the first rank's split one, are shared by. */
+  /**
+   * Returns the keys for the vertices of mesh(), or of the first rank's split mesh; see
+   * SharedPoints.
+   */
   std::vector<Key> keysOf(const TriangleMesh& mesh, const SplitMesh* split) const;
 
 private:
@@ -83,7 +97,9 @@ private:
   std::shared_ptr<const TriangleMesh> Mesh;
   bridge::Barriers Barriers;
   std::vector<double> Cost;
-  /** On the first rank, by their points' numbers after the input's. */
+  /**
+   * The vertices that were added on the first rank, in the order of their points after the input's.
+   */
   std::vector<GlobalVertex> Added;
   std::map<GlobalVertex, Index> PointOfAdded;
   std::vector<bool> HasMoved;

@@ -19,7 +19,7 @@ namespace
 /** The number of consecutive vertices that share one bounding box. */
 constexpr Index BlockSize = 256;
 
-/** A ball a little larger: copies of a point that are one by their ids may differ by rounding. */
+/** A ball that is a little larger: copies of a point with one global id may differ by rounding. */
 Ball widened(const Ball& ball)
 {
   constexpr double rounding = 1e-6;

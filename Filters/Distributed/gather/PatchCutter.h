@@ -20,15 +20,19 @@ class PatchCutter
 {
 public:
   /**
-   * The mesh and the arrays of the options must live as long as this. Time O(n).
-   * @param options costs and barriers
-   * @param leftOut one flag a triangle that another rank has in place of this one, or empty
+   * The mesh and the arrays of the options must outlive this object. Time O(n).
+   * @param options cost and barriers
+   * @param leftOut one flag for each triangle: whether another rank has it instead, so that it is
+   *                never cut; or empty
    */
   PatchCutter(const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut = {});
 
-  /** @param field null: no vertex has a distance yet */
+  /**
+   * Cuts out the triangles with a corner in one of the balls.
+   * @param field gives the distances; null if there are none yet
+   */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
-  /** The same of the triangles round some vertices. */
+  /** Cuts out the triangles at some vertices; see cut(). */
   SurfacePatch cutRound(std::span<const Index> vertices, const DistanceField* field) const;
   std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
 

@@ -17,7 +17,7 @@
 namespace geodesic::distributed
 {
 
-/** Which part of a surface is wanted: the triangles with a corner in one of these. */
+/** A ball in space. It selects the triangles of a surface that have a corner inside. */
 struct Ball
 {
   Vector3 centre;
@@ -29,41 +29,46 @@ struct Ball
   }
 };
 
-/** A vertex as one rank sends it to another, with all that a path needs of it. */
+/** A vertex as ranks send it, with all that finding and writing a path needs. */
 struct PatchVertex
 {
   GlobalVertex vertex;
   Vector3 position;
   double longestEdge;
-  /** 1 where there are no costs. */
+  /** 1 if there is no cost. */
   double cost;
   double distance;
   Index nearestSeed;
   std::uint32_t isExcluded;
-  /** Its global id; -1 where there are none, or nobody asked. */
+  /** The global id; -1 if there is none or it was not asked for. */
   vtkIdType id = -1;
   std::uint32_t hasNormal = 0;
-  /** The input's, of any length. */
+  /** The input's normal, of any length. */
   Vector3 normal = {};
 };
 
+/** A triangle as ranks send it. */
 struct PatchTriangle
 {
-  /** Places in the patch's list of vertices. */
+  /** Positions in the patch's list of vertices. */
   std::array<std::uint32_t, 3> corners;
   std::uint32_t isClosed;
 };
 
+/** A part of a surface that one rank sends to another. */
 struct SurfacePatch
 {
   std::vector<PatchVertex> vertices;
   std::vector<PatchTriangle> triangles;
 };
 
-/** A patch as it is sent, and back. */
+/** Converts a patch to a message, and back. */
 RankGroup::Message packed(const SurfacePatch& patch);
 SurfacePatch unpacked(const RankGroup::Message& message);
-/** What each rank cuts, on the first rank; nothing on the others. Collective. */
+/**
+ * Returns the patches of all ranks, in their order, on the first rank, and nothing on the others.
+ * Collective.
+ */
 std::vector<SurfacePatch> patchesOfAll(
   RankGroup& ranks, const std::function<SurfacePatch()>& cutLocally);
 

@@ -22,7 +22,7 @@ namespace geodesic::distributed
 namespace
 {
 
-/** The nearest point of one rank's piece. */
+/** The nearest point of one rank's piece to a position. */
 struct Projection
 {
   double distance = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
   return projections;
 }
 
-/** The rank whose projection is the nearest, for each of the projections. */
+/** Returns for each projection the rank whose point is the nearest. Collective. */
 std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& own)
 {
   std::vector<double> flat;
@@ -82,7 +82,7 @@ std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& o
   return nearest;
 }
 
-/** A point by the vertices that carry it, in a row of numbers that ranks send each other. */
+/** A point and the vertices that carry it, in a row of numbers that ranks send each other. */
 class CarriedPoint
 {
 public:
@@ -120,7 +120,7 @@ public:
     return point;
   }
 
-  /** Gives a point the carriers. */
+  /** Sets the corners, the weights and the longest edge of a point. */
   void carry(GlobalPoint& point) const
   {
     for (int c = 0; c < 3; ++c)
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  /** The point on this rank's piece, if it has all carriers and a triangle with them. */
+  /** The point on this rank's piece; empty if no triangle of the piece has all carriers. */
   std::vector<SurfacePoint> local(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
     std::vector<Index> carriers;
@@ -170,7 +170,7 @@ private:
   const double* Values;
 };
 
-/** The points that any rank sends, in the order of their numbers. */
+/** Returns the points that any rank sends, in the order of their numbers. Collective. */
 std::vector<GlobalPoint> shareRows(RankGroup& ranks, const DistributedSurface& surface,
   const std::vector<double>& ownRows, std::size_t count, std::vector<bool>& isKnown)
 {
@@ -191,7 +191,7 @@ void append(std::vector<double>& rows, const CarriedPoint::Row& row)
   rows.insert(rows.end(), row.begin(), row.end());
 }
 
-/** For each id, the owned vertex of this rank that has it, or NoIndex. */
+/** Returns for each id the vertex that has it and that this rank owns, or NoIndex. */
 std::vector<Index> ownedVerticesWith(
   const DistributedSurface& surface, vtkIdList* ids, const std::vector<vtkIdType>& globalIds)
 {
@@ -251,7 +251,8 @@ void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>
       append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), local));
     }
   }
-  // By increasing rank; so the lowest one that has a point has the last word.
+  // The rows come by increasing rank. They are read from the end, so that the lowest rank that has
+  // a point decides.
   const std::vector<double> rows = ranks.gather(own);
   for (std::size_t i = rows.size(); i > 0; i -= CarriedPoint::Size)
   {

@@ -21,26 +21,32 @@ class vtkIdList;
 namespace geodesic::distributed
 {
 
-/** A point of the whole surface, as this rank knows it. */
+/** A point of the whole surface, and its place on this rank's piece. */
 struct GlobalPoint
 {
   /** The same on all ranks. */
   Vector3 position;
-  /** The point on this rank's piece: one, or none where the piece does not have it. */
+  /** The point on this rank's piece; empty if the piece does not contain the point. */
   std::vector<SurfacePoint> local;
-  /** The corners of a triangle that it lies in, and their weights; the same on all ranks. */
+  /**
+   * The corners of a triangle that contains the point, and their weights; the same on all ranks.
+   */
   std::array<GlobalVertex, 3> corners;
   std::array<double, 3> weights;
   /** The longest edge at any of the corners. */
   double longestEdge;
 
+  /** Whether both are the same point of the surface. */
   bool isAt(const GlobalPoint& other) const
   {
     return this->corners == other.corners && this->weights == other.weights;
   }
 };
 
-/** Whether points are put where single precision can tell (see bridge::snappedAsSingle). */
+/**
+ * Whether points are snapped to edges and vertices in single precision, see
+ * bridge::snappedAsSingle().
+ */
 enum class Precision
 {
   Double,
@@ -48,43 +54,47 @@ enum class Precision
 };
 
 /**
- * Positions projected to the nearest points of the surface on all ranks; of equally near ones that
- * of the smallest coordinates. Collective, with the same coordinates on all ranks.
- * @param property what gave them, for the message
- * @throws as bridge::positionsAt, on all ranks
+ * Projects positions to the nearest points of the surface on all ranks. Of equally near points, the
+ * one with the smallest coordinates is taken. Collective; all ranks must pass the same coordinates.
+ * @param property name of the coordinates in the error message
+ * @throws as bridge::positionsAt(), on all ranks
  */
 std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property,
   Precision precision = Precision::Double);
 
 /**
- * The points of a data set, also of those on lines, as globalPointsAt in single precision. Those of
- * all ranks, one that a lower rank has as well counted once.
- * @param source null where this rank has none of it
+ * Projects the points of a data set, with those of its lines, as globalPointsAt() does in single
+ * precision. Returns the points of all ranks; a point that a lower rank has, too, is left out.
+ * Collective.
+ * @param source null if this rank has no part of the data set
  */
 std::vector<GlobalPoint> globalPointsOf(RankGroup& ranks, const DistributedSurface& surface,
   vtkDataObject* source, const std::string& property);
 
 /**
- * Gives points the corners and weights that they have on another mesh of the same surface.
- * Collective.
- * @param points here on that mesh
+ * Sets the corners and weights of points to those on another mesh of the same surface. Collective.
+ * @param points their member local must refer to that mesh
  */
 void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>& points);
 
-/** x y z of the points of all ranks, without those that a lower rank has as well. Collective. */
+/**
+ * Returns x y z of the points of all ranks in turn; a point that a lower rank has, too, is left
+ * out. Collective.
+ */
 std::vector<double> pointsOfAll(RankGroup& ranks, const std::vector<double>& own);
 
 /**
- * The points that have ids. On one rank these are the input's point ids, on several the global ids
- * of @p globalIds. Collective, with the same ids on all ranks.
- * @param role what the points are, for the message
- * @throws std::exception on all ranks for an id that is on none, or where there are no global ids
+ * Returns the points with the given ids: the input's point ids on one rank, global ids on several
+ * ranks. Collective; all ranks must pass the same ids.
+ * @param role name of the points in error messages
+ * @throws std::exception on all ranks if no rank has a point with an id, or if there are several
+ * ranks and no global ids
  */
 std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSurface& surface,
   const bridge::InputBlocks& blocks, vtkIdList* ids, const std::string& role);
 
-/** A target of the front (see SolveOptions::targets). */
+/** Returns the target of a march (see SolveOptions::targets) for GlobalPoint::local. */
 Triangle targetAt(const TriangleMesh& mesh, const std::vector<SurfacePoint>& local);
 
 }

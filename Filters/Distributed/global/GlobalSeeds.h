@@ -16,20 +16,20 @@ class vtkDataObject;
 namespace geodesic::distributed
 {
 
-/** One seed at each point. */
+/** Makes one seed at each point. */
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);
 
 /**
- * The points of a SeedSource that no line uses, projected to the nearest point of the surface:
- * those of all ranks, one that a lower rank has as well counted once.
- * @param source null where this rank has none of it
+ * Projects the points of a SeedSource that no line uses to the nearest points of the surface.
+ * Returns the points of all ranks; a point that a lower rank has, too, is left out. Collective.
+ * @param source null if this rank has no part of the source
  */
 std::vector<GlobalPoint> loosePointsOf(
   RankGroup& ranks, const DistributedSurface& surface, vtkDataObject* source);
 
 /**
- * One seed for each value that is on any rank, by increasing value.
- * @param regions those of this rank
+ * Makes one seed for each value that any rank has, by increasing value. Collective.
+ * @param regions the regions of this rank
  */
 std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue regions);
 

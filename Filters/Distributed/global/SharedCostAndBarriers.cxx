@@ -20,7 +20,7 @@ void shareCost(RankGroup& ranks, const DistributedSurface& surface, std::vector<
   {
     own.push_back({ shared[i], 0, cost[shared[i]], false });
   }
-  // Sorted, so that the sums are the same on all ranks to the last bit.
+  // The costs are sorted, so that their sums are the same on all ranks to the last bit.
   std::map<Index, std::multiset<double>> costsOf;
   for (const StartValue& other : surface.shared().exchange(ranks, own))
   {

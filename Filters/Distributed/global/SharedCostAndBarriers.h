@@ -13,15 +13,15 @@ namespace geodesic::distributed
 {
 
 /**
- * Makes the cost of each shared vertex the same on all ranks, the mean, as where points are merged.
+ * Sets the cost of each shared vertex to the mean of its costs on all ranks, as for merged points.
  * Collective.
- * @param cost one value a vertex; empty on a rank without a surface, or on all
+ * @param cost one value for each vertex; empty on a rank without a surface, or on all ranks
  */
 void shareCost(RankGroup& ranks, const DistributedSurface& surface, std::vector<double>& cost);
 
 /**
  * Excludes each shared vertex that another rank excludes. Collective.
- * @param excluded one flag a vertex, or empty: none
+ * @param excluded one flag for each vertex; empty if none is excluded
  */
 void shareExcluded(RankGroup& ranks, const DividedMesh& mesh, std::vector<std::uint8_t>& excluded);
 

@@ -15,7 +15,7 @@ namespace geodesic::distributed
 namespace
 {
 
-/** The lines of a source, x y z of one point after the other. */
+/** Returns the lines of a source, x y z of each point in turn. */
 std::vector<std::vector<double>> coordinatesOfLines(vtkDataObject* source)
 {
   std::vector<std::vector<double>> lines;
@@ -65,7 +65,7 @@ std::vector<std::vector<double>> linesOfAll(
   return lines;
 }
 
-/** Whether two points lie in one triangle, of any rank. */
+/** Whether two points lie in one triangle of any rank. Collective. */
 bool shareFace(
   RankGroup& ranks, const DistributedSurface& surface, const GlobalPoint& a, const GlobalPoint& b)
 {

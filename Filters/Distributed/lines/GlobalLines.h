@@ -21,19 +21,20 @@ namespace geodesic::distributed
 using GlobalLines = std::vector<std::vector<GlobalPoint>>;
 
 /**
- * The points of each line of a source, projected to the surface in single precision: the lines of
- * all ranks, one that a lower rank has as well counted once. Collective.
- * @param source null where this rank has none of it
+ * Projects the points of each line of a source to the surface, in single precision. Returns the
+ * lines of all ranks; a line that a lower rank has, too, is left out. Collective.
+ * @param source null if this rank has no part of the source
  */
 GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
   vtkDataObject* source, const std::string& property);
 
 /**
- * Each line joined over the surface, as by joinedCurve. Collective, on several ranks.
- * @param input    this rank's piece
- * @param property what gave the lines, for the message
- * @return on the first rank; no points on the others
- * @throws std::exception on all ranks where no way joins two points
+ * Joins the points of each line over the surface, as joinedCurve() does. Collective; for several
+ * ranks only.
+ * @param input    this rank's piece with the attributes of the input
+ * @param property name of the lines in the error message
+ * @return one path for each line; without points on all ranks but the first
+ * @throws std::exception on all ranks if no path joins two points of a line
  */
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
   const bridge::PathAttributes& input, const GlobalLines& lines, const std::string& property);

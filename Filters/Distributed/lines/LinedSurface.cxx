@@ -11,7 +11,7 @@ namespace geodesic::distributed
 namespace
 {
 
-/** The points of lines, on one rank. */
+/** Returns the points of lines on the mesh, if there is only one rank. */
 std::vector<bridge::LinePoints> localLines(const GlobalLines& lines)
 {
   std::vector<bridge::LinePoints> local;

@@ -18,15 +18,15 @@
 namespace geodesic::distributed
 {
 
-/** The lines of seeds and barriers, and what else guides the front on a surface. */
+/** The lines of seeds and barriers, with the cost and the other barriers of a surface. */
 struct LinedRequest
 {
   std::shared_ptr<const DistributedSurface> surface;
-  /** This rank's piece. */
+  /** This rank's piece with the attributes of the input. */
   const bridge::PathAttributes& input;
   const GlobalLines& seedLines;
   const GlobalLines& barrierLines;
-  /** By the piece's vertices and triangles. */
+  /** For the piece's vertices and triangles. */
   const bridge::Barriers& barriers;
   const std::vector<double>& cost;
   /** See bridge::SolveSurface. */
@@ -34,29 +34,31 @@ struct LinedRequest
 };
 
 /**
- * A surface with lines, on any number of ranks: what is solved on in its place. On one rank the
- * mesh is split along the lines; on several, what is round them first moves to the first rank.
+ * A surface that is split along the lines of seeds and barriers, on any number of ranks. On several
+ * ranks, all triangles along the lines first move to the first rank, which then splits them.
  */
 class LinedSurface
 {
 public:
   /**
-   * Joins the lines over the surface and splits it, which on one rank is done again only where
-   * either changed. Collective.
-   * @return what this rank solves on
-   * @throws std::exception on all ranks where no way joins two points of a line
+   * Joins the lines over the surface and splits it. On one rank, this is done again only if the
+   * surface or the lines changed. Collective.
+   * @return the mesh that this rank solves on, with cost and barriers
+   * @throws std::exception on all ranks if no path joins two points of a line
    */
   bridge::SolveSurface update(RankGroup& ranks, const LinedRequest& request);
 
-  /** The mesh of the surface's piece, or what took its place, before it is split. */
+  /**
+   * The mesh before it is split: that of this rank's piece or, with moved triangles, of gathered().
+   */
   const std::shared_ptr<const TriangleMesh>& mesh() const;
-  /** What is solved on. */
+  /** The mesh that is solved on. */
   const DividedMesh& divided() const;
-  /** Null where this rank has split nothing. */
+  /** The split mesh; null if this rank has split nothing. */
   const SplitMesh* split() const { return this->Lines.split().get(); }
-  /** Null on one rank, and where there are no lines. */
+  /** The surface with moved triangles; null if there is only one rank, or no line. */
   const GatheredSurface* gathered() const { return this->Gathered.get(); }
-  /** Points where they are now, on mesh(). */
+  /** Returns points with their places on mesh(). */
   std::vector<GlobalPoint> relocated(std::vector<GlobalPoint> points) const;
 
 private:

@@ -17,17 +17,17 @@ namespace geodesic::distributed
 {
 
 /**
- * This rank's piece of a surface, and what it has in common with those of the others: built once
- * for an input's points and cells and shared by every run of every filter on it.
+ * This rank's piece of a surface, and the vertices that it shares with other ranks' pieces. Both
+ * are built once for an input's points and cells and shared by all filters and runs.
  */
 class DistributedSurface
 {
 public:
   /**
-   * Collective; built now unless all ranks still hold what they built together. This rank may be
-   * without triangles.
-   * @param identity see identityOf
-   * @throws std::exception on all ranks where no rank has a triangle
+   * Returns the surface of an input; it is built now unless all ranks still hold the one that they
+   * built together. This rank's piece may have no triangles. Collective.
+   * @param identity see identityOf()
+   * @throws std::exception on all ranks if no rank has a triangle
    */
   static std::shared_ptr<const DistributedSurface> of(
     RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
@@ -41,7 +41,7 @@ public:
   const DividedMesh& divided() const { return *this->Divided; }
   const SharedPoints& shared() const { return this->Divided->shared(); }
 
-  /** The number of points on the rank that has most. */
+  /** The largest number of points on any rank. */
   vtkIdType mostPointsOnARank() const { return this->MostPoints; }
 
 private:

@@ -14,13 +14,13 @@
 namespace geodesic::distributed
 {
 
-/** This rank's mesh, and what it has in common with those of the others. */
+/** This rank's mesh, and the vertices that it shares with other ranks' meshes. */
 class DividedMesh
 {
 public:
   /**
    * Collective.
-   * @param keys one a vertex, see SharedPoints; none on one rank
+   * @param keys one key for each vertex, see SharedPoints; empty on one rank
    */
   DividedMesh(
     RankGroup& ranks, std::shared_ptr<const TriangleMesh> mesh, std::span<const Key> keys);
@@ -32,11 +32,13 @@ public:
   /** See Partition::longestSides. */
   std::span<const float> longestSides() const { return this->LongestSides; }
   /**
-   * By how many edges of MarchingFront::meanLongestEdge() the limit of the march grows from round
-   * to round. The more vertices are shared, the more the ranks redo: where nearly all are, as when
-   * triangles are dealt out at random, half an edge led to twice the work of one rank and one edge
-   * to up to ten times. Where few are, a round is to hold enough work to be worth its messages.
-   * Infinite where none are.
+   * The growth of the march's limit from round to round, in units of
+   * MarchingFront::meanLongestEdge(). Infinite if no vertices are shared.
+   *
+   * The more vertices are shared, the more work the ranks repeat. If nearly all are shared, as when
+   * triangles are dealt out at random, half an edge led to twice the work of one rank, and one edge
+   * to up to ten times that work. If few are shared, a round must hold enough work to be worth its
+   * messages.
    */
   double stepInEdges() const { return this->StepInEdges; }
 

@@ -43,7 +43,7 @@ Surfaces surfacesOf(const bridge::InputBlocks& blocks)
   return surfaces;
 }
 
-/** Whether a block has several grids on this rank. */
+/** Whether a block consists of several grids on this rank. */
 bool hasCutBlock(const bridge::InputBlocks& blocks)
 {
   std::set<unsigned int> numbers;
@@ -52,7 +52,7 @@ bool hasCutBlock(const bridge::InputBlocks& blocks)
     { return block.outerSurface && !numbers.insert(block.block).second; });
 }
 
-/** A face in the exchange of keys. */
+/** A face, and its number in the exchange of keys. */
 struct Face
 {
   std::size_t cell;
@@ -62,7 +62,7 @@ struct Face
   Index number() const { return static_cast<Index>(2 * this->cell + (this->isOfGhost ? 1 : 0)); }
 };
 
-/** Equal for faces of the same points in any order. */
+/** Returns a key that is equal for faces with the same points in any order. */
 Key keyOf(const std::vector<Key>& points, unsigned int block)
 {
   Key key{ 0, 0, points.size(), block };
@@ -75,6 +75,7 @@ Key keyOf(const std::vector<Key>& points, unsigned int block)
   return key;
 }
 
+/** Tells which cells of a data set are three-dimensional. */
 class VolumeCells
 {
 public:
@@ -137,7 +138,7 @@ void appendFaces(const bridge::InputBlock& block, const PointKeys& keys, Index f
   }
 }
 
-/** The cells of all blocks that are inside, sorted. Collective. */
+/** Returns the cells of all blocks that are inner faces, sorted. Collective. */
 std::vector<std::size_t> innerCells(RankGroup& ranks, const std::vector<KeyedNumber>& faces)
 {
   std::map<Index, int> elsewhere;
@@ -161,7 +162,9 @@ std::vector<std::size_t> innerCells(RankGroup& ranks, const std::vector<KeyedNum
   return inner;
 }
 
-/** A copy in which cells are hidden. It holds the surface too, which is extracted only once then.
+/**
+ * Returns a copy of a surface in which the inner faces are hidden. The copy also holds the surface,
+ * so that this is extracted only once.
  */
 std::shared_ptr<vtkPolyData> withHidden(const std::shared_ptr<vtkPolyData>& surface,
   std::span<const std::size_t> inner, std::size_t firstCell)
@@ -188,7 +191,7 @@ std::shared_ptr<vtkPolyData> withHidden(const std::shared_ptr<vtkPolyData>& surf
   return { copy.Get(), [surface, copy](vtkPolyData*) {} };
 }
 
-/** The outer surfaces with what is inside hidden. Collective. */
+/** Returns the outer surfaces with their inner faces hidden. Collective. */
 Surfaces openedSurfaces(
   RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity)
 {
@@ -228,7 +231,7 @@ Surfaces openedSurfaces(
   return opened;
 }
 
-/** What was found in an earlier run. */
+/** The result of an earlier run. */
 struct Known
 {
   bridge::PointIdentity identity;

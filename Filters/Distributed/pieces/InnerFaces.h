@@ -11,10 +11,11 @@ namespace geodesic::distributed
 {
 
 /**
- * Where a grid is cut into pieces, each piece's outer surface has faces inside the whole: marks
- * those as hidden cells. A face that two pieces have is inside; one of a ghost cell is outside only
- * where another piece has it as its own. Collective; what was found is kept for the next run on the
- * same surfaces.
+ * Marks the faces of the outer surfaces that lie inside the whole grid as hidden cells. A grid that
+ * is cut into pieces has such faces where the pieces meet.
+ *
+ * A face that two pieces have is inside. A face of a ghost cell is outside only if another piece
+ * has it as its own. The result is kept for the next run on the same surfaces. Collective.
  */
 void hideInnerFaces(
   RankGroup& ranks, bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);

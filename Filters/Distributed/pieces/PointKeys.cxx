@@ -40,14 +40,14 @@ PointKeys::PointKeys(const bridge::InputBlocks& blocks, const bridge::PointIdent
 
 Key PointKeys::of(Index point, const Vector3& position, unsigned int block) const
 {
-  // Blocks that are not connected have points of their own.
+  // Points of blocks that are not connected get different keys.
   const std::uint64_t apart = this->AcrossBlocks ? 0 : block;
   if (!this->Ids.empty())
   {
     const vtkIdType id = this->Ids[point];
     return id < 0 ? NoKey : Key{ static_cast<std::uint64_t>(id), 0, 0, apart };
   }
-  // Adding 0 makes -0 one with 0.
+  // Adding 0 turns -0 into 0.
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };
   return { bits(position.x), bits(position.y), bits(position.z), apart };
 }

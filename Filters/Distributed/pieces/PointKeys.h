@@ -14,30 +14,31 @@ namespace geodesic::distributed
 {
 
 /**
- * By what the points of all ranks are one: the rule of bridge::identityOf for pieces. Collective.
- * @throws std::exception on all ranks where nothing tells
+ * Chooses the rule by which points of all ranks are one vertex, as bridge::identityOf() does for
+ * one rank. Collective.
+ * @throws std::exception on all ranks if nothing tells which points are the same
  */
 bridge::PointIdentity identityOf(RankGroup& ranks, const bridge::InputBlocks& blocks,
   bool mergeCoincidentPoints, bool connectBlocks);
 
-/** Of a point that is on this rank only. */
+/** The key of a point that is on this rank only. */
 constexpr Key NoKey{ ~0ull, ~0ull, ~0ull, ~0ull };
 
-/** Gives points of different ranks or data sets that are one equal keys. */
+/** Makes keys that are equal for points of different ranks or data sets that are one vertex. */
 class PointKeys
 {
 public:
   PointKeys(const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
 
   /**
-   * @param point  its number in all blocks
+   * @param point  the point's number, counted over all blocks
    * @param block  see bridge::DataSetLeaf::block
    */
   Key of(Index point, const Vector3& position, unsigned int block) const;
 
 private:
   bool AcrossBlocks;
-  /** Empty where points are one by their coordinates. */
+  /** The global ids; empty if equal coordinates make points one vertex. */
   std::vector<vtkIdType> Ids;
 };
 

@@ -52,7 +52,7 @@ std::vector<BoundingBox> boxesOfOthers(RankGroup& ranks, const TriangleMesh& mes
   return boxes;
 }
 
-/** The vertices that other pieces may have. */
+/** Returns the vertices that other pieces may have. Collective. */
 std::vector<KeyedNumber> candidates(
   RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys)
 {
@@ -87,7 +87,7 @@ SharedPoints::SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span
     if (this->Vertices.empty() || this->Vertices.back() != match.own)
     {
       this->Vertices.push_back(match.own);
-      // Of the lowest rank, as they are sorted.
+      // Matches are sorted, so the first one names the lowest rank.
       this->Globals.push_back({ match.rank, match.number });
     }
     if (match.rank != this->Rank)

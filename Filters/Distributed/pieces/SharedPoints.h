@@ -22,7 +22,7 @@ class TriangleMesh;
 namespace geodesic::distributed
 {
 
-/** A vertex by the lowest rank that has it and the number it has there. */
+/** Identifies a vertex on all ranks, by the lowest rank that has it and its number on that rank. */
 struct GlobalVertex
 {
   int rank;
@@ -32,9 +32,9 @@ struct GlobalVertex
 };
 
 /**
- * The vertices of this rank's piece of a surface that other ranks have as well.
+ * The vertices of this rank's piece of a surface that other ranks have, too.
  *
- * Only vertices inside the bounding box of another piece are looked at. Time and memory O(vertices
+ * Only vertices inside the bounding box of another piece are candidates. Time and memory O(vertices
  * in overlapping boxes + boundary).
  */
 class SharedPoints
@@ -42,11 +42,13 @@ class SharedPoints
 public:
   /**
    * Collective.
-   * @param keys one a vertex, equal for those of different ranks that are one point
+   * @param keys one key for each vertex; equal keys on different ranks mean the same point
    */
   SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys);
 
-  /** Their vertex numbers on this rank; a *slot* is a place in this list. */
+  /**
+   * The shared vertices by their numbers on this rank, sorted. A *slot* is a position in this list.
+   */
   std::span<const Index> vertices() const { return this->Vertices; }
 
   /** A rank that shares vertices with this one. */
@@ -56,17 +58,17 @@ public:
     /** The slots of the shared vertices, in an order that both ranks agree on. */
     std::vector<std::uint32_t> slots;
   };
-  /** In the order of RankGroup::exchange. */
+  /** The neighbours, in the order that RankGroup::exchange() needs. */
   std::span<const Neighbour> neighbours() const { return this->Neighbours; }
 
-  /** Where a shared vertex is in the list of a neighbour. */
+  /** The position of a shared vertex in the list of a neighbour. */
   struct Place
   {
-    /** Number of the neighbour. */
+    /** The position of the neighbour in neighbours(). */
     std::uint32_t neighbour;
     std::uint32_t place;
   };
-  /** One for each neighbour that shares the slot. */
+  /** The places of a slot, one for each neighbour that shares it. */
   std::span<const Place> placesOf(std::uint32_t slot) const
   {
     return { this->Places.data() + this->FirstPlaces[slot],
@@ -74,12 +76,11 @@ public:
   }
 
   /**
-   * What the neighbours give for vertices of this rank. Collective.
-   * @param own of any vertices; only those of shared ones are sent
+   * Sends values to the neighbours, and returns their values for vertices of this rank. Collective.
+   * @param own values of any vertices; only those of shared vertices are sent
    */
   std::vector<StartValue> exchange(RankGroup& ranks, std::span<const StartValue> own) const;
-  /** Replaces the number of each shared vertex by the largest that any rank has for it.
-   * Collective. */
+  /** Sets the number of each shared vertex to its largest value on any rank. Collective. */
   void takeLargest(RankGroup& ranks, std::span<float> ofVertices) const
   {
     std::vector<StartValue> own;
@@ -94,11 +95,12 @@ public:
     }
   }
 
+  /** Whether this rank is the lowest one that has a vertex. */
   bool owns(Index vertex) const { return this->globalOf(vertex).rank == this->Rank; }
   GlobalVertex globalOf(Index vertex) const;
-  /** The number that a vertex has on this rank, NoIndex where it has none. */
+  /** The number of a vertex on this rank; NoIndex if this rank does not have it. */
   Index find(const GlobalVertex& vertex) const;
-  /** The slot of a vertex, NoIndex where it is not shared. */
+  /** The slot of a vertex; NoIndex if the vertex is not shared. */
   Index slotOf(Index vertex) const;
 
 private:
@@ -109,7 +111,7 @@ private:
   std::vector<Index> Vertices;
   /** By slot. */
   std::vector<GlobalVertex> Globals;
-  /** The slots in the order of Globals. */
+  /** The slots, sorted by their entries in Globals. */
   std::vector<std::uint32_t> ByGlobal;
   std::vector<Neighbour> Neighbours;
   /** By slot. */
@@ -117,10 +119,10 @@ private:
   std::vector<Place> Places;
 };
 
-/** A value of a shared vertex as it goes from neighbour to neighbour. */
+/** A value of a shared vertex in a message to a neighbour. */
 struct SentValue
 {
-  /** In the list of shared vertices that both agree on. */
+  /** The position in the list of shared vertices that both ranks agree on. */
   std::uint32_t place;
   Index label : 31;
   Index isFinal : 1;

@@ -21,7 +21,10 @@ struct SentKey
   friend auto operator<=>(const SentKey&, const SentKey&) = default;
 };
 
-/** A message for every rank; this rank's own does not leave it. */
+/**
+ * Sends a message to every rank, and returns the values that this rank received. Its message to
+ * itself is not sent.
+ */
 template <class T>
 std::vector<T> deliver(RankGroup& ranks, std::vector<RankGroup::Message>& byRank)
 {
@@ -40,7 +43,7 @@ std::vector<T> deliver(RankGroup& ranks, std::vector<RankGroup::Message>& byRank
   return all;
 }
 
-/** Tells all that sent one key of each other. */
+/** Adds the answers for the senders of one key, which tell them of each other. */
 void answer(std::span<const SentKey> same, std::vector<RankGroup::Message>& answers)
 {
   for (const SentKey& to : same)
@@ -59,7 +62,8 @@ std::uint64_t hashOf(const Key& key)
   std::uint64_t hash = 0;
   for (const std::uint64_t part : key)
   {
-    // Coordinates differ in few bits: mixed as in SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
+    // Coordinates can differ in few bits, so they are mixed as in SplitMix64 (Steele, Lea, Flood,
+    // OOPSLA 2014).
     hash = (hash ^ part) + 0x9e3779b97f4a7c15ull;
     hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9ull;
     hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebull;

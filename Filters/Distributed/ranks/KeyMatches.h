@@ -15,23 +15,30 @@
 namespace geodesic::distributed
 {
 
-/** What makes things of different ranks one: equal keys. */
+/** Identifies an object on all ranks: objects with equal keys are the same object. */
 using Key = std::array<std::uint64_t, 4>;
 
-/** Even sums of these are equal for equal keys only, but for chances of 1 in 2^64. */
+/**
+ * A hash of 64 bits. The hashes of different keys, and even sums of such hashes, are equal by a
+ * chance of 1 in 2^64.
+ */
 std::uint64_t hashOf(const Key& key);
 
-/** A thing of this rank. */
+/** The key of an object of this rank, and the object's number. */
 struct KeyedNumber
 {
   Key key;
   Index number;
 };
 
-/** A thing of this rank, and one with the same key of any rank: itself is among them. */
+/**
+ * An object of this rank, and an object of any rank with the same key. Both can be the same object.
+ */
 struct KeyMatch
 {
+  /** The number of this rank's object. */
   Index own;
+  /** The rank and the number of the other object. */
   int rank;
   Index number;
 
@@ -39,11 +46,11 @@ struct KeyMatch
 };
 
 /**
- * All things of any rank that have the key of one of this rank's, if it is not the only one;
- * sorted. Collective.
+ * Returns the matches of this rank's objects, sorted. An object whose key occurs only once has
+ * none. Collective.
  *
- * Each key goes to the rank that its hash names, which tells those who sent it of each other: no
- * rank gathers more than its share of them.
+ * Each key is sent to the rank that its hash selects, and that rank tells the senders of equal keys
+ * of each other. So no rank gathers more than its share of the keys.
  */
 std::vector<KeyMatch> matchKeys(RankGroup& ranks, const std::vector<KeyedNumber>& own);
 

@@ -22,11 +22,11 @@ namespace geodesic::distributed
 namespace
 {
 
-/** Tells our messages from those of others on the same controller. */
+/** Tags that distinguish these messages from others on the same controller. */
 constexpr int LengthTag = 81501;
 constexpr int ContentTag = 81502;
 
-/** Not-a-number is the same as itself here. */
+/** Whether two numbers are equal; NaN is equal to NaN. */
 bool areSame(double a, double b)
 {
   return a == b || (std::isnan(a) && std::isnan(b));
@@ -156,11 +156,11 @@ unsigned RankGroup::threadsOfThisRank()
   }
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
-  // A number that a double holds exactly.
+  // A double holds the shifted hash exactly.
   const auto machine = static_cast<double>(std::hash<std::string>{}(name.data()) >> 12);
   const std::vector<double> machines = this->gather({ &machine, 1 });
   const auto ranks = static_cast<unsigned>(std::count(machines.begin(), machines.end(), machine));
-  // A rank may be bound to some of the processors only, and then shares those with no other.
+  // A rank that is bound to some of the processors shares those with no other rank.
   const auto processors = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
   return std::clamp(processors / ranks, 1u, usable);
 }

@@ -16,8 +16,8 @@ namespace geodesic::distributed
 {
 
 /**
- * The ranks that have a piece each of a surface, and the ways in which they speak. All calls are
- * collective; on one rank they cost next to nothing.
+ * The ranks that have a piece of a surface each, and the communication between them. All calls that
+ * communicate are collective; on one rank they cost next to nothing.
  */
 class RankGroup
 {
@@ -30,50 +30,64 @@ public:
   int size() const { return this->Size; }
   int rank() const { return this->Rank; }
 
-  /** What all ranks give, one after the other; small things only. */
+  /**
+   * Returns the values of all ranks, one rank after the other, on every rank. Only for small
+   * amounts of data.
+   */
   std::vector<double> gather(std::span<const double> own);
-  /** What all ranks give, rank by rank. */
+  /** Returns the values of each rank, on every rank. Only for small amounts of data. */
   std::vector<std::vector<double>> gatherByRank(std::span<const double> own);
-  /** The least of what the ranks give for each of the values, which are as many on all. */
+  /**
+   * Replaces each value by the least one of all ranks. All ranks must pass the same number of
+   * values.
+   */
   void takeLeast(std::span<double> values);
+  /** Returns the sum over all ranks. */
   double sum(double own);
-  /** What the first rank gives. */
+  /** Returns the first rank's message on every rank. The other ranks' messages are ignored. */
   Message fromFirst(Message message);
-  /** What each rank gives, on the first rank; nothing on the others. */
+  /**
+   * Returns the messages of all ranks, in their order, on the first rank, and nothing on the
+   * others.
+   */
   std::vector<Message> toFirst(const Message& own);
-  /** Whether it is so on any rank. */
+  /** Returns whether @p own is true on any rank. */
   bool isAny(bool own) { return this->sum(own ? 1.0 : 0.0) > 0.0; }
   /**
-   * A number that all ranks get and never got before, for what they made together; more than 0.
+   * Returns a number greater than 0, the same on all ranks and different in each call. It
+   * identifies what the ranks make together.
    */
   double newNumber();
-  /** Whether all ranks give one and the same such number. */
+  /** Returns whether all ranks pass the same number of newNumber(). 0 stands for none. */
   bool haveSame(double number);
-  /** This rank's share of the processors of its machine, at least 1. */
+  /** Returns this rank's share of the processors of its machine, at least 1. */
   unsigned threadsOfThisRank();
 
   /**
-   * Runs a step that makes no collective call. Where it throws on one rank, all ranks throw, with
-   * the message of the lowest one.
+   * Runs a step that makes no collective call. If it throws on any rank, all ranks throw, with the
+   * message of the lowest rank that failed.
    */
   void together(const std::function<void()>& step);
 
   /**
-   * Throws on all ranks unless all give the same values.
-   * @param what they are, for the message
+   * Checks that all ranks pass the same values.
+   * @param what name of the values in the error message
+   * @throws std::invalid_argument on all ranks if a rank's values differ from those of rank 0
    */
   void requireSame(std::span<const double> values, const std::string& what);
 
   /**
-   * Sends a message to each partner and returns theirs.
-   * @param partners other ranks, in the order of their number xor this rank's. Then no two ranks
-   *                 wait for each other in a circle, and pairs speak side by side.
+   * Sends a message to each partner and returns the partners' messages. All partners must do the
+   * same.
+   * @param partners other ranks, sorted by their number xor this rank's number. In this order ranks
+   *                 never wait for each other in a circle, and pairs of ranks exchange at the same
+   *                 time.
    */
   std::vector<Message> exchange(
     std::span<const int> partners, const std::vector<Message>& messages);
-  /** All other ranks, in that order. */
+  /** All other ranks, in the order that exchange() needs. */
   std::vector<int> others() const;
-  /** Puts ranks into that order. */
+  /** Sorts ranks into the order that exchange() needs. */
   void sort(std::vector<int>& partners) const;
 
 private:
@@ -86,7 +100,7 @@ private:
   int Rank = 0;
 };
 
-/** The bytes of some values of a plain type one after the other, and back. */
+/** Appends the bytes of a value of a trivially copyable type to a message. */
 template <class T>
 void append(RankGroup::Message& message, const T& value)
 {
@@ -95,6 +109,7 @@ void append(RankGroup::Message& message, const T& value)
   std::memcpy(message.data() + end, &value, sizeof(T));
 }
 
+/** Returns the values of one type that append() has written to a message. */
 template <class T>
 std::vector<T> valuesIn(const RankGroup::Message& message)
 {
