@@ -21,9 +21,9 @@ class FastMarchingRequest
 {
 public:
   /**
-   * @param filter whose options these are; it invokes IterationEvent
+   * @param filter the filter with the options; it invokes IterationEvent
    * @param runner the filter that runs: it reports progress, and either of the two can abort it
-   * @throws std::invalid_argument for an option that does not fit the surface
+   * @throws std::invalid_argument if an option does not fit the surface
    */
   FastMarchingRequest(
     vtkFastMarchingGeodesicDistance& filter, const InputSurface& surface, vtkAlgorithm& runner);
@@ -31,7 +31,7 @@ public:
   FastMarchingRequest& operator=(const FastMarchingRequest&) = delete;
 
   std::span<const Seed> seeds() const { return this->Seeds; }
-  /** They refer to what this holds. */
+  /** The options refer to arrays of this object, which must outlive them. */
   const SolveOptions& options() const { return this->Options; }
 
 private:

@@ -11,11 +11,11 @@
 namespace geodesic::bridge
 {
 
-/** What is kept from run to run, so that only what changed is computed again. */
+/** The state that is kept from run to run, so that only what changed is computed again. */
 class FastMarchingWorkspace
 {
 public:
-  /** A solver for the input's surface: the last one, unless the surface is another. */
+  /** Returns a solver for the input's surface: the last one, if the surface is the same. */
   FastMarchingSolver& solverFor(vtkPolyData* input)
   {
     auto surface = InputSurface::of(InputBlocks(input), PointIdentity{});
@@ -30,7 +30,7 @@ public:
   /** The surface of the last solver. */
   const InputSurface& surface() const { return *this->Surface; }
 
-  /** To be called after an exception, which leaves the solver undefined. */
+  /** Drops the state. Must be called after an exception, which leaves the solver undefined. */
   void forget() { *this = FastMarchingWorkspace(); }
 
 private:

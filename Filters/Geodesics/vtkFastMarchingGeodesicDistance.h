@@ -8,8 +8,7 @@
  * strips of the input, in double precision. F is the propagation weight, a cost per unit of length,
  * 1 where none is given.
  *
- * Points are what their ids say: coincident points are not merged, so a front does not cross
- * between two parts that merely touch.
+ * Coincident points are not merged, so a front does not cross between two parts that merely touch.
  *
  * The march stops early at DistanceStopCriterion or DestinationVertexStopCriterion, whichever comes
  * first. ExclusionPointIds confine it. Progress events and AbortExecute work as in any filter.
@@ -67,7 +66,7 @@ public:
 
   ///@{
   /**
-   * The value in the array where no distance is known. Default: -1.
+   * The value in the array at points without a distance. Default: -1.
    */
   vtkSetMacro(NotVisitedValue, double);
   vtkGetMacro(NotVisitedValue, double);
@@ -84,7 +83,7 @@ public:
 
   ///@{
   /**
-   * Point ids of the input: the march stops once their distances are final. Null or empty: no such
+   * Point ids of the input. The march stops once their distances are final. Null or empty: no such
    * stop. Default: null.
    */
   virtual void SetDestinationVertexStopCriterion(vtkIdList* pointIds);
@@ -114,7 +113,7 @@ public:
   ///@{
   /**
    * The cost of a unit of length at each point, the F above: an array of any numeric type, of one
-   * component and one tuple a point. A weight of 2 everywhere doubles every distance. Wrong size,
+   * component and one tuple a point. A weight of 2 everywhere doubles every distance. A wrong size,
    * zero, a negative value, NaN or infinity is an error that names the first bad point. Null: 1
    * everywhere. Default: null.
    */
@@ -134,7 +133,7 @@ public:
   ///@{
   /**
    * The name of an output point array with, for each point, the index of its nearest seed in Seeds,
-   * and -1 where no distance is known. Null or empty: no such array. Default: null.
+   * and -1 at points without a distance. Null or empty: no such array. Default: null.
    */
   virtual void SetNearestSeedArrayName(const char* name);
   virtual const char* GetNearestSeedArrayName();

@@ -30,8 +30,8 @@ namespace
 {
 
 /**
- * How much farther than a vertex its surroundings can be. A front that is to stop at a distance
- * goes on for that much, so that a path from just before the stop is traced as well as any.
+ * The largest distance from a vertex to its neighbours. A front with a stop goes on that much
+ * farther, so that a path from just before the stop is traced as well as any other.
  */
 double reachOf(const TriangleMesh& mesh, Index vertex, std::span<const double> cost)
 {
@@ -43,7 +43,7 @@ double reachOf(const TriangleMesh& mesh, Index vertex, std::span<const double> c
   return dearest * mesh.longestEdgeAround(vertex);
 }
 
-/** The distance at which the options stop a front. */
+/** Returns the distance at which the options stop a front. */
 double stopOf(const geodesic::SolveOptions& options, const geodesic::DistanceField& field)
 {
   geodesic::StopLimit limit(options, field);
@@ -71,7 +71,7 @@ std::runtime_error noRoute(vtkIdType begin, vtkIdList* seeds, double stop)
   return std::runtime_error(message);
 }
 
-/** The ends of the edge that a point of a path lies on, the nearer one first. */
+/** Returns the ends of the edge that a point of a path lies on, the nearer one first. */
 std::array<Index, 2> edgeOf(const TriangleMesh& mesh, const PathPoint& point)
 {
   const geodesic::Carriers ends = point.carriers();
@@ -202,8 +202,8 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
   const DistanceField& field = finder->field();
   const double stop = stopOf(request.options(), field);
   const bool isReached = field.isReached(begin) && field.distance(begin) <= stop;
-  // A field of several seeds leads less well where edges lie between two of them, so it is made
-  // again from the nearest alone.
+  // A field of several seeds is less exact where edges lie between the fronts of two seeds, so it
+  // is solved again from the nearest seed alone.
   if (isReached && seeds.size() > 1 && !marchFrom({ &seeds[field.nearestSeed(begin)], 1 }))
   {
     return std::nullopt;
@@ -228,7 +228,7 @@ void vtkFastMarchingGeodesicPath::Deliver(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  // A line has two ends at least, in VTK 9.1 by all means; here they may be one point.
+  // A line needs at least two points, especially in VTK 9.1. Both can be the same point.
   lines->InsertNextCell(static_cast<int>(std::max<std::size_t>(path.size(), 2)));
   vtkIdType lastNearest = -1;
   for (const PathPoint& point : path)

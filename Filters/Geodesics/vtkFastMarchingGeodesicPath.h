@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkFastMarchingGeodesicPath
- * @brief The shortest way over a surface from a point to the nearest of several seeds.
+ * @brief The shortest path over a surface from a point to the nearest of several seeds.
  *
  * A front marches from the seeds until it has reached the begin point, and the path is traced back
  * down the distances. The output is one polyline from the begin point to the seed, with points in
- * double precision; where the begin point is a seed, it is one point, twice in the line, and its
- * length 0.
+ * double precision. If the begin point is a seed, the polyline has that one point twice, and its
+ * length is 0.
  *
- * GetGeodesic() holds the options of the front, and all of them guide the path: it is the cheapest
- * way through PropagationWeights, it keeps off ExclusionPointIds, and a begin point beyond
+ * GetGeodesic() holds the options of the front, and all of them apply to the path: it is the
+ * cheapest path through PropagationWeights, it avoids ExclusionPointIds, and a begin point beyond
  * DistanceStopCriterion, or farther than DestinationVertexStopCriterion lets the front go, has no
- * path. That filter itself is not run: its output and its queries stay as they are. While the path
- * is computed it invokes IterationEvent, and this one reports progress; AbortExecute of either
- * stops it and leaves the output empty.
+ * path. The filter GetGeodesic() itself is not run, so its output and its queries stay as they are.
+ * While the path is computed, GetGeodesic() invokes IterationEvent, and this filter reports
+ * progress; AbortExecute of either filter stops the computation and leaves the output empty.
  *
- * That there is no path from the begin point to a seed is an error, and so is an option that cannot
- * be honoured; the message names value and limit, and the output is empty.
+ * It is an error if there is no path from the begin point to a seed, or if an option cannot be
+ * honoured. The message names the value and the limit, and the output is empty.
  *
- * Points are what their ids say: coincident points are not merged, so a path does not cross between
- * two parts that merely touch.
+ * Coincident points are not merged, so a path does not cross between two parts that merely touch.
  *
  * K. Krishnan: Geodesic Computations on Surfaces. The VTK Journal (2013), whose interface this is.
  *
@@ -55,7 +54,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The filter whose options guide the path. It needs no input.
+   * The filter whose options apply to the path. It needs no input.
    */
   vtkFastMarchingGeodesicDistance* GetGeodesic() { return this->Geodesic; }
 
@@ -69,7 +68,7 @@ public:
 
   ///@{
   /**
-   * The point ids of the input where the path may end: it does at the nearest one along the
+   * The point ids of the input where the path may end. It ends at the one that is nearest along the
    * surface. At least one is required. They are the seeds of GetGeodesic(). Default: null.
    */
   virtual void SetSeeds(vtkIdList* seeds);
@@ -88,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The path ends at its last point up to which it is no longer than this, in the mesh's unit of
-   * length; at least 0. Default: VTK_DOUBLE_MAX, unlimited.
+   * The largest length of the path, in the mesh's unit of length; at least 0. A longer path ends at
+   * its last point within this length. Default: VTK_DOUBLE_MAX, unlimited.
    */
   vtkSetMacro(MaximumPathLength, double);
   vtkGetMacro(MaximumPathLength, double);
@@ -97,8 +96,8 @@ public:
 
   ///@{
   /**
-   * The path ends at its last point if it has no more than this; at least 1. Default: VTK_ID_MAX,
-   * unlimited.
+   * The largest number of points of the path; at least 1. A path with more points ends after this
+   * number. Default: VTK_ID_MAX, unlimited.
    */
   vtkSetMacro(MaximumPathPoints, vtkIdType);
   vtkGetMacro(MaximumPathPoints, vtkIdType);
@@ -107,7 +106,7 @@ public:
   ///@{
   /**
    * Makes the path locally shortest: straight where the faces that it crosses are laid flat, and no
-   * longer than any way along edges to the same seed. An error together with InterpolationOrder 0
+   * longer than any path along edges to the same seed. An error together with InterpolationOrder 0
    * or with PropagationWeights. Default: off.
    */
   vtkSetMacro(Straighten, bool);
@@ -116,15 +115,14 @@ public:
   ///@}
 
   /**
-   * The length of the polyline, in the mesh's unit of length; 0 before the first run, and where
-   * there is no path.
+   * The length of the polyline, in the mesh's unit of length; 0 before the first run, and if there
+   * is no path.
    */
   vtkGetMacro(GeodesicLength, double);
 
   /**
-   * For each point of the path the nearest point of the input on its edge, without repeats: of
-   * several equal ones in a row there is one. With InterpolationOrder 0 these are the path's
-   * points.
+   * For each point of the path, the nearest point of the input on its edge. Equal ids in a row are
+   * listed once. With InterpolationOrder 0 these are the path's points.
    */
   vtkIdList* GetZerothOrderPathPointIds() { return this->ZerothOrderPathPointIds; }
 
@@ -136,8 +134,8 @@ public:
   vtkIdList* GetFirstOrderPathPointIds() { return this->FirstOrderPathPointIds; }
 
   /**
-   * Counts the options of GetGeodesic() as well, among them the seeds: a list edited in place runs
-   * the filter again.
+   * Includes the options of GetGeodesic() with the seeds, so that a list edited in place runs the
+   * filter again.
    */
   vtkMTimeType GetMTime() override;
 
@@ -162,7 +160,7 @@ private:
   struct Internals;
 
   void CheckLimits() const;
-  /** From the begin point to a seed; none where the run was aborted. */
+  /** Returns the path from the begin point to a seed; none if the run was aborted. */
   std::optional<std::vector<geodesic::PathPoint>> FindPath(vtkPolyData* input);
   void Deliver(const geodesic::TriangleMesh& mesh, const std::vector<geodesic::PathPoint>& path,
     vtkPolyData* output);

@@ -10,9 +10,11 @@
  *   declaration of it, into an inline namespace;
  * - their VTK name: vtkGeodesicsTypeMacro stands for vtkTypeMacro and puts the namespace into
  *   GetClassName(). IsA() knows the plain name as well, SafeDownCast asks for the full one;
- * - their Python registration, which goes by GetClassName(), as Python's choice of a type for an
- * object does. By the plain name Python would take objects of that plugin for ours, and crash on
- * their layout, or ours for its. The names that C++ and Python code writes stay the plain ones.
+ * - their Python registration, because Python registers types, and finds the type of an object, by
+ *   GetClassName(). By the plain name, Python would take objects of that plugin for ours, or ours
+ *   for that plugin's, and crash on the other layout.
+ *
+ * The names that are written in C++ and Python code stay the plain ones.
  */
 #ifndef vtkGeodesicsABI_h
 #define vtkGeodesicsABI_h

@@ -9,9 +9,9 @@
  * lives in an inline namespace (see vtkGeodesicsABI.h), and a declaration outside of it would be
  * ambiguous.
  *
- * The output is the input passed through, together with one point array of distances, which
- * becomes the active scalars where there are none. The input is never modified, even where it
- * already has an array of that name. Distances are in the mesh's unit of length.
+ * The output is the input passed through, together with one point array of distances, which becomes
+ * the active scalars if the input has none. The input is never modified, even where it already has
+ * an array of that name. Distances are in the mesh's unit of length.
  *
  * @sa vtkFastMarchingGeodesicDistance
  */
@@ -54,8 +54,9 @@ public:
   ///@}
 
   /**
-   * Counts the options that are objects as well: an id list edited in place runs the filter again.
-   * A data array counts by its own modification time, so after editing one call its Modified().
+   * Includes the options that are objects, so that an id list edited in place runs the filter
+   * again. A data array counts by its own modification time, so call its Modified() after editing
+   * it.
    */
   vtkMTimeType GetMTime() override;
 

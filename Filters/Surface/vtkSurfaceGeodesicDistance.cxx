@@ -41,7 +41,7 @@
 namespace
 {
 
-/** Whether a vertex stands for points of the input, and was not made where it was split. */
+/** Whether a vertex belongs to points of the input, and was not made by splitting the mesh. */
 bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
 {
   return !split || geodesic::isVertex(split->origin(vertex));
@@ -49,7 +49,7 @@ bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
 
 }
 
-/** What is kept from run to run, so that only what changed is computed again. */
+/** The state that is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
@@ -183,7 +183,8 @@ int vtkSurfaceGeodesicDistance::FillInputPortInformation(int port, vtkInformatio
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != SEED_SELECTION_PORT)
   {
-    // With composite data among the types the executive hands the blocks over whole.
+    // The executive passes composite data whole, and not block by block, only if they are among
+    // these types.
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
   if (port != SURFACE_PORT)
@@ -340,7 +341,7 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
     run.ranks, surface, run.blocks, this->SeedPointIds, "Seed"));
   addPoints(geodesic::distributed::loosePointsOf(
     run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
-  // Where their points are is up to the lines that are joined.
+  // SolveSurface::seedsOf() sets the points of these seeds to those of the joined lines.
   seeds.insert(seeds.end(), numberOfLines, geodesic::Seed::alongCurve({}));
   add(this->GatherArraySeeds(run));
   add(this->GatherSelectedSeeds(run));

@@ -9,18 +9,19 @@
  * seed is computed for every point of the input's triangles, polygons and strips.
  *
  * The output is the input passed through, in the same structure of blocks, together with a point
- * array of distances in the mesh's unit of length, which becomes the active scalars. In the place
- * of a grid or an image is its outer surface, with the arrays vtkOriginalPointIds and
+ * array of distances in the mesh's unit of length, which becomes the active scalars. A grid or an
+ * image is replaced by its outer surface, with the arrays vtkOriginalPointIds and
  * vtkOriginalCellIds. The input is never modified.
  *
  * Errors, which leave the output empty: no seed, a seed on a barrier, a line of seeds or of
- * barriers between parts of the surface that do not hang together, a list of coordinates whose
- * length is no multiple of 3, an id that does not exist, an array that does not or has several
+ * barriers between parts of the surface that are not connected, a list of coordinates whose length
+ * is not a multiple of 3, an id that does not exist, an array that does not exist or has several
  * components, a cost that is not positive, a negative MaximumDistance in use, and what
  * vtkSurfaceGeodesicFilter names.
  *
- * On several ranks the pieces of the input are one surface. Which of their points are one is told
- * as for blocks. Point ids are global ids then.
+ * On several ranks the pieces of the input are one surface. The rules that tell which points of
+ * different blocks are the same apply to points of different pieces as well. Point ids are then
+ * global ids.
  */
 #ifndef vtkSurfaceGeodesicDistance_h
 #define vtkSurfaceGeodesicDistance_h
@@ -58,7 +59,7 @@ public:
     ALL_DESTINATIONS
   };
 
-  /** Further input ports, optional. */
+  /** Additional input ports, all optional. */
   enum SeedPorts
   {
     SEED_SOURCE_PORT = 1,
@@ -74,10 +75,9 @@ public:
 
   ///@{
   /**
-   * The seed positions, x y z of one after the other, in the input's coordinates. At least one is
-   * required. The coordinates can be given one by one, which is how the server manager hands over a
-   * list: only so is a length that is no multiple of 3 noticed, and then it is an error. Default:
-   * none.
+   * The seed positions, x y z of each in turn, in the input's coordinates. At least one seed is
+   * required. The server manager passes a list by AddSeedCoordinate(), one coordinate at a time; a
+   * length that is not a multiple of 3 is an error. Default: none.
    */
   void ClearSeedPositions();
   void AddSeedPosition(double x, double y, double z);
@@ -88,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Point ids of the input that are seeds; of several blocks their global ids. Default: none.
+   * Point ids of the input that are seeds; global ids if there are several blocks. Default: none.
    */
   void ClearSeedPointIds();
   void AddSeedPointId(vtkIdType id);
@@ -96,8 +96,8 @@ public:
 
   ///@{
   /**
-   * A data set of points that are seeds, projected to the surface; each of its lines and polylines
-   * is one seed, a curve, joined by shortest paths where consecutive points share no face.
+   * A data set whose points are seeds, projected to the surface. Each of its lines and polylines is
+   * one seed, a curve; shortest paths join its consecutive points where they share no face.
    * Optional.
    */
   void SetSeedSourceConnection(vtkAlgorithmOutput* source);
@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Positions (projected) and point ids to reach: nothing farther than the last one needed gets a
-   * distance. Default: none.
+   * Positions (projected to the surface) and point ids that must be reached. No point farther than
+   * the last destination needed gets a distance. Default: none.
    */
   void ClearDestinationPositions();
   void AddDestinationCoordinate(double coordinate);
@@ -132,10 +132,10 @@ public:
 
   ///@{
   /**
-   * Whether a point array NearestSeed is made: the number of the nearest seed, the smaller one of
-   * equally near ones, -1 at points without a distance. Seeds are numbered from 0: positions, point
-   * ids, the source's points and then lines, the array's values upwards, the selection. Default:
-   * off.
+   * Whether a point array NearestSeed is made. It has the number of the nearest seed, the smallest
+   * one of equally near seeds, and -1 at points without a distance. Seeds are numbered from 0 in
+   * this order: positions, point ids, the source's points, the source's lines, the array's values
+   * by increasing value, the selection. Default: off.
    */
   vtkSetMacro(ComputeNearestSeed, bool);
   vtkGetMacro(ComputeNearestSeed, bool);
@@ -192,16 +192,16 @@ public:
   vtkGetMacro(MaximumDistanceReached, double);
 
   /**
-   * The number of points with a final distance in the last run; 0 before the first. On several
-   * ranks, points that are one count once.
+   * The number of points with a final distance in the last run; 0 before the first. A point that
+   * several ranks have counts once.
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
 
   ///@{
   /**
-   * What the last run took, over all ranks: how often they marched and exchanged values (once on
-   * one rank), vertices taken from queues, bytes sent from rank to rank, and the points of the rank
-   * that has most. All 0 before the first run.
+   * The work of the last run over all ranks: how often the ranks marched and exchanged values (once
+   * on one rank), the vertices taken from queues, the bytes sent between ranks, and the largest
+   * number of points on any rank. All are 0 before the first run.
    */
   vtkGetMacro(NumberOfRounds, vtkIdType);
   vtkGetMacro(NumberOfUpdates, vtkIdType);
@@ -241,7 +241,7 @@ protected:
 
 private:
   struct Internals;
-  /** What a run works on: the ranks, the input's blocks, and what else is connected. */
+  /** The input of a run: the ranks, the input's blocks, and the data on all ports. */
   struct Run
   {
     geodesic::distributed::RankGroup& ranks;

@@ -133,7 +133,7 @@ geodesic::bridge::ChosenArray vtkSurfaceGeodesicFilter::GetChosenArray(
   static const char* const properties[] = { "SeedArray", "CostArray", "BarrierArray" };
   vtkInformation* choice = this->GetInputArrayInformation(number);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  // A rank without any of the surface may be without its arrays.
+  // A rank without a part of the surface may lack the surface's arrays.
   if (!name || !*name || blocks.numberWithFaces() == 0)
   {
     return {};

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSurfaceGeodesicFilter
- * @brief What the filters on a surface have in common: the surface, its cost and its barriers.
+ * @brief Base of the filters on a surface: it reads the surface, its cost and its barriers.
  *
  * Input port SURFACE_PORT takes the surface: the triangles, polygons and strips of a vtkPolyData,
  * the outer surface of any other vtkDataSet, or a vtkDataObjectTree of such blocks (multiblock,
  * partitioned data sets and collections of them), which together are one surface. Port
- * BARRIER_SOURCE_PORT, optional, takes lines that no way crosses.
+ * BARRIER_SOURCE_PORT, which is optional, takes lines that no path crosses.
  *
- * Points that are one to the front: those of equal global ids (the attribute GlobalIds of the point
- * data, or an array GlobalPointIds) where all blocks have such ids; otherwise those of equal
- * coordinates, with MergeCoincidentPoints. ConnectBlocks tells whether this holds for points of
- * different blocks. Point ids in properties are those of the data set, of a grid too; where
- * several blocks have faces they are global ids.
+ * The front treats points with equal global ids (the attribute GlobalIds of the point data, or an
+ * array GlobalPointIds) as one point, if all blocks have such ids. Otherwise it treats points with
+ * equal coordinates as one point, if MergeCoincidentPoints is on. ConnectBlocks tells whether this
+ * holds for points of different blocks. Point ids in properties are those of the data set, also for
+ * a grid; if several blocks have faces, they are global ids.
  *
- * A request that can't be served ends in one error and an empty output, and yet succeeds: after a
- * request that failed ParaView no longer updates the view, and what it shows is stale. Composite
- * inputs whose blocks overlap (AMR) are such requests. On several ranks (those of the global
- * controller) an error on one is one on all, with the same message.
+ * A request that can't be served gives one error and an empty output, but RequestData() still
+ * returns 1: after a failed request ParaView would no longer update the view. Composite inputs
+ * whose blocks overlap (AMR) can't be served. On several ranks (those of the global controller) an
+ * error on one rank is an error on all, with the same message.
  */
 #ifndef vtkSurfaceGeodesicFilter_h
 #define vtkSurfaceGeodesicFilter_h
@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * A data set whose lines, projected to the surface and joined over it, no way crosses. Points of
-   * the surface on them are not entered. Optional.
+   * A data set with lines that no path crosses. They are projected to the surface and joined over
+   * it; no path enters points of the surface that are on them. Optional.
    */
   void SetBarrierSourceConnection(vtkAlgorithmOutput* source);
   ///@}
@@ -101,8 +101,8 @@ public:
 
   ///@{
   /**
-   * FAST_MARCHING: across the faces. DIJKSTRA: along the edges only, so never too short. Default:
-   * FAST_MARCHING.
+   * FAST_MARCHING measures across the faces. DIJKSTRA measures along the edges only, so its
+   * distances are never too short. Default: FAST_MARCHING.
    */
   vtkSetClampMacro(Method, int, FAST_MARCHING, DIJKSTRA);
   vtkGetMacro(Method, int);
@@ -110,9 +110,9 @@ public:
 
   ///@{
   /**
-   * On: points of equal coordinates are one point to the front, so that STL files, CAD seams and
-   * pieces behave alike; each keeps its tuple. Off: a slit stays a slit. Where there are global
-   * ids, those decide. Default: on.
+   * On: the front treats points of equal coordinates as one point, so that it crosses the seams of
+   * STL files, CAD models and pieces. Each point keeps its own tuple. Off: a slit stays a slit. If
+   * there are global ids, they decide instead. Default: on.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -121,8 +121,9 @@ public:
 
   ///@{
   /**
-   * On: blocks that share points are one surface; it is an error where neither global ids nor
-   * MergeCoincidentPoints tell which points they share. Off: each block is apart. Default: on.
+   * On: blocks that share points are one surface; it is an error if neither global ids nor
+   * MergeCoincidentPoints tell which points they share. Off: each block is a surface of its own.
+   * Default: on.
    */
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
@@ -138,31 +139,32 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /** Fills the output, or throws; an aborted run leaves it as it is. */
+  /** Fills the output, or throws. An aborted run leaves the output unchanged. */
   virtual void Compute(geodesic::distributed::RankGroup& ranks,
     const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
     vtkDataObject* output) = 0;
-  /** Appends what is set, which must be the same on all ranks, as numbers. */
+  /** Appends the settings, which must be the same on all ranks, as numbers. */
   virtual void DescribeRequest(std::vector<double>& numbers);
-  /** Drops what is kept from run to run, after an error. */
+  /** Drops the state that is kept from run to run. Called after an error. */
   virtual void Forget() = 0;
 
-  /** Makes the output an object of a class, unless it is one. */
+  /** Makes the output an object of the given class, unless it is one already. */
   static void SetOutputClass(vtkInformationVector* outputVector, const char* className);
-  /** The array chosen by SetInputArrayToProcess; throws where there is no such array. */
+  /** Returns the array chosen by SetInputArrayToProcess(). Throws if it does not exist. */
   geodesic::bridge::ChosenArray GetChosenArray(
     int number, const geodesic::bridge::InputBlocks& blocks);
   /**
-   * BARRIER_ARRAY and the cost of each vertex (empty: 1), the same on all ranks where they share
-   * vertices. Collective.
+   * Reads BARRIER_ARRAY and the cost of each vertex (empty if it is 1 everywhere). Both are the
+   * same on all ranks that share a vertex. Collective.
    */
   void GatherCostAndBarriers(geodesic::distributed::RankGroup& ranks,
     const geodesic::bridge::InputBlocks& blocks,
     const geodesic::distributed::DistributedSurface& surface, geodesic::bridge::Barriers& barriers,
     std::vector<double>& cost);
-  /** The surface of which the input is this rank's piece. */
+  /** Returns the surface of which the input is this rank's piece. Collective. */
   std::shared_ptr<const geodesic::distributed::DistributedSurface> FindSurface(
     geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
+  /** Makes the solver that Method chooses. */
   std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
     const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
 

@@ -33,7 +33,7 @@
 #include <optional>
 #include <stdexcept>
 
-/** What RequestData was called with. */
+/** The input of a run. */
 struct vtkSurfaceGeodesicPath::Run
 {
   geodesic::distributed::RankGroup& ranks;
@@ -41,30 +41,30 @@ struct vtkSurfaceGeodesicPath::Run
   geodesic::bridge::InputPathAttributes input;
 };
 
-/** A path on the input's own mesh, or on a part of it, from one point to another. */
+/** A path from one point to another, on the input's own mesh or on a corridor. */
 struct vtkSurfaceGeodesicPath::Segment
 {
   geodesic::distributed::GlobalPoint From;
   geodesic::distributed::GlobalPoint To;
-  /** None where there is no route. */
+  /** None if no path joins the points. */
   std::optional<geodesic::distributed::TracedPath> Path;
   /** The waypoint that a start's path leads to. */
   vtkIdType NearestSeed = -1;
 };
 
-/** What is kept from run to run, so that only what changed is computed again. */
+/** The state that is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicPath::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
-  // Segments are the same as long as all this is.
+  // The segments below stay valid as long as these three stay the same.
   std::optional<geodesic::bridge::SolveSurface> Solved;
   int Method = FAST_MARCHING;
   geodesic::PathStyle Style;
   std::vector<Segment> Segments;
 
-  /** Takes on what segments depend on, and drops those that no longer hold. */
+  /** Sets what segments depend on, and drops the segments if any of it changed. */
   void setSurface(
     geodesic::bridge::SolveSurface solved, int method, const geodesic::PathStyle& style)
   {
@@ -79,7 +79,7 @@ struct vtkSurfaceGeodesicPath::Internals
     this->Style = style;
   }
 
-  /** A path on the input's own mesh, unless it is on a part of it. */
+  /** Converts a path to one on the input's own mesh, unless it is on a corridor. */
   std::optional<geodesic::distributed::TracedPath> onInput(
     std::optional<geodesic::distributed::TracedPath> path) const
   {
@@ -156,7 +156,8 @@ int vtkSurfaceGeodesicPath::FillInputPortInformation(int port, vtkInformation* i
 {
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == SURFACE_PORT ? "vtkDataSet" : "vtkPointSet");
-  // With composite data among the types the executive hands the blocks over whole.
+  // The executive passes composite data whole, and not block by block, only if they are among these
+  // types.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port != SURFACE_PORT)
   {
@@ -222,7 +223,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   }
   if (ranks.size() > 1)
   {
-    // They hold what an earlier input said of their points.
+    // The corridors of the segments have attributes of an earlier input.
     internal.Segments.clear();
   }
 
@@ -408,7 +409,7 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
 {
   const Internals& internal = *this->Internal;
-  // A path over the pieces of several ranks has global ids or none.
+  // On several ranks, paths have global ids or none.
   const bool namesBlocks =
     run.ranks.size() == 1 && !internal.Surface->piece().numbering().hasUniqueIds();
   geodesic::bridge::PathOutput paths(this->HeightOffset, namesBlocks);
@@ -421,7 +422,7 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
   for (std::size_t i = 0; i < internal.Segments.size(); ++i)
   {
     const Segment& segment = internal.Segments[i];
-    // Of several ranks the first one has the paths.
+    // The first of several ranks has all paths.
     if (segment.Path && run.ranks.rank() == 0)
     {
       const geodesic::distributed::TracedPath& path = *segment.Path;

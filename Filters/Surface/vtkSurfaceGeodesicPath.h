@@ -5,24 +5,24 @@
  * @brief Shortest paths over a surface between positions in space.
  *
  * The filter behind ParaView's proxy GeodesicPath. Each position is projected to the nearest point
- * of the surface, on a face, an edge or a vertex, where paths really begin and end.
+ * of the surface, on a face, an edge or a vertex. Paths begin and end at exactly these points.
  *
  * The output is one polyline for each segment between consecutive waypoints, or from each start to
  * its nearest waypoint. Point arrays: ArcLength (from the first waypoint on, through all segments;
  * in TO_NEAREST_SEED from each start on), OriginalPointIds (the nearest mesh point that carries the
  * path's point), EdgePointIds (both ends of the edge that it is on, nearest first; at a mesh point
  * twice its id; in a face the two nearest corners), Normals (of length 1: the input's, or made from
- * its faces). On several blocks ids are global ids; where there are none, OriginalBlocks and
- * EdgeBlocks have the blocks' numbers in the composite input. On several ranks all paths are on the
- * first one, and ids are global ids, or -1 where there are none. Cell arrays: Segment (its number,
- * or the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the waypoint's number).
- * Field array: TotalLength. Lengths are those on the surface, in the mesh's unit of length, without
- * cost and height offset.
+ * its faces). If there are several blocks, ids are global ids; without global ids, OriginalBlocks
+ * and EdgeBlocks have the blocks' flat indices in the composite input. If there are several ranks,
+ * all paths are on the first one, and ids are global ids, or -1 without global ids. Cell arrays:
+ * Segment (its number, or the start's, from 0) and Length; in TO_NEAREST_SEED also NearestSeed (the
+ * waypoint's number). Field array: TotalLength. Lengths are those on the surface, in the mesh's
+ * unit of length, without cost and height offset.
  *
- * Equal waypoints are joined by a segment of length 0. Where there is no route, an error names the
- * two waypoints, and all other segments are delivered. Other requests that can't be served empty
- * the output: fewer than two waypoints (one in TO_NEAREST_SEED, and one start), positions and
- * source both set, a waypoint on a barrier, and what vtkSurfaceGeodesicFilter names.
+ * A segment of length 0 joins equal waypoints. If no path joins two waypoints, an error names them,
+ * and the output has all other segments. Other requests that can't be served empty the output:
+ * fewer than two waypoints (one in TO_NEAREST_SEED, and one start), positions and source both set,
+ * a waypoint on a barrier, and what vtkSurfaceGeodesicFilter names.
  */
 #ifndef vtkSurfaceGeodesicPath_h
 #define vtkSurfaceGeodesicPath_h
@@ -61,7 +61,7 @@ public:
     STRAIGHTEN_OFF
   };
 
-  /** Further input ports, optional. */
+  /** Additional input ports, all optional. */
   enum WaypointPorts
   {
     WAYPOINT_SOURCE_PORT = 1,
@@ -71,8 +71,7 @@ public:
 
   ///@{
   /**
-   * The waypoints in their order, x y z of one after the other, in the input's coordinates.
-   * Default: none.
+   * The waypoints in their order, x y z of each in turn, in the input's coordinates. Default: none.
    */
   void ClearWaypointPositions();
   void AddWaypointCoordinate(double coordinate);
@@ -80,7 +79,8 @@ public:
 
   ///@{
   /**
-   * A data set whose points are the waypoints, in their order; instead of positions. Optional.
+   * A data set whose points are the waypoints, in their order. It replaces the positions; setting
+   * both is an error. Optional.
    */
   void SetWaypointSourceConnection(vtkAlgorithmOutput* source);
   ///@}
@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * The starts of TO_NEAREST_SEED, x y z of one after the other, in the input's coordinates.
-   * Default: none.
+   * The starts of TO_NEAREST_SEED, x y z of each in turn, in the input's coordinates. Default:
+   * none.
    */
   void ClearStartPositions();
   void AddStartCoordinate(double coordinate);
@@ -114,7 +114,8 @@ public:
 
   ///@{
   /**
-   * A data set whose points are the starts; instead of positions. Optional.
+   * A data set whose points are the starts. It replaces the positions; setting both is an error.
+   * Optional.
    */
   void SetStartSourceConnection(vtkAlgorithmOutput* source);
   ///@}
@@ -130,8 +131,8 @@ public:
 
   ///@{
   /**
-   * STRAIGHTEN_AUTO: a path of order 1 at constant cost is made locally shortest, others are as
-   * traced. STRAIGHTEN_OFF: all are as traced. Default: STRAIGHTEN_AUTO.
+   * STRAIGHTEN_AUTO: a path of order 1 at constant cost is made locally shortest; other paths stay
+   * as traced. STRAIGHTEN_OFF: all paths stay as traced. Default: STRAIGHTEN_AUTO.
    */
   vtkSetClampMacro(Straighten, int, STRAIGHTEN_AUTO, STRAIGHTEN_OFF);
   vtkGetMacro(Straighten, int);
@@ -148,8 +149,8 @@ public:
 
   ///@{
   /**
-   * No polyline is longer: it ends there, at order 0 at the last mesh point before. In the mesh's
-   * unit of length, not negative. Default: 1.
+   * The largest length of a polyline, in the mesh's unit of length, not negative. A longer path is
+   * cut off at this length; at order 0, at the last mesh point before. Default: 1.
    */
   vtkSetMacro(MaximumPathLength, double);
   vtkGetMacro(MaximumPathLength, double);
@@ -157,8 +158,8 @@ public:
 
   ///@{
   /**
-   * Raises the output along the normals by this length, so that it is seen over the surface. In the
-   * mesh's unit of length. Default: 0.
+   * Raises the output along the normals by this length, so that the surface does not hide it. In
+   * the mesh's unit of length. Default: 0.
    */
   vtkSetMacro(HeightOffset, double);
   vtkGetMacro(HeightOffset, double);
@@ -169,8 +170,8 @@ public:
    */
   vtkGetMacro(TotalLength, double);
   /**
-   * The most points of the surface that any rank held in the last run: its piece, and on the first
-   * rank of several also what it collected round a path.
+   * The largest number of surface points that any rank held in the last run: those of its piece
+   * and, on the first of several ranks, those it gathered along a path.
    */
   vtkGetMacro(MostPointsOnARank, vtkIdType);
 
@@ -203,19 +204,19 @@ private:
   using Points = std::vector<geodesic::distributed::GlobalPoint>;
 
   void CheckRequest() const;
-  /** The points of a source or of positions, of which one may be set. */
+  /** Returns the points of a source or of positions. Throws if both are set. Collective. */
   Points GatherPoints(const Run& run, int sourcePort, const std::vector<double>& coordinates,
     const char* positions, const char* source) const;
-  /** The same on the mesh that is solved on. @throws where one lies on a barrier */
+  /** Returns points on the mesh that is solved on. Throws if one is on a barrier. Collective. */
   Points OpenPoints(const Run& run, const Points& points, const std::string& role) const;
   std::vector<Segment> TraceThroughWaypoints(const Run& run, const Points& waypoints);
   std::vector<Segment> TraceToNearest(
     const Run& run, const Points& waypoints, const Points& starts);
   geodesic::distributed::PathRequest MakeRequest(const Run& run) const;
-  /** Whether any rank is to stop. Collective. */
+  /** Whether the run was aborted on any rank. Collective. */
   bool IsAborted(const Run& run);
 
-  /** One error for all missing segments. */
+  /** Reports one error for all missing segments. */
   void ReportMissing(const std::string& missing);
   void WriteOutput(const Run& run, vtkPolyData* output);
 

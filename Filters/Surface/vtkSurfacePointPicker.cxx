@@ -22,7 +22,7 @@ using geodesic::Vector3;
 namespace
 {
 
-/** The answer of one rank, which the ranks compare. */
+/** The point that a ray meets on one rank's piece; the ranks compare the distances. */
 struct Hit
 {
   double distance = std::numeric_limits<double>::infinity();
@@ -39,7 +39,7 @@ Vector3 nearestCorner(
     corners.begin(), corners.end(), [&](auto a, auto b) { return distanceTo(a) < distanceTo(b); }));
 }
 
-/** The nearest hit of all ranks, on the first rank. */
+/** Returns the nearest hit of all ranks, on the first rank. */
 Hit nearestOfAllRanks(const Hit& mine)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
@@ -70,10 +70,10 @@ struct vtkSurfacePointPicker::Internals
   vtkSmartPointer<vtkAlgorithmOutput> Input;
   vtkDataObject* Data = nullptr;
   vtkMTimeType DataTime = 0;
-  /** Null where the data have no faces. */
+  /** Null if the data have no faces. */
   std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
 
-  /** Builds what is needed for the input's present data, unless it is there. */
+  /** Builds the surface of the input's present data, unless it is there already. */
   void prepare()
   {
     vtkDataObject* data = this->Input
@@ -90,7 +90,7 @@ struct vtkSurfacePointPicker::Internals
     const geodesic::bridge::InputBlocks blocks(data);
     if (blocks.numberWithFaces() > 0)
     {
-      // As the filters of this module do unless they are told otherwise, to share it with them.
+      // The same defaults as those of this module's filters, so that they share the surface.
       this->Surface = geodesic::bridge::InputSurface::of(
         blocks, geodesic::bridge::identityOf(blocks, true, true));
     }

@@ -4,12 +4,12 @@
  * @class vtkSurfacePointPicker
  * @brief Where a ray first meets the surface of a data set.
  *
- * What an interactive widget asks, where the data are: on a server, on all of its ranks. The answer
- * lies on a face, to rounding, and takes microseconds once the structure behind it is there. That
- * is built by the first pick on an input and shared with the filters of this module; polygonal
- * data, any other data set (its outer surface) and blocks of them can be picked.
+ * An interactive widget asks this class where the data are: on a server, on all of its ranks. The
+ * answer lies on a face, up to rounding. The first pick on an input builds a search tree, which the
+ * filters of this module share; later picks take microseconds. The input can be polygonal data, any
+ * other data set (its outer surface is picked), or blocks of both.
  *
- * The data are taken as they are at the moment: nothing is updated.
+ * The present data are used; nothing is updated.
  */
 #ifndef vtkSurfacePointPicker_h
 #define vtkSurfacePointPicker_h
@@ -30,7 +30,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What is picked on.
+   * The data to pick on.
    */
   void SetInputConnection(vtkAlgorithmOutput* input);
 
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * Whether the answer is the nearest corner of the triangle that is met. (The nearest point of the
-   * whole mesh could lie on the other side of a thin sheet.) Default: off.
+   * Whether the answer is the nearest corner of the triangle that the ray meets. (The nearest point
+   * of the whole mesh could lie on the other side of a thin sheet.) Default: off.
    */
   vtkSetMacro(SnapToPoint, bool);
   vtkGetMacro(SnapToPoint, bool);
@@ -56,12 +56,12 @@ public:
   ///@}
 
   /**
-   * Sets the answer. To be called on all ranks; the first one then has the answer.
+   * Sets the answer. Must be called on all ranks; the first rank then has the answer.
    */
   void Pick();
 
   /**
-   * 1, x, y and z of the point; 0 and three zeros where the ray misses.
+   * 1 and x, y, z of the point, or four zeros if the ray misses.
    */
   vtkGetVector4Macro(Answer, double);
 
