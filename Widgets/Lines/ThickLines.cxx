@@ -30,7 +30,7 @@ void ThickLines::shutdown()
 
 void ThickLines::thicken(pqRepresentation* representation)
 {
-  // The representation's own getInput() does not know it yet.
+  // The representation's getInput() is not set yet, so the source is read from the proxy.
   vtkSMProxy* proxy = representation->getProxy();
   vtkSMProxy* source = vtkSMPropertyHelper(proxy, "Input", true).GetAsProxy();
   vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;

@@ -8,13 +8,13 @@
 class pqRepresentation;
 
 /**
- * Shows what a filter makes of lines so that it is seen: where the filter's proxy has the hint
+ * Makes the lines in a filter's output easy to see. If the filter's proxy has the hint
  *
  *     <ThickLines width="4" />
  *
- * a new representation of its output draws lines as tubes of so many pixels. ParaView's own, of one
- * pixel, vanish half on the surface that they lie on. Only defaults are changed, and none while a
- * state is loaded.
+ * each new representation of its output draws lines as tubes of this width in pixels. By default
+ * ParaView draws lines of one pixel, and a surface that they lie on hides about half of each.
+ * Only properties with their default values are changed, and none while a state is loaded.
  */
 class ThickLines : public QObject
 {
@@ -23,7 +23,7 @@ class ThickLines : public QObject
 public:
   explicit ThickLines(QObject* parent = nullptr);
 
-  // Called by ParaView when the plugin is loaded, and before it is not any more.
+  // ParaView calls startup() when it loads the plugin, and shutdown() before it unloads it.
   void startup();
   void shutdown();
 

@@ -26,8 +26,8 @@ LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
   : Filter(filter)
   , Property(property)
 {
-  // The movements that came while the filter was at work are taken before this fires, so that only
-  // the last of them is computed.
+  // Qt handles the movements that came during an update before this timer fires, so that only the
+  // last of them is computed.
   this->WhenIdle.setSingleShot(true);
   this->WhenIdle.setInterval(0);
   this->connect(&this->WhenIdle, &QTimer::timeout, this, &LiveUpdate::update);

@@ -16,10 +16,10 @@ namespace seeds
 {
 
 /**
- * Gives a filter the points while they are dragged, and draws its result: as often as the filter
- * answers, the last points always. All of it is one step to undo.
+ * Gives a filter the points while they are dragged, and draws its results, as often as the filter
+ * can keep up and always for the last points. The whole drag is one step to undo.
  *
- * Whether that is wanted is a setting of the user, kept with ParaView's.
+ * Users turn it on and off by a setting, which is kept among ParaView's settings.
  */
 class LiveUpdate : public QObject
 {
@@ -31,7 +31,7 @@ public:
   static bool isWanted();
   static void setWanted(bool isWanted);
 
-  /** Whether the filter can be updated by itself: it has been applied before. */
+  /** Whether the filter can be updated without Apply, because it has been applied before. */
   bool isPossible() const;
 
   void begin();

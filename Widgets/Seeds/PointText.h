@@ -11,24 +11,24 @@
 namespace seeds
 {
 
-/** Points read from text, or what is wrong with it. */
+/** Points read from text, or the error in the text. */
 struct PointsFromText
 {
   QVector<Position> points;
-  /** Empty where the text is good; otherwise it names the line, and points is empty. */
+  /** Empty if the text is valid. Otherwise it names the line, and points is empty. */
   QString error;
 };
 
 /**
- * Reads x, y and z of one or more points a line, between commas, semicolons or white space. Empty
- * lines and those that start with # are passed over, and a first line of words is a header.
+ * Reads x, y and z of one or more points from each line, separated by commas, semicolons or white
+ * space. Empty lines, lines that start with #, and a first line of words (a header) are skipped.
  */
 PointsFromText pointsFromText(const QString& text);
 
-/** The points as CSV with a header; reading it gives back every bit. */
+/** Writes the points as CSV with a header. Reading the text gives exactly the same numbers. */
 QString textFromPoints(const QVector<Position>& points);
 
-/** A number with as many digits as tell it from every other. */
+/** Writes a number with as many digits as distinguish it from every other number. */
 QString exactText(double value);
 
 }

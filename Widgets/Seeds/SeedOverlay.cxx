@@ -21,7 +21,7 @@ namespace seeds
 namespace
 {
 
-// All in pixels of Qt, which grow with the screen's scale.
+// All lengths are in Qt's pixels, which grow with the screen's scale.
 constexpr double Radius = 5.5;
 constexpr double ChosenRadius = 7.5;
 constexpr double Reach = 9.0;
@@ -32,7 +32,7 @@ const QColor Dark(20, 20, 20);
 const QColor Light(255, 255, 255);
 const QColor Refusal(190, 20, 20);
 
-/** Text that is legible on any background. */
+/** Draws text that is legible on any background. */
 void drawOutlined(QPainter& painter, const QPointF& baseline, const QString& text)
 {
   QPainterPath path;
@@ -51,7 +51,7 @@ void drawDisc(QPainter& painter, const QPointF& center, double radius, const QCo
   painter.drawEllipse(center, radius - 2.0, radius - 2.0);
 }
 
-/** Lines that are legible on any background. */
+/** Draws lines that are legible on any background. */
 void drawRimmed(QPainter& painter, const QPainterPath& path, const QColor& color)
 {
   const std::pair<QColor, double> strokes[] = { { Dark, 6.0 }, { Light, 5.0 }, { color, 2.5 } };
@@ -129,7 +129,8 @@ void SeedOverlay::setDoomedRow(int row)
 
 void SeedOverlay::setPreview(const std::optional<Preview>& preview)
 {
-  // Only where it was and where it will be: this follows every movement of the pointer.
+  // Only the old and the new place are drawn again, because this is called for every movement of
+  // the pointer.
   for (const auto& shown : { this->Shown, preview })
   {
     if (shown)
@@ -195,7 +196,7 @@ void SeedOverlay::paintEvent(QPaintEvent*)
   {
     this->drawLines(painter);
   }
-  // The chosen ones last, so that nothing hides them.
+  // The chosen markers are drawn last, so that no other marker hides them.
   for (const bool isChosen : { false, true })
   {
     for (int row = 0; row < this->Markers.size(); ++row)

@@ -18,7 +18,7 @@ class pqRenderView;
 namespace seeds
 {
 
-/** What the pointer would do. */
+/** What a click at the pointer would do. */
 struct Preview
 {
   enum Kind
@@ -28,18 +28,21 @@ struct Preview
     Refused
   };
   Kind kind;
-  /** Of the pick, or, where it is refused, of the pointer; in pixels of the widget. */
+  /**
+   * The place of the picked point or, if the pick is refused, of the pointer; in the widget's
+   * pixels.
+   */
   QPointF place;
-  /** Why it is refused. */
+  /** Why the pick is refused. */
   QString reason;
 };
 
 /**
  * Draws points over a render view, in screen pixels.
  *
- * A widget of its own and not actors in the view, because then a marker moves without the scene
- * being drawn again, which takes a tenth of a second and more on large surfaces without a graphics
- * card. So the markers are not in the view's screenshots.
+ * The markers are drawn by a widget and not by actors in the view, so that they can move without
+ * drawing the scene again. That takes a tenth of a second and more for large surfaces without a
+ * graphics card. Therefore the markers are not in the view's screenshots.
  */
 class SeedOverlay : public QWidget
 {
@@ -49,20 +52,20 @@ public:
   SeedOverlay(pqRenderView* view, const SeedRole& role);
 
   /**
-   * @param points     in the space of the view, by rows
-   * @param thickness  how far behind what is drawn a point is still seen
+   * @param points     in the coordinates of the view, one for each row
+   * @param thickness  how far a point can be behind a drawn surface and still count as visible
    */
   void setPoints(const QVector<Position>& points, double thickness);
   void setChosenRows(const QVector<int>& rows);
   void setNumbered(bool isNumbered);
   void setJoined(bool isJoined);
   void setPreview(const std::optional<Preview>& preview);
-  /** The row that a click would remove, -1 for none. */
+  /** Sets the row that a click would remove; -1 for none. */
   void setDoomedRow(int row);
 
   /**
-   * The row of the marker at a place of the widget, the nearest to the camera; -1 for none. One
-   * that is behind something is seen faintly, but not there to be taken.
+   * The row of the marker at a place of the widget, that of the marker nearest to the camera if
+   * there are several; -1 for none. A marker behind something is drawn faintly and is not returned.
    */
   int rowAt(const QPointF& place) const;
 
@@ -74,7 +77,7 @@ private:
   /** A point as the camera now sees it. */
   struct Marker
   {
-    /** Nothing behind the camera. */
+    /** None if the point is behind the camera. */
     std::optional<QPointF> place;
     bool isCovered = false;
   };

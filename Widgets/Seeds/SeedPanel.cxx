@@ -30,7 +30,7 @@ namespace
 
 constexpr const char* NumbersSetting = "SurfaceSeeds/ShowNumbers";
 
-/** The preview that will follow the pointer. */
+/** Makes an icon that looks like the preview at the pointer. */
 QIcon targetIcon(const QColor& color)
 {
   QPixmap pixmap(64, 64);

@@ -23,8 +23,7 @@ namespace seeds
 class SeedTableModel;
 class SeedTableView;
 
-/** What the user sees in the panel: the button that starts picking, a hint, the table and its
- * tools. */
+/** The contents of the panel: the button that starts picking, a hint, the table and its tools. */
 class SeedPanel : public QWidget
 {
   Q_OBJECT
@@ -39,9 +38,9 @@ public:
   bool isNumbered() const;
 
 public Q_SLOTS:
-  /** Says why what was asked for was not done. */
+  /** Shows why a request was not carried out. */
   void complain(const QString& reason);
-  /** Says what to do next. */
+  /** Shows what to do next. */
   void showHint();
 
 Q_SIGNALS:

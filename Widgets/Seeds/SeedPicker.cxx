@@ -133,7 +133,8 @@ bool SeedPicker::press(QMouseEvent* event)
   {
     return false;
   }
-  // A click must not reach the view, where it would draw the scene twice. A drag will.
+  // A click must not reach the view, which would draw the scene twice. The press of a drag is
+  // passed on later.
   this->Held = std::make_unique<QMouseEvent>(event->type(), event->localPos(), event->windowPos(),
     event->screenPos(), event->button(), event->buttons(), event->modifiers());
   return true;

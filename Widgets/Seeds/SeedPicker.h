@@ -18,8 +18,9 @@ namespace seeds
 {
 
 /**
- * Turns what the mouse does in a render view into points: while picking is on, a click adds one
- * and, with Shift, removes one; a marker can always be dragged. All other gestures reach the view.
+ * Turns mouse gestures in a render view into points. While picking is on, a click adds a point, and
+ * a click with Shift removes one. A marker can always be dragged. All other gestures reach the
+ * view.
  */
 class SeedPicker : public QObject
 {
@@ -31,7 +32,7 @@ public:
 
   void setPicking(bool isOn);
   bool isPicking() const { return this->IsPicking; }
-  /** Picks where the pointer is. */
+  /** Picks the point under the pointer. */
   void pickUnderPointer(SurfaceProbe::Snap snap);
 
 Q_SIGNALS:
@@ -40,9 +41,9 @@ Q_SIGNALS:
   void dragStarted(int row);
   void dragged(int row, const seeds::Position& point);
   void dragFinished(int row);
-  /** Nothing was picked, and why. */
+  /** Nothing was picked, for the given reason. */
   void refused(const QString& reason);
-  /** The user has had enough. */
+  /** The user pressed Escape to stop picking. */
   void escaped();
 
 protected:
@@ -56,10 +57,12 @@ private:
   /** Shows what a click would do. */
   void preview(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void forgetPreview();
-  /** Others set the cursor, too: it is left alone but where the pointer comes to or leaves a
-   * marker. */
+  /**
+   * Shows the hand cursor over a marker. The cursor is changed only when the pointer enters or
+   * leaves a marker, because others set the cursor, too.
+   */
   void showHand(bool isOverMarker);
-  /** Gives the view the press that was held back, as the start of a drag of its own. */
+  /** Gives the view the press that was held back, as the start of a drag in the view. */
   void passPressOn();
 
   SurfaceProbe& Probe;

@@ -12,7 +12,7 @@ namespace seeds
 {
 
 /**
- * What the points of a property group are, from its hints:
+ * The role of the points of a property group, which the group's hints give:
  *
  *   <Hints>
  *     <SurfaceSeeds role="seed" color="0.9 0.3 0.1" joined="0" />
@@ -20,16 +20,16 @@ namespace seeds
  */
 struct SeedRole
 {
-  /** A word for one of them, as it stands in the panel's sentences. */
+  /** The word for one point in the panel's texts. */
   QString name = "seed";
-  /** Of the markers. */
+  /** The colour of the markers. */
   QColor color = QColor::fromRgbF(0.9, 0.3, 0.1);
-  /** Whether they are joined by lines in their order, while the filter's result is not. */
+  /** Whether lines join the points in their order while the filter's result is not up to date. */
   bool isJoined = false;
 
   QString plural() const { return this->name + "s"; }
 
-  /** The defaults above stand for what the hints leave out, and for null. */
+  /** Reads the hints, which may be null. What they leave out has the defaults above. */
   static SeedRole fromHints(vtkPVXMLElement* hints);
 };
 

@@ -213,7 +213,7 @@ bool SeedTableModel::dropMimeData(
   stream >> rows;
   const int to = parent.isValid() ? parent.row() : row < 0 ? this->rowCount() : row;
   this->moveRows(rows, to);
-  // False: they are moved already, the view is not to remove them.
+  // False, because the rows are moved already and the view must not remove them.
   return false;
 }
 

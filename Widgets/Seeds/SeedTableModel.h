@@ -12,8 +12,8 @@ namespace seeds
 {
 
 /**
- * A property's numbers as a table of points, x, y and z a row. A list whose length is no multiple
- * of 3, which only a script can give, has empty cells in its last row.
+ * A property's numbers as a table of points: each row has x, y and z of one point. If the number of
+ * values is not a multiple of 3, which only a script can cause, the last row has empty cells.
  */
 class SeedTableModel : public QAbstractTableModel
 {
@@ -23,17 +23,17 @@ public:
   using QAbstractTableModel::QAbstractTableModel;
 
   const QVector<double>& values() const { return this->Values; }
-  /** Replaces all; not an edit. */
+  /** Replaces all values. This is not an edit. */
   void setValues(const QVector<double>& values);
 
   /** The complete points. */
   QVector<Position> points() const;
   int numberOfPoints() const { return this->Values.size() / 3; }
-  /** Moves one point; not an edit, so that a drag is one. */
+  /** Moves one point. This is not an edit, so that a whole drag can be one. */
   void setPoint(int row, const Position& point);
 
   ///@{
-  /** Edits, each of which is one. */
+  /** Edits. Each call emits edited() once. */
   void append(const QVector<Position>& points);
   void removeRows(const QVector<int>& rows);
   /** Moves rows so that they stand before the row @p to and keep their order. */
@@ -49,7 +49,7 @@ public:
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   ///@{
-  /** Rows are dragged to another place in the same table. */
+  /** Lets rows be dragged to another place in the same table. */
   Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
   QStringList mimeTypes() const override;
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
@@ -60,7 +60,7 @@ public:
 Q_SIGNALS:
   /** The user has changed the points. */
   void edited();
-  /** Rows were moved: the first one is now this, and there are so many. */
+  /** Some rows were moved; they are now @p count rows from row @p first on. */
   void rowsPlaced(int first, int count);
 
 private:

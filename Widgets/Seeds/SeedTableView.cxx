@@ -21,7 +21,10 @@ namespace
 constexpr int FewestRows = 3;
 constexpr int MostRows = 8;
 
-/** Shows a number with as many of its digits as there is room for: an ellipsis says nothing. */
+/**
+ * Shows a number with as many of its digits as there is room for, because an ellipsis would tell
+ * nothing.
+ */
 class NumberDelegate : public QStyledItemDelegate
 {
 public:

@@ -11,7 +11,7 @@ namespace seeds
 
 class SeedTableModel;
 
-/** The table of the seeds: chosen, ordered, copied and removed by row. */
+/** The table of the points, in which rows can be chosen, ordered, copied and removed. */
 class SeedTableView : public QTableView
 {
   Q_OBJECT
@@ -19,9 +19,9 @@ class SeedTableView : public QTableView
 public:
   SeedTableView(SeedTableModel* model, QWidget* parent);
 
-  /** The chosen rows, upwards. */
+  /** The chosen rows in increasing order. */
   QVector<int> chosenRows() const;
-  /** Chooses rows that stand together and scrolls to them. */
+  /** Chooses @p count consecutive rows and scrolls to them. */
   void choose(int first, int count = 1);
 
   QSize sizeHint() const override;
@@ -35,7 +35,7 @@ public Q_SLOTS:
   void moveDown();
 
 Q_SIGNALS:
-  /** What was pasted is no list of points. */
+  /** The pasted text is not a list of points. */
   void refused(const QString& reason);
   void chosenRowsChanged();
 

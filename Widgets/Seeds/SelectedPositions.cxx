@@ -24,7 +24,7 @@ namespace seeds
 namespace
 {
 
-/** A filter on the server that nobody else sees. */
+/** Makes a filter on the server that the user does not see. */
 vtkSmartPointer<vtkSMSourceProxy> filterOf(vtkSMProxy* input, unsigned int port, const char* name)
 {
   vtkSmartPointer<vtkSMProxy> proxy;
@@ -41,7 +41,10 @@ vtkSmartPointer<vtkSMSourceProxy> updated(vtkSmartPointer<vtkSMSourceProxy> filt
   return filter;
 }
 
-/** Where the extracted part of a data set is: selected points are extracted as vertices. */
+/**
+ * Appends the positions of an extracted part of a data set. Selected points are extracted as
+ * vertices.
+ */
 void appendPositions(vtkDataObject* data, QVector<Position>& positions)
 {
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
@@ -70,7 +73,7 @@ void appendPositions(vtkDataObject* data, QVector<Position>& positions)
   }
 }
 
-/** The output of a filter, gathered from all ranks and brought to the client. */
+/** Returns the output of a filter, gathered from all ranks and brought to the client. */
 QVector<Position> fetched(vtkSMSourceProxy* filter)
 {
   const auto gather = filterOf(filter, 0, "ReductionFilter");

@@ -11,8 +11,8 @@ namespace seeds
 {
 
 /**
- * Where ParaView's active selection is: its points, or the centres of its cells. Empty where
- * nothing is selected.
+ * Returns the positions of ParaView's active selection: its points, or the centres of its cells.
+ * Empty if nothing is selected.
  */
 QVector<Position> selectedPositions();
 

@@ -18,29 +18,35 @@ namespace seeds
 {
 
 /**
- * A filter's surface as a view shows it: by the filter's input or by its own output, and where that
- * representation puts it.
+ * A filter's surface as a view shows it: by a representation of the filter's input or of its
+ * output, which can be moved and turned.
  */
 class ShownSurface
 {
 public:
   /**
    * @param filter  the proxy whose points are picked
-   * @param input   its property that holds the surface
+   * @param input   the filter's property that holds the surface
    */
   ShownSurface(vtkSMProxy* filter, vtkSMProperty* input);
 
-  /** Null where there is no input. */
+  /** The port that gives the surface; null if there is no input. */
   pqOutputPort* inputPort() const;
-  /** What shows the surface in a view, the input before the output; null where nothing does. */
+  /**
+   * The representation that shows the surface in a view: the input's or, if that is hidden, the
+   * output's. Null if both are hidden.
+   */
   pqDataRepresentation* representationIn(pqRenderView* view) const;
   /** Whether a representation is of the input or of the filter. */
   bool isShownBy(vtkSMProxy* representation) const;
-  /** From the data's coordinates to those of a view; representations can be moved and turned. */
+  /** The transformation from the data's coordinates to those of a view. */
   vtkSmartPointer<vtkMatrix4x4> placementIn(pqRenderView* view) const;
-  /** What is nearer to the surface than this counts as lying on it; a small part of its size. */
+  /**
+   * Points that are nearer to the surface than this count as lying on it. A small part of the
+   * surface's size.
+   */
   double thickness() const;
-  /** The middle of the input's bounding box; 0 where there is none. */
+  /** The middle of the input's bounding box; 0 if there is no input. */
   Position center() const;
 
 private:

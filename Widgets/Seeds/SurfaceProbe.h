@@ -14,20 +14,20 @@
 namespace seeds
 {
 
-/** What is under the pointer. */
+/** The result of a probe under the pointer. */
 struct Probed
 {
-  /** In the data's coordinates; empty where nothing can be picked. */
+  /** The point in the data's coordinates; none if nothing can be picked. */
   std::optional<Position> point;
-  /** Why nothing can be picked, for the user. */
+  /** Why nothing can be picked, as a message for the user. */
   QString reason;
-  /** The pointer is beside the surface, which nobody needs to be told. */
+  /** Whether the pointer is beside the surface. Then the user needs no message. */
   bool isMissed = false;
 };
 
 /**
- * Finds the point of a filter's surface under the pointer. The surface is asked where it is, on the
- * server, with the line of sight; what a view has drawn tells whether something else is in front.
+ * Finds the point of a filter's surface under the pointer. The server finds where the ray from the
+ * camera meets the surface; what a view has drawn tells whether something else is in front.
  */
 class SurfaceProbe
 {
@@ -41,8 +41,8 @@ public:
   };
 
   /**
-   * What a view shows may be known only by the server, which then has to draw again; a preview does
-   * not wait for that.
+   * How carefully to test whether something is in front. If only the server knows what a view
+   * shows, it has to draw again for the test; a pick waits for that, a preview does not.
    */
   enum class Care
   {
@@ -51,7 +51,7 @@ public:
   };
 
   Probed at(pqRenderView* view, const QPointF& place, Snap snap, Care care);
-  /** Where a view draws a point of the data; nothing behind the camera. */
+  /** The place where a view draws a point of the data; none if the point is behind the camera. */
   std::optional<QPointF> placeOf(pqRenderView* view, const Position& point) const;
 
 private:

@@ -34,7 +34,7 @@ using namespace seeds;
 namespace
 {
 
-/** The one widget that picks. */
+/** The widget that is picking; only one picks at a time. */
 QPointer<SurfaceSeedsWidget> Picking;
 
 }
@@ -56,7 +56,7 @@ struct SurfaceSeedsWidget::Internals
   SeedPanel* Panel = nullptr;
   LiveUpdate Live;
   bool IsLive = false;
-  /** Of P and Ctrl+P; one enables or disables the other. */
+  /** The shortcuts of P and Ctrl+P. Enabling or disabling one does the same to the other. */
   QList<QPointer<pqModalShortcut>> Keys;
 
   QPointer<pqRenderView> View;
@@ -80,7 +80,7 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(my.Panel);
-  // A drag is finished when the button is released.
+  // A drag is finished only when the button is released.
   this->setChangeAvailableAsChangeFinished(false);
   this->connectPanel();
   this->connectKeys();
@@ -143,7 +143,7 @@ void SurfaceSeedsWidget::connectKeys()
       });
   }
   my.Keys.front()->setEnabled(false);
-  // The decorator's frame finds its colour by the object's name, which the panel gives later.
+  // A decorator's frame gets its colour by the object's name, which the panel sets later.
   this->setFrameShape(QFrame::NoFrame);
 }
 
@@ -153,7 +153,7 @@ void SurfaceSeedsWidget::takeKeys()
   {
     return;
   }
-  // Taking the keys takes the focus along, to the view.
+  // Enabling the keys moves the focus to the view, so it is set back.
   QWidget* focus = QApplication::focusWidget();
   this->Internal->Keys.front()->setEnabled(true);
   if (focus && this->isAncestorOf(focus))
@@ -202,7 +202,7 @@ void SurfaceSeedsWidget::showEvent(QShowEvent* event)
 {
   pqPropertyGroupWidget::showEvent(event);
   this->attachTo(qobject_cast<pqRenderView*>(this->view()));
-  // Of the groups of one panel the first one has the keys until another is clicked.
+  // The first group of a panel has the keys until the user clicks another group.
   if (this->parentWidget()->findChild<SurfaceSeedsWidget*>() == this)
   {
     this->takeKeys();
@@ -307,7 +307,7 @@ void SurfaceSeedsWidget::startDrag(int row)
 void SurfaceSeedsWidget::drag(int row, const Position& point)
 {
   Internals& my = *this->Internal;
-  // An undo in the middle of a drag can take the row away.
+  // An undo during a drag can remove the row.
   if (row >= my.Model.numberOfPoints())
   {
     return;

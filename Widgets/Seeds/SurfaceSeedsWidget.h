@@ -15,8 +15,8 @@
 class pqRenderView;
 
 /**
- * A property group of points on a surface: a table, and picking, seeing and dragging them in the
- * active render view. In XML:
+ * The panel widget of a property group of points on a surface. It shows the points in a table and
+ * in the active render view, where they can be picked and dragged. In XML:
  *
  *   <PropertyGroup label="Seeds" panel_widget="SurfaceSeeds">
  *     <Property name="SeedPositions" function="Positions" />
@@ -27,10 +27,11 @@ class pqRenderView;
  *   </PropertyGroup>
  *
  * Positions is a repeatable DoubleVectorProperty of x y z, Input an InputProperty; the hints are in
- * SeedRole.h. The property is all the state there is.
+ * SeedRole.h. The property holds the whole state.
  *
- * Several groups of one proxy share their Input, and ParaView's panel puts a property into the last
- * group that names it: let the group that is to stand first be the last in the XML.
+ * If several groups of one proxy share their Input, ParaView's panel puts the Input into the last
+ * group that names it. So the group that should come first in the panel must be the last in the
+ * XML.
  */
 class SurfaceSeedsWidget : public pqPropertyGroupWidget
 {
@@ -42,7 +43,7 @@ public:
   ~SurfaceSeedsWidget() override;
 
   ///@{
-  /** What is linked to the property. */
+  /** The values that are linked to the property. */
   QList<QVariant> positions() const;
   void setPositions(const QList<QVariant>& positions);
   ///@}
@@ -66,7 +67,7 @@ private:
   void connectPicker();
 
   void setPicking(bool isOn);
-  /** Makes the keys P and Ctrl+P this widget's. */
+  /** Lets this widget have the keys P and Ctrl+P. */
   void takeKeys();
   void attachTo(pqRenderView* view);
   void detach();

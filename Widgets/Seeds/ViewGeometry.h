@@ -23,21 +23,26 @@ struct Ray
   Position direction;
 };
 
-/** How a render view's widget and the space that it shows belong together. */
+/** Converts between places of a render view's widget and the space that the view shows. */
 class ViewGeometry
 {
 public:
   explicit ViewGeometry(pqRenderView* view);
 
-  /** Where a point in space is drawn, in the pixels of Qt; nothing behind the camera. */
+  /**
+   * The place where a point in space is drawn, in Qt's pixels; none if the point is behind the
+   * camera.
+   */
   std::optional<QPointF> toWidget(const Position& point) const;
-  /** The line of sight through a place of the widget, from the near clipping plane. */
+  /**
+   * The ray from the camera through a place of the widget. It begins at the near clipping plane.
+   */
   Ray rayThrough(const QPointF& place) const;
-  /** Whether what the view draws is known here; otherwise a server draws it. */
+  /** Whether the view is drawn in this process; otherwise a server draws it. */
   bool isDrawnHere() const;
   /**
-   * Whether a point in space is behind what was drawn over it, by more than a tolerance; never
-   * where a server draws.
+   * Whether what was drawn at a point's pixel is nearer to the camera than the point, by more than
+   * a tolerance. Always false if a server draws.
    */
   bool isCovered(const Position& point, double tolerance) const;
   /** The pixel of the render window at a place of the widget, counted from its lower left corner.
@@ -45,11 +50,11 @@ public:
   std::array<int, 2> pixelAt(const QPointF& place) const;
 
 private:
-  /** In pixels from the window's lower left corner, and depth from 0 to 1. */
+  /** A point in space as pixels from the window's lower left corner, and depth from 0 to 1. */
   Position toWindow(const Position& point) const;
   /**
-   * The depth of what was drawn, of 3 x 3 pixels the farthest, so that the slope of a surface does
-   * not count as something in front of it; 1 on the background.
+   * The depth of what was drawn at a pixel; 1 on the background. It is the farthest depth of 3 x 3
+   * pixels, so that the slope of a surface does not count as something in front of it.
    */
   double drawnDepth(const std::array<int, 2>& pixel) const;
   Position toSpace(double x, double y, double depth) const;
@@ -60,7 +65,7 @@ private:
   vtkRenderer* Renderer;
 };
 
-/** The widget inside of a render view that draws and gets the mouse. */
+/** Returns the widget inside a render view that draws and receives mouse events. */
 QWidget* drawingWidgetOf(pqRenderView* view);
 
 }

@@ -33,7 +33,9 @@ std::vector<vtkPolyData*> surfacesIn(vtkPolyDataCollection* polys)
   return surfaces;
 }
 
-/** The picked point, or the corner of the picked face that is nearest to the picked place. */
+/**
+ * Returns the picked point, or the corner of the picked face that is nearest to the picked place.
+ */
 vtkIdType pickedId(const vtkPolygonalSurfacePointPlacerNode& record)
 {
   if (record.CellId < 0)
@@ -105,7 +107,7 @@ PickedPoint PickedPoints::at(
 
 void PickedPoints::remember(const Position& position, const PickedPoint& point)
 {
-  // A node that is dragged leaves one behind at each step.
+  // A node that is dragged adds one entry at each step.
   constexpr std::size_t most = 100000;
   if (this->Memories.size() >= most)
   {

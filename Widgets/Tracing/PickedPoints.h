@@ -22,7 +22,7 @@ namespace geodesic::bridge
 /** A point of a surface that a node of a contour stands for. */
 struct PickedPoint
 {
-  /** Null where it is not known. */
+  /** Null if it is not known. */
   vtkPolyData* surface = nullptr;
   vtkIdType id = -1;
 };
@@ -30,23 +30,28 @@ struct PickedPoint
 /**
  * Finds the points that were picked, and keeps the surfaces that they are on.
  *
- * The placer takes all places within 0.022 units of length for one and keeps a record of the last.
- * On a small surface a node's record is soon another's, or gone; so what it said is remembered.
+ * The placer treats all places within 0.022 units of length as one, and keeps a record of the last
+ * only. On a small surface, another node soon takes over a node's record, or the record is gone. So
+ * this class remembers what each record said.
  */
 class PickedPoints
 {
 public:
   /**
-   * @param polys the surfaces that count; empty: all
-   * @return what the placer knows about a node of a contour, or knew when the node was last there
-   * @throws std::invalid_argument for a surface without faces
+   * @param polys the surfaces that nodes can be on; all if it is empty
+   * @return the point that the placer has recorded for a node of a contour, or had recorded when a
+   * node was last there
+   * @throws std::invalid_argument if a surface has no faces
    */
   PickedPoint at(vtkContourRepresentation* contour, int node, vtkPolyDataCollection* polys);
 
-  /** @throws as at */
+  /**
+   * Returns the picked surface of an input, which is kept.
+   * @throws as at()
+   */
   PickedSurface& surfaceOf(vtkPolyData* input);
 
-  /** To be called after an exception, which leaves solvers undefined. */
+  /** Must be called after an exception, which leaves solvers undefined. */
   void forgetSurfaces() { this->Known.clear(); }
 
 private:

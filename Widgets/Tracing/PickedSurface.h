@@ -15,7 +15,7 @@
 namespace geodesic::bridge
 {
 
-/** A surface that lines are drawn on, and what is kept from one line on it to the next. */
+/** A surface that lines are drawn on, with the solvers that are kept from one line to the next. */
 class PickedSurface
 {
 public:
@@ -33,19 +33,19 @@ public:
   const std::shared_ptr<const InputSurface>& surface() const { return this->Surface; }
   const TriangleMesh& mesh() const { return *this->Surface->mesh(); }
 
-  /** A point of the input near a position, and how far the surface is from there. */
+  /** A point of the input near a position, and the distance from the position to the surface. */
   struct NearPoint
   {
     vtkIdType id;
     double distance;
   };
-  /** The corner nearest to a finite position of the face that is nearest to it. */
+  /** Finds the face that is nearest to a finite position, and returns the face's nearest corner. */
   NearPoint nearestPoint(const Vector3& position) const;
 
   /**
-   * The shortest way from one point of the input to another: along edges, or across faces and then
+   * The shortest path from one point of the input to another: along edges, or across faces and then
    * made locally shortest.
-   * @return none where there is no way, or one of the ids is no point of the surface
+   * @return none if there is no path, or one of the ids is not a point of the surface
    */
   std::optional<SurfacePath> path(vtkIdType begin, vtkIdType end, Solver solver, PathOrder order);
 

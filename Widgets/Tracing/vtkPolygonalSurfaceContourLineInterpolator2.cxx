@@ -24,7 +24,7 @@ using geodesic::bridge::PickedSurface;
 namespace
 {
 
-/** The id of the vertex that a point of a path is nearest to. */
+/** Returns the id of the vertex that is nearest to a point of a path. */
 vtkIdType nearestIdOf(const geodesic::TriangleMesh& mesh, const PathPoint& point)
 {
   const geodesic::Carriers carriers = point.carriers();
@@ -104,7 +104,7 @@ int vtkPolygonalSurfaceContourLineInterpolator2::UpdateNode(vtkRenderer* vtkNotU
 {
   if (rep)
   {
-    // The first node is not announced by itself.
+    // VTK does not call this for the first node, so it is noted together with the second.
     for (int known = idx == 1 ? 0 : idx; known <= idx; ++known)
     {
       this->NoteNode(rep, known);
@@ -131,7 +131,8 @@ void vtkPolygonalSurfaceContourLineInterpolator2::NoteNode(vtkContourRepresentat
 void vtkPolygonalSurfaceContourLineInterpolator2::GetSpan(
   int nodeIndex, vtkIntArray* nodeIndices, vtkContourRepresentation* rep)
 {
-  // A representation asks for this when it has placed or moved a node: the placer still knows it.
+  // The representation calls this when it has just placed or moved a node, whose record the placer
+  // still has.
   this->NoteNode(rep, nodeIndex);
   nodeIndices->Initialize();
   nodeIndices->SetNumberOfComponents(2);
@@ -162,7 +163,7 @@ void vtkPolygonalSurfaceContourLineInterpolator2::GetContourPointIds(
   {
     for (int i = 0; i < rep->GetNumberOfNodes(); ++i)
     {
-      // A node's PointId is not set before a line began or ended there.
+      // A node's PointId is not set until a line begins or ends there.
       ids->InsertNextId(this->Picked->at(rep, i, this->Polys).id);
       for (const vtkContourRepresentationPoint* point : rep->GetNthNode(i)->Points)
       {

@@ -5,22 +5,23 @@
  * @brief Geodesic lines between the nodes of a contour that is drawn on surfaces.
  *
  * A drop-in for VTK's vtkPolygonalSurfaceContourLineInterpolator, for a contour representation
- * whose placer is a vtkPolygonalSurfacePointPlacer: it joins each two consecutive nodes by the
- * shortest way over the surface, found by Dijkstra's algorithm along edges or by fast marching.
- * What the placer recorded when a node was picked tells the surface and the point; nothing is
- * picked again. The line runs between the points of the surface (the corners of the picked faces)
- * that are nearest to the two nodes.
+ * whose placer is a vtkPolygonalSurfacePointPlacer: it joins every two consecutive nodes by the
+ * shortest path over the surface, found by Dijkstra's algorithm along edges or by fast marching.
+ * The placer's record of a picked node gives the surface and the point; nothing is picked again.
+ * The line runs between the points of the surface (the corners of the picked faces) that are
+ * nearest to the two nodes.
  *
- * There may be several surfaces. GetPolys() lists those that lines may be drawn on; where it is
- * empty, all that the placer picks on are. Between nodes on different surfaces, on parts that are
- * not connected, or that the placer knows nothing about, there is no line, and that is no error.
+ * There may be several surfaces. GetPolys() lists those that lines may be drawn on. If it is empty,
+ * lines may be drawn on all surfaces that the placer picks on. There is no line, and no error,
+ * between nodes on different surfaces or on parts that are not connected, or if the placer knows
+ * nothing about a node.
  *
  * The structure of a surface is built for its first line and kept while its points and cells stay
- * the same. A line then costs what a front covers that stops at its end. Where a node moves, only
- * the two lines beside it are traced again.
+ * the same. A line then costs one march, which stops at the line's end. If a node moves, only the
+ * two lines beside it are traced again.
  *
- * Options hold for lines that are traced from then on. To trace all lines of a contour again, call
- * Modified() of its placer; the next rendering does it.
+ * Changed options apply to the lines that are traced afterwards. To trace all lines of a contour
+ * again, call Modified() of its placer; the next rendering does it.
  *
  * K. Krishnan: Geodesic Computations on Surfaces. The VTK Journal (2013), whose interface this is.
  *
@@ -37,7 +38,7 @@
 
 class vtkIdList;
 
-// One within the other: the wrapping tools of VTK 9.1 do not know namespace geodesic::bridge.
+// The namespaces are nested because the wrapping tools of VTK 9.1 can't read geodesic::bridge.
 namespace geodesic
 {
 namespace bridge
@@ -76,8 +77,8 @@ public:
   ///@{
   /**
    * 0: lines run through points of the surface, along edges. 1: they run across faces, and are made
-   * locally shortest; each of their points lies on an edge. 1 is for FastMarchingMethod only:
-   * Dijkstra's lines run along edges always. Default: 0.
+   * locally shortest; each of their points lies on an edge. 1 needs FastMarchingMethod: Dijkstra's
+   * lines always run along edges. Default: 0.
    */
   vtkSetClampMacro(InterpolationOrder, int, 0, 1);
   vtkGetMacro(InterpolationOrder, int);
@@ -85,9 +86,9 @@ public:
 
   ///@{
   /**
-   * Raises lines by this length, in the surface's unit, along its point normals, or where it has
-   * none along those of the faces round each point, weighted by area; what counts of them is the
-   * direction. The placer has an offset of its own, for the nodes. Default: 0.
+   * Raises lines by this length, in the surface's unit, along its point normals, whose lengths do
+   * not matter. If the surface has none, the normal of a point is the mean of the normals of its
+   * faces, weighted by area. The placer has its own offset for the nodes. Default: 0.
    */
   vtkSetMacro(DistanceOffset, double);
   vtkGetMacro(DistanceOffset, double);
@@ -96,14 +97,14 @@ public:
   /**
    * Adds the points of the line from node idx1 to node idx2, with its ends, as intermediate points
    * after idx1. Each has the id of the surface's nearest point on its edge. Sets PointId of both
-   * nodes, to -1 where it is not known.
-   * @return 1 where there is a line, 0 where not. An error is reported for a surface without faces.
+   * nodes, to -1 if it is not known.
+   * @return 1 if there is a line, otherwise 0. A surface without faces is reported as an error.
    */
   int InterpolateLine(
     vtkRenderer* renderer, vtkContourRepresentation* rep, int idx1, int idx2) override;
 
   /**
-   * Moves no node, so returns 0.
+   * Returns 0, because no node is moved.
    */
   int UpdateNode(
     vtkRenderer* renderer, vtkContourRepresentation* rep, double* node, int idx) override;
@@ -114,7 +115,7 @@ public:
   void GetSpan(int nodeIndex, vtkIntArray* nodeIndices, vtkContourRepresentation* rep) override;
 
   /**
-   * For each node the id of its point, -1 where it is not known, followed by those of the
+   * Lists for each node the id of its point, -1 if it is not known, followed by the ids of the
    * intermediate points of the line that begins there.
    */
   void GetContourPointIds(vtkContourRepresentation* rep, vtkIdList* ids);

@@ -72,7 +72,7 @@ bool Arguments::parse(int argc, char* argv[], std::size_t fewest, std::size_t mo
   int count = 0;
   char** unused = nullptr;
   this->Parser.GetUnusedArguments(&count, &unused);
-  // The first is the program.
+  // The first argument is the program's name.
   this->Positional.assign(unused + 1, unused + count);
   this->Parser.DeleteRemainingArguments(count, &unused);
   for (const std::string& argument : this->Positional)

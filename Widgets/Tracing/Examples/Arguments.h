@@ -13,7 +13,7 @@
 namespace geodesic::examples
 {
 
-/** How a program is driven. */
+/** The options by which a program is driven. */
 struct RunOptions
 {
   std::vector<vtkIdType> seeds;
@@ -21,7 +21,7 @@ struct RunOptions
   std::string record;
   std::string screenshot;
 
-  /** Whether the program runs without a person: it then ends by itself. */
+  /** Whether the program runs without a user and ends by itself. */
   bool isUnattended() const
   {
     return !this->seeds.empty() || !this->events.empty() || !this->screenshot.empty();
@@ -29,8 +29,9 @@ struct RunOptions
 };
 
 /**
- * @param name what the number is, for the message
- * @throws std::invalid_argument where the text is not one finite number
+ * Reads a number.
+ * @param name name of the number in the error message
+ * @throws std::invalid_argument if the text is not one finite number
  */
 double numberIn(const std::string& text, const std::string& name);
 
@@ -48,15 +49,15 @@ public:
   void addText(const char* name, std::string& text, const char* help);
 
   /**
-   * @return whether the program is to go on; else it was asked for help, and gave it
-   * @throws std::invalid_argument for a name that is not known, one without its value, or too few
+   * @return whether the program must go on; false if it was asked for help, which has been printed
+   * @throws std::invalid_argument if a name is not known or has no value, or if there are too few
    * or too many arguments by position
    */
   bool parse(int argc, char* argv[], std::size_t fewest, std::size_t most);
 
   /** The arguments by position. */
   const std::vector<std::string>& positional() const { return this->Positional; }
-  /** @throws std::invalid_argument for a seed that is not a number */
+  /** @throws std::invalid_argument if a seed is not a number */
   RunOptions runOptions() const;
 
 private:

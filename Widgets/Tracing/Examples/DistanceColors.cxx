@@ -15,7 +15,10 @@ namespace geodesic::examples
 namespace
 {
 
-/** From near to far: yellow, green, blue, violet, each second band darker: isolines show. */
+/**
+ * Fills a table with yellow, green, blue and violet, from near to far. Every second band is darker,
+ * so that isolines show.
+ */
 void fillBands(vtkLookupTable* table, int bands)
 {
   vtkNew<vtkColorTransferFunction> colors;
@@ -49,7 +52,7 @@ void setText(vtkTextProperty* text)
 DistanceColors::DistanceColors(SurfaceWindow& window)
   : Window(window)
 {
-  // Room for the bar.
+  // Makes room for the scalar bar.
   window.renderer()->GetActiveCamera()->SetWindowCenter(0.17, 0.0);
   fillBands(this->Table, 24);
   this->Table->SetBelowRangeColor(0.8, 0.8, 0.8, 1.0);

@@ -19,10 +19,10 @@ namespace geodesic::examples
 class DistanceColors
 {
 public:
-  /** @param window must live as long as this */
+  /** @param window must outlive this object */
   explicit DistanceColors(SurfaceWindow& window);
 
-  /** @param distances one a point; what is below 0 stays grey */
+  /** @param distances one for each point; negative ones stay grey */
   void show(vtkDataArray* distances, double maximum);
   void markSeeds(const std::vector<vtkIdType>& pointIds);
 

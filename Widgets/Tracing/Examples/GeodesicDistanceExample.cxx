@@ -53,7 +53,7 @@ public:
 
 private:
   void setOptions();
-  /** @return whether seeds can be given: with a contour once that is closed. */
+  /** @return whether the seeds are complete; with a contour, they are once it is closed */
   bool isReady() const { return !this->Contour || this->Contour->isClosed(); }
   void computeFrom(const std::vector<vtkIdType>& seeds);
   void onPress(vtkObject*, unsigned long, void*);
@@ -82,8 +82,9 @@ DistanceProgram::DistanceProgram(const DistanceOptions& options, const RunOption
     this->Contour.emplace(
       this->Window, vtkPolygonalSurfaceContourLineInterpolator2::DijkstraMethod, 0, 0.0);
   }
-  // After the contour's widget, which keeps to itself what it uses, and before the camera's style,
-  // which does so from the press on, but tells when it is done.
+  // The press is observed after the contour's widget, which keeps the events that it uses from
+  // others, and before the camera's style, which keeps all events from the press on. The style
+  // itself tells when the interaction ends.
   vtkRenderWindowInteractor* interactor = this->Window.interactor();
   interactor->AddObserver(vtkCommand::LeftButtonPressEvent, this, &DistanceProgram::onPress, 0.1f);
   interactor->GetInteractorStyle()->AddObserver(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Traces a contour on a surface, node by node, with the shortest ways between them.
+// Traces a contour on a surface: places nodes one by one and joins them by shortest paths.
 
 #include "SurfaceContour.h"
 #include "SurfaceFile.h"
@@ -25,7 +25,7 @@ constexpr const char* usage =
   "pointer with Delete, or click on the path for one more. z takes back the last change.\n"
   "Drag beside the surface to turn it; q quits.\n";
 
-/** @throws std::invalid_argument where the text is neither 0 nor 1 */
+/** @throws std::invalid_argument if the text is neither 0 nor 1 */
 int choiceIn(const std::string& text, const std::string& name)
 {
   if (text != "0" && text != "1")

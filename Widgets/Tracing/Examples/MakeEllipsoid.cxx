@@ -24,7 +24,7 @@ constexpr double a = 1.0;
 constexpr double b = 0.6;
 constexpr double c = 0.4;
 
-/** At a point of the surface x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1. */
+/** The mean curvature at a point of the surface x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1. */
 double meanCurvature(const double p[3])
 {
   const double squares = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
@@ -59,7 +59,8 @@ int main(int argc, char* argv[])
   {
     double p[3];
     sphere->GetOutput()->GetPoint(i, p);
-    // The source's poles are on the z axis; on the longest one they disturb least.
+    // The sphere's poles are on the z axis. They are put on the longest axis, where they disturb
+    // least.
     const double q[3] = { a * p[2], b * p[0], c * p[1] };
     points->InsertNextPoint(q);
     curvature->InsertNextValue(meanCurvature(q));

@@ -51,7 +51,8 @@ SurfaceContour::SurfaceContour(SurfaceWindow& window, int method, int order, dou
   this->Widget->SetRepresentation(this->Representation);
   this->Widget->On();
 
-  // What is there before the widget answers to a button or a key is what undo goes back to.
+  // Undo goes back to the state before the widget handles a button or a key, so that state is
+  // observed first.
   const float first = this->Widget->GetPriority() + 0.1f;
   for (unsigned long event : { vtkCommand::LeftButtonPressEvent, vtkCommand::RightButtonPressEvent,
          vtkCommand::MiddleButtonPressEvent, vtkCommand::KeyPressEvent })
@@ -157,7 +158,7 @@ void SurfaceContour::restore(const State& state)
     cells->InsertNextCell(line);
     vtkNew<vtkPolyData> contour;
     contour->SetPoints(points);
-    // A line has two points at least.
+    // A line needs at least two points.
     if (state.nodes.size() > 1)
     {
       contour->SetLines(cells);
@@ -187,7 +188,7 @@ void SurfaceContour::onKey(vtkObject*, unsigned long, void*)
   {
     return;
   }
-  // The last that is remembered is what this very key found.
+  // The last state in the history is the one before this key, which changed nothing.
   if (this->History.size() > 1)
   {
     this->History.pop_back();

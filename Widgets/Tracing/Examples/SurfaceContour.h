@@ -19,36 +19,42 @@ namespace geodesic::examples
 {
 
 /**
- * A contour that is traced on a surface by mouse and keys, as vtkContourWidget has them: a click
- * places a node, one at the first node closes the contour, the right button ends an open one; then
- * nodes are dragged, Delete deletes the one under the pointer. Beside that, the key z takes back
- * the last of these.
+ * A contour that is traced on a surface by the mouse and the keys of vtkContourWidget. A click
+ * places a node, a click on the first node closes the contour, and the right button ends an open
+ * contour. After that, nodes can be dragged, and Delete deletes the node under the pointer. In
+ * addition, the key z undoes the last change.
  */
 class SurfaceContour
 {
 public:
   /**
-   * @param window must live as long as this
+   * @param window must outlive this object
    * @param method,order,heightOffset see vtkPolygonalSurfaceContourLineInterpolator2
    */
   SurfaceContour(SurfaceWindow& window, int method, int order, double heightOffset);
 
-  /** Called after each change; during a drag only at its end. */
+  /** Sets what is called after each change; after a drag only once, at its end. */
   void onChange(std::function<void()> action) { this->Action = std::move(action); }
 
   /**
    * Replaces all nodes.
-   * @throws std::invalid_argument for an id that is no point of the surface
+   * @throws std::invalid_argument if an id is not a point of the surface
    */
   void setNodes(const std::vector<vtkIdType>& pointIds);
 
   int numberOfNodes() const { return this->Representation->GetNumberOfNodes(); }
   bool isClosed() const { return this->Representation->GetClosedLoop() != 0; }
-  /** Ids along the contour, see vtkPolygonalSurfaceContourLineInterpolator2. */
+  /**
+   * The ids along the contour, see
+   * vtkPolygonalSurfaceContourLineInterpolator2::GetContourPointIds().
+   */
   std::vector<vtkIdType> pointIds() const;
-  /** Those of the nodes alone. */
+  /** The ids of the nodes alone. */
   std::vector<vtkIdType> nodeIds() const;
-  /** Of the lines between the points of the surface that are nearest to the nodes. */
+  /**
+   * The length of the lines, which run between the points of the surface that are nearest to the
+   * nodes.
+   */
   double length() const;
 
 private:

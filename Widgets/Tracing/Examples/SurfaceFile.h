@@ -11,18 +11,18 @@
 namespace geodesic::examples
 {
 
-/** @throws std::runtime_error where there is no such file */
+/** @throws std::runtime_error if there is no such file */
 void requireFile(const std::string& file);
 
 /**
- * From a .vtp file.
- * @throws std::runtime_error where it cannot be read, or holds no surface
+ * Reads a surface from a .vtp file.
+ * @throws std::runtime_error if the file cannot be read, or holds no surface
  */
 vtkSmartPointer<vtkPolyData> readSurface(const std::string& file);
 
 /**
- * To a .vtp file.
- * @throws std::runtime_error where it cannot be written
+ * Writes a surface to a .vtp file.
+ * @throws std::runtime_error if the file cannot be written
  */
 void writeSurface(vtkPolyData* surface, const std::string& file);
 

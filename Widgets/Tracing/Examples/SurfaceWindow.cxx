@@ -22,7 +22,8 @@ SurfaceWindow::SurfaceWindow(
   const std::string& title, vtkPolyData* surface, const RunOptions& options)
   : Options(options)
 {
-  // The placer needs normals of cells for a height offset. Without splitting, points stay the same.
+  // The placer needs normals of cells for a height offset. Without splitting, the points stay the
+  // same.
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
   normals->SplittingOff();

@@ -28,7 +28,8 @@ public:
   SurfaceWindow(const std::string& title, vtkPolyData* surface, const RunOptions& options);
 
   /**
-   * What is shown: the surface with normals of its points and cells. Its points are the surface's.
+   * The surface that is shown, with normals of its points and cells. Its points are those of the
+   * given surface.
    */
   vtkPolyData* surface() const { return this->Shown; }
   vtkActor* actor() const { return this->Actor; }
@@ -38,16 +39,19 @@ public:
   /** Makes picking on a large surface fast. */
   vtkStaticCellLocator* locator() const { return this->Locator; }
 
-  /** The point of the surface nearest to where it is seen at a pixel; none beside the surface. */
+  /**
+   * The point of the surface that is nearest to the place seen at a pixel; none if the pixel is
+   * beside the surface.
+   */
   std::optional<vtkIdType> pointAt(int x, int y);
 
   /**
    * Plays the events, or lets the user work until the window is closed.
-   * @throws std::runtime_error where a file cannot be read
+   * @throws std::runtime_error if a file cannot be read
    */
   void run();
 
-  /** @throws std::runtime_error where the file cannot be written */
+  /** @throws std::runtime_error if the file cannot be written */
   void writeScreenshot();
 
 private:
