@@ -6,7 +6,7 @@
  *
  * Solves the eikonal equation |grad d| = F with d = 0 at the seeds, on the triangles, polygons and
  * strips of the input, in double precision. F is the propagation weight, a cost per unit of length,
- * 1 where none is given.
+ * 1 if none is given.
  *
  * Coincident points are not merged, so a front does not cross between two parts that merely touch.
  *

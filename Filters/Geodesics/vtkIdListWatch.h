@@ -16,7 +16,10 @@
 class vtkIdListWatch
 {
 public:
-  /** When @p list (which may be null) was last found to hold something else; O(length). */
+  /**
+   * Returns the time at which @p list, which may be null, was last found to have other contents.
+   * Time O(length).
+   */
   vtkMTimeType TimeOf(vtkIdList* list)
   {
     if (!list)

@@ -74,7 +74,7 @@ protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-  /** A point as the camera now sees it. */
+  /** The marker of a point, as the camera sees it now. */
   struct Marker
   {
     /** None if the point is behind the camera. */

@@ -19,7 +19,7 @@ class vtkPolyDataCollection;
 namespace geodesic::bridge
 {
 
-/** A point of a surface that a node of a contour stands for. */
+/** The point of a surface at which a node of a contour is. */
 struct PickedPoint
 {
   /** Null if it is not known. */

@@ -43,7 +43,7 @@ public:
   ~PathOutput();
 
   /**
-   * @param attributes the mesh that the path runs on, and what the input says of it
+   * @param attributes the mesh that the path runs on, and the attributes of the input
    * @param segment    the path's number, for the array Segment
    * @param arcLength  the value of ArcLength at the path's first point
    * @return the path's length on the surface, without the offset

@@ -39,7 +39,7 @@ class GatheredSurface
 {
 public:
   /**
-   * Collective.
+   * Moves the triangles along the lines. Collective.
    * @param lines    the paths of all lines, on the first rank; ignored on the others
    * @param barriers,cost for the vertices and triangles of this rank's piece
    */

@@ -19,7 +19,7 @@ class DividedMesh
 {
 public:
   /**
-   * Collective.
+   * Finds the vertices that the mesh shares with other ranks' meshes. Collective.
    * @param keys one key for each vertex, see SharedPoints; empty on one rank
    */
   DividedMesh(

@@ -41,7 +41,7 @@ class SharedPoints
 {
 public:
   /**
-   * Collective.
+   * Finds the shared vertices. Collective.
    * @param keys one key for each vertex; equal keys on different ranks mean the same point
    */
   SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys);
@@ -107,14 +107,14 @@ private:
   void findPlaces();
 
   int Rank;
-  /** Sorted. */
+  /** The shared vertices, sorted. */
   std::vector<Index> Vertices;
-  /** By slot. */
+  /** The shared vertices as all ranks identify them, by slot. */
   std::vector<GlobalVertex> Globals;
   /** The slots, sorted by their entries in Globals. */
   std::vector<std::uint32_t> ByGlobal;
   std::vector<Neighbour> Neighbours;
-  /** By slot. */
+  /** The first of each slot's places in Places. */
   std::vector<std::uint32_t> FirstPlaces;
   std::vector<Place> Places;
 };
