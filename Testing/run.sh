@@ -38,6 +38,22 @@ check_core_with_clang_tidy()
     fail "clang-tidy has complaints, see above"
 }
 
+check_includes()
+{
+  python3 Testing/Checks/includes.py . || fail "These includes point the wrong way; see Testing/Checks/includes.py"
+}
+
+# The core and its tests by another compiler, and without vector extensions.
+test_other_cores()
+{
+  local preset
+  for preset in core-clang core-scalar; do
+    cmake --preset "$preset"
+    cmake --build --preset "$preset" --target CoreTests
+    ctest --preset "$preset" --label-regex '^core$' --parallel "$(nproc)" --output-on-failure
+  done
+}
+
 check_labels()
 {
   local label
@@ -63,10 +79,14 @@ if [[ ${1-} == bench ]]; then
   exit
 fi
 check_format
+check_includes
 cmake --preset dev -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 cmake --build --preset dev
 check_core_with_clang_tidy
 check_labels
+if [[ " ${labels[*]} " == *" core "* ]]; then
+  test_other_cores
+fi
 # Side by side but for those with ranks or windows, which ask for the whole machine.
 run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
 if (($#)); then

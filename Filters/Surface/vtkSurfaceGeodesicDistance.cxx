@@ -20,6 +20,7 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
+#include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
 #include "output/PathAttributes.h"
@@ -28,7 +29,6 @@
 #include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
-#include "solve/DistanceSolver.h"
 #include "split/SplitMesh.h"
 
 #include <algorithm>
@@ -247,6 +247,7 @@ void vtkSurfaceGeodesicDistance::Forget()
 void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 {
   Internals& internal = *this->Internal;
+  const geodesic::SolverTraits& method = this->GetSolver();
   geodesic::distributed::RankGroup& ranks = run.ranks;
   internal.Surface = this->FindSurface(ranks, run.blocks);
   const auto seedLines = geodesic::distributed::globalLinesOf(ranks, *internal.Surface,
@@ -258,7 +259,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
-    { internal.Surface, input, seedLines, barrierLines, barriers, cost, this->Method == DIJKSTRA });
+    { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
 
   std::vector<geodesic::Triangle> targets;
@@ -284,13 +285,18 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
 
   if (!internal.Solver || &internal.Solver->mesh() != surface.mesh().get() ||
-    internal.Method != this->Method)
+    internal.Method != method.number)
   {
-    internal.Solver = this->MakeSolver(surface.mesh());
-    internal.Method = this->Method;
+    internal.Solver = method.make(surface.mesh());
+    internal.Method = method.number;
   }
   std::vector<geodesic::Seed> openSeeds;
-  ranks.together([&] { openSeeds = surface.seedsOf(seeds); });
+  ranks.together(
+    [&]
+    {
+      geodesic::checkServes(method, geodesic::SolverDemands::of(options, ranks.size()));
+      openSeeds = surface.seedsOf(seeds);
+    });
   internal.Field = &internal.Solver->solve(openSeeds, options);
   this->ReportWork(run, partition);
 }

@@ -92,6 +92,8 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
       {
         vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
         checkRequest(input);
+        // Throws where there is no such method.
+        this->GetSolver();
         blocks.emplace(input);
       });
     std::vector<double> numbers;
@@ -199,14 +201,9 @@ vtkSurfaceGeodesicFilter::FindSurface(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<geodesic::DistanceSolver> vtkSurfaceGeodesicFilter::MakeSolver(
-  const std::shared_ptr<const geodesic::TriangleMesh>& mesh)
+const geodesic::SolverTraits& vtkSurfaceGeodesicFilter::GetSolver() const
 {
-  if (this->Method == DIJKSTRA)
-  {
-    return std::make_unique<geodesic::DijkstraSolver>(mesh);
-  }
-  return std::make_unique<geodesic::FastMarchingSolver>(mesh);
+  return geodesic::solverOfNumber(this->Method);
 }
 
 //------------------------------------------------------------------------------
@@ -214,8 +211,7 @@ void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CostMode: " << (this->CostMode == COST ? "Cost" : "Speed") << "\n";
-  os << indent << "Method: " << (this->Method == FAST_MARCHING ? "FastMarching" : "Dijkstra")
-     << "\n";
+  os << indent << "Method: " << this->Method << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";
 }

@@ -33,7 +33,7 @@ class vtkAlgorithmOutput;
 
 namespace geodesic
 {
-class DistanceSolver;
+struct SolverTraits;
 class TriangleMesh;
 namespace bridge
 {
@@ -55,10 +55,11 @@ public:
   vtkTypeMacro(vtkSurfaceGeodesicFilter, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Numbers of solvers, as the table of solvers in Core has them. */
   enum Methods
   {
-    FAST_MARCHING,
-    DIJKSTRA
+    FAST_MARCHING = 0,
+    DIJKSTRA = 1
   };
 
   enum CostModes
@@ -102,9 +103,10 @@ public:
   ///@{
   /**
    * FAST_MARCHING measures across the faces. DIJKSTRA measures along the edges only, so its
-   * distances are never too short. Default: FAST_MARCHING.
+   * distances are never too short. Default: FAST_MARCHING. A number that no solver has is an error
+   * when the filter runs, which names those there are; see geodesic::solverTable().
    */
-  vtkSetClampMacro(Method, int, FAST_MARCHING, DIJKSTRA);
+  vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -164,9 +166,8 @@ protected:
   /** Returns the surface of which the input is this rank's piece. Collective. */
   std::shared_ptr<const geodesic::distributed::DistributedSurface> FindSurface(
     geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
-  /** Makes the solver that Method chooses. */
-  std::unique_ptr<geodesic::DistanceSolver> MakeSolver(
-    const std::shared_ptr<const geodesic::TriangleMesh>& mesh);
+  /** What the solver that Method chooses can do, and how it is made. */
+  const geodesic::SolverTraits& GetSolver() const;
 
   int CostMode = COST;
   int Method = FAST_MARCHING;

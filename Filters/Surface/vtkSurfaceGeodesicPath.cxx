@@ -19,6 +19,7 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
+#include "methods/SolverTable.h"
 #include "output/PathAttributes.h"
 #include "output/PathOutput.h"
 #include "path/PathFinder.h"
@@ -26,7 +27,6 @@
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
-#include "solve/DistanceSolver.h"
 
 #include <algorithm>
 #include <limits>
@@ -211,15 +211,22 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   const geodesic::PathStyle style{ this->InterpolationOrder == 0 ? geodesic::PathOrder::Vertices
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
-  const bool hadMethod = internal.Method == this->Method;
+  const geodesic::SolverTraits& method = this->GetSolver();
+  const bool hadMethod = internal.Method == method.number;
   internal.setSurface(
     internal.Lined.update(ranks,
-      { internal.Surface, run.input, {}, barrierLines, barriers, cost, this->Method == DIJKSTRA }),
-    this->Method, style);
+      { internal.Surface, run.input, {}, barrierLines, barriers, cost, !method.crossesFaces }),
+    method.number, style);
   const auto& mesh = internal.Solved->mesh();
+  ranks.together(
+    [&]
+    {
+      geodesic::checkServes(
+        method, geodesic::SolverDemands::of(internal.Solved->options(), ranks.size()));
+    });
   if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)
   {
-    internal.Solver = this->MakeSolver(mesh);
+    internal.Solver = method.make(mesh);
   }
   if (ranks.size() > 1)
   {

@@ -101,6 +101,8 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
   }
 }
 
+#if GEODESIC_HAS_LANES
+
 namespace
 {
 
@@ -153,6 +155,8 @@ TEST(EikonalUpdate, FourAtOnceAreTheSame)
   }
   expectTheSameAtOnce<Quad>();
 }
+
+#endif
 
 // What TriangleSlack rests on.
 TEST(EikonalUpdate, CrossesNoEdgeBelowTheMeanOfItsEndsAndTheSlack)

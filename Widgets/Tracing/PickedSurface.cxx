@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PickedSurface.h"
 
-#include "march/FastMarchingSolver.h"
-#include "solve/DijkstraSolver.h"
-
 #include <algorithm>
 
 namespace geodesic::bridge
@@ -22,7 +19,7 @@ PickedSurface::NearPoint PickedSurface::nearestPoint(const Vector3& position) co
 }
 
 std::optional<SurfacePath> PickedSurface::path(
-  vtkIdType begin, vtkIdType end, Solver solver, PathOrder order)
+  vtkIdType begin, vtkIdType end, const SolverTraits& method, PathOrder order)
 {
   const Index from = this->vertexAt(begin);
   const Index to = this->vertexAt(end);
@@ -31,7 +28,7 @@ std::optional<SurfacePath> PickedSurface::path(
     return std::nullopt;
   }
   const PathStyle style{ order, order == PathOrder::Edges };
-  return shortestPath(this->solverOf(solver), this->mesh().pointAtVertex(from),
+  return shortestPath(this->solverOf(method), this->mesh().pointAtVertex(from),
     this->mesh().pointAtVertex(to), {}, style);
 }
 
@@ -41,16 +38,12 @@ Index PickedSurface::vertexAt(vtkIdType id) const
   return exists ? this->mesh().vertexOfPoint(static_cast<Index>(id)) : NoIndex;
 }
 
-DistanceSolver& PickedSurface::solverOf(Solver kind)
+DistanceSolver& PickedSurface::solverOf(const SolverTraits& method)
 {
-  auto& solver = kind == Solver::Dijkstra ? this->Dijkstra : this->FastMarching;
-  if (!solver && kind == Solver::Dijkstra)
+  std::unique_ptr<DistanceSolver>& solver = this->Solvers[method.number];
+  if (!solver)
   {
-    solver = std::make_unique<DijkstraSolver>(this->Surface->mesh());
-  }
-  else if (!solver)
-  {
-    solver = std::make_unique<FastMarchingSolver>(this->Surface->mesh());
+    solver = method.make(this->Surface->mesh());
   }
   return *solver;
 }

@@ -4,11 +4,12 @@
 #define geodesic_bridge_PickedSurface_h
 
 #include "input/InputSurface.h"
+#include "methods/SolverTable.h"
 #include "path/PathFinder.h"
-#include "solve/DistanceSolver.h"
 
 #include "vtkType.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -19,12 +20,6 @@ namespace geodesic::bridge
 class PickedSurface
 {
 public:
-  enum class Solver
-  {
-    Dijkstra,
-    FastMarching
-  };
-
   explicit PickedSurface(std::shared_ptr<const InputSurface> surface)
     : Surface(std::move(surface))
   {
@@ -47,15 +42,16 @@ public:
    * made locally shortest.
    * @return none if there is no path, or one of the ids is not a point of the surface
    */
-  std::optional<SurfacePath> path(vtkIdType begin, vtkIdType end, Solver solver, PathOrder order);
+  std::optional<SurfacePath> path(
+    vtkIdType begin, vtkIdType end, const SolverTraits& method, PathOrder order);
 
 private:
   Index vertexAt(vtkIdType id) const;
-  DistanceSolver& solverOf(Solver kind);
+  DistanceSolver& solverOf(const SolverTraits& method);
 
   std::shared_ptr<const InputSurface> Surface;
-  std::unique_ptr<DistanceSolver> Dijkstra;
-  std::unique_ptr<DistanceSolver> FastMarching;
+  /** By number; made when first asked for. */
+  std::map<int, std::unique_ptr<DistanceSolver>> Solvers;
 };
 
 }

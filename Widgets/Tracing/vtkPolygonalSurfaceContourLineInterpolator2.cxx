@@ -68,10 +68,10 @@ int vtkPolygonalSurfaceContourLineInterpolator2::InterpolateLine(
       return 0;
     }
     PickedSurface& surface = this->Picked->surfaceOf(begin.surface);
-    const bool isFastMarching = this->GeodesicMethod == FastMarchingMethod;
-    const auto path = surface.path(begin.id, end.id,
-      isFastMarching ? PickedSurface::Solver::FastMarching : PickedSurface::Solver::Dijkstra,
-      isFastMarching && this->InterpolationOrder == 1 ? PathOrder::Edges : PathOrder::Vertices);
+    const geodesic::SolverTraits& method = geodesic::solverOfInterpolator(this->GeodesicMethod);
+    const auto path = surface.path(begin.id, end.id, method,
+      method.crossesFaces && this->InterpolationOrder == 1 ? PathOrder::Edges
+                                                           : PathOrder::Vertices);
     if (!path)
     {
       return 0;
@@ -183,8 +183,7 @@ void vtkPolygonalSurfaceContourLineInterpolator2::GetContourPointIds(
 void vtkPolygonalSurfaceContourLineInterpolator2::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "GeodesicMethod: " << (this->GeodesicMethod == DijkstraMethod ? "Dijkstra" : "FastMarching")
+  os << indent << "GeodesicMethod: " << geodesic::solverOfInterpolator(this->GeodesicMethod).name
      << "\n";
   os << indent << "InterpolationOrder: " << this->InterpolationOrder << "\n";
   os << indent << "DistanceOffset: " << this->DistanceOffset << "\n";
