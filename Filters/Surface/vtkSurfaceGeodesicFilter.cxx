@@ -17,14 +17,13 @@
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 #include "input/PointIdentity.h"
-#include "march/FastMarchingSolver.h"
+#include "methods/SolverTable.h"
 #include "pieces/DistributedSurface.h"
 #include "pieces/InnerFaces.h"
 #include "pieces/PointKeys.h"
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
 #include "request/PointResolver.h"
-#include "solve/DijkstraSolver.h"
 
 #include <functional>
 #include <optional>

@@ -175,7 +175,7 @@ void scaled(benchmark::State& state, const std::string& name, double scale)
   {
     p = scale * p;
   }
-  FastMarchingSolver other(setUp(surface));
+  FastMarchingSolver other(setUp(surface).mesh);
   for (auto _ : state)
   {
     double change = 0.0;

@@ -10,6 +10,7 @@
 #include "HeatMethod.h"
 #include "Measuring.h"
 #include "Subject.h"
+#include "march/ReferenceSolver.h"
 
 #include <benchmark/benchmark.h>
 
@@ -147,8 +148,8 @@ void setup(benchmark::State& state, const std::string& name)
     {
       dijkstra += dijkstraSeconds(s, s.randomPosition()) / rounds;
       // Kept, as by who uses it: to give it back is not measured.
-      std::shared_ptr<const TriangleMesh> mesh;
-      time += seconds([&] { mesh = setUp(s.surface); }) / rounds;
+      SetUp made;
+      time += seconds([&] { made = setUp(s.surface); }) / rounds;
     }
     state.SetIterationTime(time);
     state.counters["setup_ns"] = nanosecondsAPoint(s, time);
@@ -163,7 +164,7 @@ void setupOnTwoThreads(benchmark::State& state, const std::string& name)
   const auto wallSeconds = [&](unsigned threads)
   {
     const auto start = std::chrono::steady_clock::now();
-    const auto mesh = setUp(s.surface, threads);
+    const SetUp made = setUp(s.surface, threads);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   for (auto _ : state)
@@ -172,6 +173,23 @@ void setupOnTwoThreads(benchmark::State& state, const std::string& name)
     const double two = wallSeconds(2);
     state.SetIterationTime(two);
     state.counters["ratio"] = one / two;
+  }
+}
+
+/** The other tier: the same field by the scalar solver that the batched one is held to. */
+void reference(benchmark::State& state, const std::string& name)
+{
+  Subject& s = subject(name);
+  ReferenceSolver solver(s.mesh, s.made.bounds);
+  for (auto _ : state)
+  {
+    const Vector3 position = s.randomPosition();
+    const Seed seed = s.seedAt(position);
+    const double dijkstra = dijkstraSeconds(s, position);
+    const double time = seconds([&] { solver.solve({ &seed, 1 }); });
+    state.SetIterationTime(time);
+    state.counters["solve_ns"] = nanosecondsAPoint(s, time);
+    state.counters["ratio"] = time / dijkstra;
   }
 }
 
@@ -309,8 +327,8 @@ void memory(benchmark::State& state, const std::string& name)
   for (auto _ : state)
   {
     const HeapMeter meter;
-    const auto mesh = setUp(s.surface);
-    FastMarchingSolver solver(mesh);
+    const auto [mesh, bounds] = setUp(s.surface);
+    FastMarchingSolver solver(mesh, bounds);
     const Seed byId = Seed::atPoint(mesh->pointAtVertex(0));
     solver.solve({ &byId, 1 });
     state.counters["held"] = static_cast<double>(meter.held()) / points;
@@ -347,6 +365,11 @@ void addAll()
          "thin grid 160k", "rounded tube 66k" })
   {
     add("Heat", heat, name)->Repetitions(3);
+  }
+  for (const char* name : { "icosphere 10k", "Bunny 35k", "icosphere 160k", "Delaunay plane 160k",
+         "thin grid 160k", "torus 250k", "icosphere 650k" })
+  {
+    add("Reference", reference, name)->Repetitions(3);
   }
   add("HundredSeeds", hundredSeeds, "icosphere 160k");
   add("HundredSeeds", hundredSeeds, "Delaunay plane 160k");

@@ -132,18 +132,21 @@ const std::vector<std::pair<std::string, Maker>> Makers{
 
 }
 
-std::shared_ptr<const TriangleMesh> setUp(const Surface& surface, unsigned threads)
+SetUp setUp(const Surface& surface, unsigned threads)
 {
-  return std::make_shared<const TriangleMesh>(
-    surface.points, surface.triangles, CoincidentPoints::Separate, ThreadTeam(threads));
+  const ThreadTeam team(threads);
+  const auto mesh = std::make_shared<const TriangleMesh>(
+    surface.points, surface.triangles, CoincidentPoints::Separate, team);
+  return { mesh, std::make_shared<const UpdateBounds>(*mesh, team) };
 }
 
 Subject::Subject(KnownSurface known)
   : surface(std::move(known.surface))
   , truth(std::move(known.truth))
-  , mesh(setUp(surface))
+  , made(setUp(surface))
+  , mesh(made.mesh)
   , tree(mesh)
-  , solver(mesh)
+  , solver(mesh, made.bounds)
   , dijkstra(*mesh)
 {
 }

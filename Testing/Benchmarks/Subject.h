@@ -29,8 +29,15 @@ struct KnownSurface
   Truth truth;
 };
 
-/** The mesh of a surface, as every benchmark makes it. */
-std::shared_ptr<const TriangleMesh> setUp(const Surface& surface, unsigned threads = 1);
+/** What is made once for an input: its mesh, and the bounds that fast marching makes from it. */
+struct SetUp
+{
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const UpdateBounds> bounds;
+};
+
+/** As every benchmark makes it. */
+SetUp setUp(const Surface& surface, unsigned threads = 1);
 
 /** A surface of the suite with everything that is measured on it. */
 struct Subject
@@ -47,6 +54,7 @@ struct Subject
 
   Surface surface;
   Truth truth;
+  SetUp made;
   std::shared_ptr<const TriangleMesh> mesh;
   ClosestPointTree tree;
   FastMarchingSolver solver;

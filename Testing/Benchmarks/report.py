@@ -165,6 +165,14 @@ def table_of_meshes(medians):
          for mesh in medians.meshes("Solve")])
 
 
+def table_of_tiers(medians):
+    rows = []
+    for mesh in medians.meshes("Reference"):
+        batched, reference = (medians(what, mesh, "solve_ns") for what in ("Solve", "Reference"))
+        rows.append([mesh, number(batched), number(reference), number(reference / batched)])
+    return table(["Mesh", "Batched", "Reference", "times as long"], rows)
+
+
 def table_of_heat(medians):
     return table(
         ["Mesh", "Setup", "Solve", "in Dijkstra times", "Mean error, of largest", "of own"],
@@ -241,6 +249,7 @@ def write(found, document):
         machine=machine(found["core"]),
         asked=table(["", "At least", "Aim", "Measured", "Holds"], asked),
         meshes=table_of_meshes(medians),
+        tiers=table_of_tiers(medians),
         heat=table_of_heat(medians),
         filters=table_of_filters(found["rounds"]),
         core_memory=core_memory(medians))
