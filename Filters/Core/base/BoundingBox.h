@@ -11,13 +11,17 @@
 namespace geodesic
 {
 
-/** The smallest box round points whose sides have the axes' directions. */
+/**
+ * The smallest axis-aligned box that holds all points added to it. Before the first one it is
+ * empty: low is above high.
+ */
 struct BoundingBox
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector3 low{ infinity, infinity, infinity };
   Vector3 high{ -infinity, -infinity, -infinity };
 
+  /** Grows the box until it holds another box, given by its two corners. */
   void add(const Vector3& lowest, const Vector3& highest)
   {
     const auto [lx, ly, lz] = lowest;
@@ -36,7 +40,7 @@ struct BoundingBox
   }
 
   /**
-   * The point of the box that is nearest to another.
+   * Returns the point of the box that is nearest to @p p.
    * @pre at least one point has been added
    */
   Vector3 nearestTo(const Vector3& p) const

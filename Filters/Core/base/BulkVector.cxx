@@ -14,7 +14,8 @@ namespace geodesic
 void askForPages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept
 {
 #ifdef MADV_POPULATE_WRITE
-  // For less a call costs more than it saves; of more, threads had better touch their parts.
+  // Below the least size the call costs more than it saves. Above the most, it is faster that each
+  // thread touches its own part first.
   constexpr std::size_t least = std::size_t{ 1 } << 16;
   constexpr std::size_t most = std::size_t{ 1 } << 22;
   if (bytes >= least && bytes <= most)

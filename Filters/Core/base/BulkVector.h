@@ -13,13 +13,16 @@ namespace geodesic
 {
 
 /**
- * Has the system hand out memory that is soon to be written as a whole. It comes in pages as they
- * are first touched; to ask for many at once costs half as much. Memory that is there already stays
- * as it is, and where the system cannot be asked nothing happens.
+ * Asks the operating system to provide all pages of some memory at once, before the memory is
+ * written as a whole. Otherwise each page is provided when it is first touched, which costs twice
+ * as much. The content of the memory does not change. Does nothing outside 64 KiB to 4 MiB, where
+ * it would not pay, or where the system has no such call.
+ * @param memory  first byte
+ * @param bytes   size of the memory
  */
 void askForPages(void* memory, std::size_t bytes) noexcept;
 
-/** Leaves elements that are made without a value as they are found in memory. */
+/** Allocator that leaves elements uninitialized where they are made without a value. */
 template <class T>
 class UninitializedAllocator : public std::allocator<T>
 {
@@ -56,8 +59,8 @@ public:
 };
 
 /**
- * A vector whose resize() does not touch the new elements: threads are to write them all, and
- * memory costs most where it is first touched.
+ * A vector whose resize() leaves the new elements uninitialized. Threads then write them all: the
+ * first access to memory is the most expensive one, so it is not wasted on setting zeros.
  */
 template <class T>
 using BulkVector = std::vector<T, UninitializedAllocator<T>>;

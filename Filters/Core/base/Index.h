@@ -10,10 +10,10 @@
 namespace geodesic
 {
 
-/** Numbers points, vertices, triangles and seeds inside Core. */
+/** The number of a point, vertex, triangle or seed inside Core. */
 using Index = std::uint32_t;
 
-/** No such point, vertex, triangle or seed. */
+/** Stands for no point, vertex, triangle or seed. */
 inline constexpr Index NoIndex = 0xffffffffu;
 
 /** Three corners, as point ids of the input or as vertices of a TriangleMesh. */

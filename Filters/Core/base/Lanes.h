@@ -16,17 +16,21 @@
 #endif
 
 /**
- * Numbers that the processor treats at once: a formula over one is also one over two or four, if it
- * is written with what is here instead of branches. Two go everywhere, four where the processor has
- * AVX2, which hasQuads() tells while the program runs.
+ * Arithmetic on one, two or four numbers (lanes) at once, by the processor's vector instructions. A
+ * formula that is a template over its number type works on a double, a Pair and a Quad, if it uses
+ * the functions of this file instead of branches. Every processor takes a Pair; a Quad needs AVX2,
+ * which hasQuads() checks at run time.
  *
- * What works on four is compiled for AVX2 by being inlined into a function that is marked
- * GEODESIC_QUADS. Everything on the way that takes or returns a Quad by value is GEODESIC_INLINED,
- * as how one is passed differs between what is compiled for AVX2 and what is not. Results are the
- * same to the bit either way: products and sums are never contracted.
+ * A function marked GEODESIC_QUADS is compiled for AVX2, with all that is inlined into it.
+ * Every function below it that takes or returns a Quad by value must be GEODESIC_INLINED, because
+ * the calling conventions for a Quad differ between code compiled for AVX2 and other code. Results
+ * are the same to the bit with any number of lanes: products and sums are never contracted.
  */
-/** For what a flat function does not call itself, but on the way to what works on four: GCC inlines
- * that as it is, Clang does not. */
+/**
+ * Marks a function that a function with gnu::flatten calls through others and that must be inlined
+ * there. GCC's flatten inlines all levels of calls; Clang's only the direct ones, so that Clang
+ * needs the mark.
+ */
 #ifdef __clang__
 #define GEODESIC_FLAT GEODESIC_INLINED
 #else
@@ -41,11 +45,11 @@
 namespace geodesic
 {
 
-/** How many numbers there are in a double, a Pair or a Quad. */
+/** The number of numbers in a Real: 1 in a double, 2 in a Pair, 4 in a Quad. */
 template <class Real>
 inline constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
 
-/** Whether both tests hold; without a branch. */
+/** Whether both tests hold, for each lane; computed without a branch. */
 template <class Test>
 GEODESIC_INLINED auto both(const Test& a, const Test& b)
 {
@@ -55,15 +59,17 @@ inline bool both(bool a, bool b)
 {
   return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b));
 }
+/** Whether a test holds for at least one lane. */
 inline bool any(bool test)
 {
   return test;
 }
+/** For each lane, @p a where the test holds and @p b elsewhere. */
 inline double select(bool test, double a, double b)
 {
   return test ? a : b;
 }
-/** These two are the second number where one is NaN. */
+/** For each lane the smaller or larger number; @p b where either is NaN. */
 inline double least(double a, double b)
 {
   return a < b ? a : b;
@@ -72,12 +78,13 @@ inline double largest(double a, double b)
 {
   return a > b ? a : b;
 }
+/** For each lane the square root. */
 inline double root(double x)
 {
   return std::sqrt(x);
 }
 
-/** Whether this processor runs what is marked GEODESIC_QUADS. */
+/** Whether this processor can run functions marked GEODESIC_QUADS. */
 inline bool hasQuads()
 {
 #if GEODESIC_HAS_LANES && defined(__x86_64__)
@@ -87,6 +94,7 @@ inline bool hasQuads()
 #endif
 }
 
+/** Writes the lanes one after the other to @p to, rounded to floats. */
 inline void storeFloats(double number, float* to)
 {
   *to = static_cast<float>(number);
@@ -96,11 +104,11 @@ inline void storeFloats(double number, float* to)
 
 using Pair = double __attribute__((vector_size(16)));
 using Quad = double __attribute__((vector_size(32)));
-/** What comparing gives: for each of the numbers all bits or none. */
+/** The result of a comparison: for each lane all bits set where it holds, none elsewhere. */
 using PairTest = decltype(Pair() < Pair());
 using QuadTest = decltype(Quad() < Quad());
 
-/** The first test's result in bit 0, the second's in bit 1. */
+/** Packs a test's results: that of lane 0 in bit 0, that of lane 1 in bit 1. */
 inline unsigned bitsOf(PairTest test)
 {
 #ifdef __SSE2__
@@ -109,7 +117,7 @@ inline unsigned bitsOf(PairTest test)
   return static_cast<unsigned>((test[0] & 1) | (test[1] & 2));
 #endif
 }
-/** The results in bits 0 to 3. */
+/** Packs a test's results of lanes 0 to 3 in bits 0 to 3. */
 [[GEODESIC_QUADS]] inline unsigned bitsOf(const QuadTest& test)
 {
 #ifdef __x86_64__
@@ -178,7 +186,7 @@ GEODESIC_INLINED Quad root(Quad x)
   return Quad{ std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3]) };
 }
 
-/** To and from where numbers are one after the other. */
+/** store() writes the lanes one after the other to @p to; load() reads them from @p from. */
 template <class Several, class Number>
 GEODESIC_INLINED void store(const Several& numbers, Number* to)
 {
@@ -192,7 +200,7 @@ GEODESIC_INLINED Real load(const double* from)
   return numbers;
 }
 
-/** Of the same number. */
+/** Returns @p number in every lane. */
 template <class Real>
 GEODESIC_INLINED Real sameOf(double number)
 {
@@ -206,7 +214,7 @@ GEODESIC_INLINED Real sameOf(double number)
   }
 }
 
-/** As many floats as there are numbers. */
+/** The vector type of as many floats as a Real has lanes. */
 template <class Real>
 struct FloatsBeside;
 template <>
@@ -226,7 +234,7 @@ GEODESIC_INLINED void storeFloats(const Real& numbers, float* to)
   std::memcpy(to, &floats, sizeof floats);
 }
 
-/** The numbers that @p numberAt gives for 0, 1 and so on. */
+/** Returns numberAt(i) in lane i. */
 template <class Real, class NumberAt>
 GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
 {
@@ -240,11 +248,11 @@ GEODESIC_INLINED Real lanesOf(NumberAt numberAt)
   }
 }
 
-/** What comparing several numbers gives. */
+/** The result type of comparing two Reals. */
 template <class Real>
 using TestOf = decltype(Real() < Real());
 
-/** 32 bits beside each of several numbers. */
+/** The vector type of one 32-bit integer for each lane of a Real. */
 template <class Real>
 struct BitsBeside;
 template <>
@@ -260,7 +268,7 @@ struct BitsBeside<Quad>
 template <class Real>
 using BitsOf = typename BitsBeside<Real>::Type;
 
-/** Those that @p bitsAt gives for 0, 1 and so on. */
+/** Returns bitsAt(i) in lane i. */
 template <class Real, class BitsAt>
 GEODESIC_INLINED BitsOf<Real> bitsWith(BitsAt bitsAt)
 {
@@ -274,7 +282,7 @@ GEODESIC_INLINED BitsOf<Real> bitsWith(BitsAt bitsAt)
   }
 }
 
-/** Every second one of the bits of @p a, then of @p b, from number @p First of each on. */
+/** Returns every second lane of @p a, then of @p b, each from lane First (0 or 1) on. */
 template <int First, class Bits>
 GEODESIC_INLINED Bits everySecond(const Bits& a, const Bits& b)
 {
@@ -288,25 +296,25 @@ GEODESIC_INLINED Bits everySecond(const Bits& a, const Bits& b)
   }
 }
 
-/** What comparing them gives. */
+/** The result type of comparing two BitsOf<Real>. */
 template <class Real>
 using BitsTestOf = decltype(BitsOf<Real>() == BitsOf<Real>());
 
-/** The same beside numbers as among them. */
+/** Converts a test of 32-bit lanes to a test of the numbers' 64-bit lanes. */
 template <class Real>
 GEODESIC_INLINED TestOf<Real> widened(const BitsTestOf<Real>& test)
 {
   return __builtin_convertvector(test, TestOf<Real>);
 }
 
-/** Which of bits 0, 1 and so on are set. */
+/** A test that holds in lane i where bit i of @p bits is set. */
 template <class Real>
 GEODESIC_INLINED TestOf<Real> whereSet(unsigned bits)
 {
   return widened<Real>((bitsWith<Real>([](int lane) { return 1u << lane; }) & bits) != 0);
 }
 
-/** Whether the highest of the bits is set, in bits 0, 1 and so on; of a test, its results. */
+/** Packs the highest bit of lane i in bit i. From a test this packs its results. */
 template <class Real>
 GEODESIC_INLINED unsigned highestBits(const BitsTestOf<Real>& bits)
 {
@@ -324,7 +332,7 @@ GEODESIC_INLINED unsigned highestBits(const BitsOf<Real>& bits)
   return highestBits<Real>(reinterpret_cast<const BitsTestOf<Real>&>(bits));
 }
 
-/** The last of @p before, then @p numbers without their last. */
+/** Shifts @p numbers up by one lane; lane 0 gets the last lane of @p before. */
 GEODESIC_INLINED Pair shiftedIn(Pair before, Pair numbers)
 {
   return __builtin_shufflevector(before, numbers, 1, 2);

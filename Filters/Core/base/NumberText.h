@@ -9,7 +9,10 @@
 namespace geodesic
 {
 
-/** A number for a message, in six digits wherever the point is: std::to_string(1e-9) is 0. */
+/**
+ * Returns a number as text for a message, with six significant digits. std::to_string has six
+ * decimals instead and makes 0.000000 of 1e-9.
+ */
 inline std::string textOf(double number)
 {
   std::ostringstream text;

@@ -4,11 +4,13 @@
 #define geodesic_Platform_h
 
 /**
- * What Core asks of a compiler beyond C++20, each with what takes its place elsewhere.
+ * Compiler features that Core uses beyond C++20, each with a replacement for compilers without it.
  *
- * GEODESIC_HAS_LANES: vector extensions, as GCC and Clang have them; see Lanes.h. Without them, or
- * with GEODESIC_SCALAR defined, everything works on one number at a time, and ReferenceSolver does
- * what FastMarchingSolver does elsewhere.
+ * GEODESIC_HAS_LANES: 1 where the compiler has vector extensions, as GCC and Clang do (see
+ * Lanes.h). Without them, or with GEODESIC_SCALAR defined, it is 0: all code then works on one
+ * number at a time, and ReferenceSolver does the work of FastMarchingSolver.
+ *
+ * GEODESIC_INLINED: marks a function that is always inlined; elsewhere plain inline.
  */
 #if defined(__GNUC__) && !defined(GEODESIC_SCALAR)
 #define GEODESIC_HAS_LANES 1
@@ -25,15 +27,17 @@
 namespace geodesic
 {
 
-/** Has the processor fetch memory that is soon to be read. GCC drops the call unless it, and every
- * function that it stands in, is inlined. */
+/**
+ * Asks the processor to fetch memory into its cache that will soon be read. GCC drops the call
+ * unless this function, and every function that contains the call, is inlined.
+ */
 GEODESIC_INLINED void prefetchToRead([[maybe_unused]] const void* memory)
 {
 #ifdef __GNUC__
   __builtin_prefetch(memory);
 #endif
 }
-/** The same of memory that is soon to be written. */
+/** The same for memory that will soon be written. */
 GEODESIC_INLINED void prefetchToWrite([[maybe_unused]] const void* memory)
 {
 #ifdef __GNUC__

@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-/** Sorts values in increasing order and leaves one of each. Time O(n log n). */
+/** Sorts values in increasing order and removes duplicates. Time O(n log n). */
 template <class T>
 void sortUnique(std::vector<T>& values)
 {

@@ -13,40 +13,41 @@ namespace geodesic
 {
 
 /**
- * Spreads loops over threads. A loop is cut into as many ranges as there are threads; what it
- * computes must not depend on where.
+ * Spreads loops over threads. A loop is cut into at most as many ranges as there are threads; its
+ * result must not depend on where the cuts are.
  */
 class ThreadTeam
 {
 public:
-  /** @param threads at least 1; 0 takes as many as the machine runs at a time. */
+  /** @param threads number of threads; 0 means as many as the machine runs at a time */
   explicit ThreadTeam(unsigned threads = 0)
     : Threads(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()))
   {
   }
 
-  /** The same with at most so many threads, for what takes memory for each. */
+  /** A team of at most @p threads of these threads, for loops that need memory for each one. */
   ThreadTeam atMost(unsigned threads) const
   {
     return ThreadTeam(static_cast<unsigned>(std::min<std::size_t>(threads, this->Threads)));
   }
 
-  /** Into how many ranges a loop of @p count steps is cut; small ones stay whole. */
+  /** The number of ranges that a loop of @p count steps is cut into; a small loop is one range. */
   std::size_t numberOfRanges(std::size_t count) const
   {
     return std::clamp<std::size_t>(count / LeastRange, 1, this->Threads);
   }
 
-  /** The first step of a range; of the range behind the last one, @p count. */
+  /** The first step of a range. For the range number after the last one, @p count. */
   std::size_t startOf(std::size_t range, std::size_t count) const
   {
     return count * range / this->numberOfRanges(count);
   }
 
   /**
-   * Calls work(range, first, last) for each range from first to before last, which follow each
-   * other from 0 to @p count, all at the same time. Of the exceptions that the calls throw the one
-   * of the first range goes on.
+   * Calls work(range, first, last) for each range, all at the same time: range is its number, first
+   * its first step, last the step after its last one. Together the ranges are the steps from 0 to
+   * before @p count. Returns when all calls have returned.
+   * @throws whatever a call throws; if several do, the exception of the lowest range
    */
   template <class Work>
   void run(std::size_t count, const Work& work) const
@@ -83,12 +84,16 @@ public:
   }
 
 private:
-  /** Below this many steps a thread costs more than it saves. */
+  /** A thread with fewer steps costs more than it saves. */
   static constexpr std::size_t LeastRange = 1024;
   std::size_t Threads;
 };
 
-/** Sums that each range counted, turned into where each range begins; returns the whole sum. */
+/**
+ * Replaces the count of each range by the sum of the counts before it, which is where the range's
+ * elements begin in a common array.
+ * @return the sum of all counts
+ */
 inline std::size_t startsOf(std::vector<std::size_t>& counts)
 {
   std::size_t sum = 0;

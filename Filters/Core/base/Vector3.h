@@ -14,7 +14,7 @@ namespace geodesic
 
 /**
  * A point or a direction in space, in the mesh's length unit.
- * @tparam Real  double, or Pair or Quad for several at once
+ * @tparam Real  double for one vector, Pair or Quad for two or four at once (see Lanes.h)
  */
 template <class Real>
 struct Vector3Of
@@ -57,11 +57,11 @@ using Vector3 = Vector3Of<double>;
 
 inline bool isFinite(const Vector3& a)
 {
-  // What is not finite less itself is NaN.
+  // Infinity and NaN minus themselves are NaN; a finite number minus itself is 0.
   return (a.x - a.x) + (a.y - a.y) + (a.z - a.z) == 0.0;
 }
 
-/** As many side by side as a Real has numbers, those that @p vectorAt gives for 0, 1 and so on. */
+/** Packs as many vectors as a Real has lanes: vectorAt(i) in lane i. */
 template <class Real, class VectorAt>
 GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt) requires(lanes<Real> == 1)
 {
@@ -70,7 +70,7 @@ GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt) requires(lanes<Re
 
 #if GEODESIC_HAS_LANES
 
-/** Both side by side. */
+/** Packs two vectors: @p a in lane 0, @p b in lane 1. */
 inline Vector3Of<Pair> pairOf(const Vector3& a, const Vector3& b)
 {
   return { Pair{ a.x, b.x }, Pair{ a.y, b.y }, Pair{ a.z, b.z } };
@@ -85,7 +85,7 @@ GEODESIC_INLINED Vector3Of<Real> sideBySide(VectorAt vectorAt) requires(lanes<Re
   }
   else
   {
-    // x and y come together, two vectors in a row, and are sorted afterwards.
+    // x and y are adjacent in memory, so one load reads both; the shuffles below separate them.
     const auto xy = [&](int i, int j)
     {
       Pair a;
