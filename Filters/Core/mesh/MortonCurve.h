@@ -15,7 +15,8 @@ namespace geodesic
 {
 
 /**
- * A Morton (Z) curve through the cube at a box's low corner that holds the box.
+ * A Morton (Z) curve through a cube that holds a box and shares the box's low corner. Each side of
+ * the cube is cut into 2^21 cells.
  * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
  */
 class MortonCurve
@@ -31,23 +32,23 @@ public:
     this->CellsPerUnit = extent > 0.0 ? ((1 << BitsPerAxis) - 1) / extent : 0.0;
   }
 
-  /** How far along the curve a point of the box is, in 63 bits. */
+  /** The number of a point's cell along the curve, in 63 bits. @pre the point is in the box */
   std::uint64_t codeOf(const Vector3& point) const
   {
     const Cell cell = this->cellOf(point);
     return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
   }
 
-  /** The first 32 bits of codeOf(), at less cost. */
+  /** The highest 32 bits of codeOf(), faster than the whole. */
   std::uint32_t leadingBitsOf(const Vector3& point) const
   {
     const Cell cell = this->cellOf(point);
-    // 33 bits, less the last one.
+    // Three times 11 bits, without the lowest one, which otherBitsOf() returns.
     return Spread[cell.x >> LastBits] >> 1 | Spread[cell.y >> LastBits] |
       Spread[cell.z >> LastBits] << 1;
   }
 
-  /** The other 31 of them. */
+  /** The lowest 31 bits of codeOf(). */
   std::uint32_t otherBitsOf(const Vector3& point) const
   {
     const Cell cell = this->cellOf(point);
@@ -75,7 +76,7 @@ private:
   static constexpr int FirstBits = 11;
   static constexpr int LastBits = BitsPerAxis - FirstBits;
 
-  /** Numbers of 11 bits with each bit moved to every third one. */
+  /** For each number of 11 bits: the number with bit i moved to bit 3 i. */
   static constexpr auto Spread = []
   {
     std::array<std::uint32_t, std::size_t{ 1 } << FirstBits> spread{};
@@ -89,7 +90,7 @@ private:
     return spread;
   }();
 
-  /** The same of 21 bits. */
+  /** Moves bit i of a number of 21 bits to bit 3 i. */
   static std::uint64_t spread(std::uint32_t number)
   {
     constexpr std::uint32_t last = (1u << LastBits) - 1;

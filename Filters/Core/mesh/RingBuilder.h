@@ -18,18 +18,25 @@
 namespace geodesic
 {
 
-/** The side of a triangle that faces the vertex whose ring is built. */
+/** The side of a triangle that is opposite to the vertex whose ring is built, by its two ends. */
 struct OppositeSide
 {
   Index first;
   Index second;
 };
 
-/** Chains the sides opposite to one vertex into fans; reused from vertex to vertex. */
+/**
+ * Chains the sides opposite to one vertex into fans. One builder serves many vertices, so that its
+ * workspace is allocated once.
+ */
 class RingBuilder
 {
 public:
-  /** Appends the fans made of @p sides to @p entries; @p sides is used up. */
+  /**
+   * Appends the fans of one vertex to @p entries.
+   * @param sides  the sides opposite to the vertex, in any order; their order is lost
+   * Time O(k log k) for k sides.
+   */
   void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
   {
     this->Sides = sides;
@@ -41,7 +48,8 @@ public:
     this->Fan.resize(2 * sides.size() + 2);
     while (this->Left > 0)
     {
-      // The fan grows from the middle, to its end and then, unless it closed, to its front.
+      // The fan starts in the middle of Fan. It grows at its back, then, unless closed, at its
+      // front.
       std::size_t front = sides.size();
       std::size_t back = front + 1;
       const OppositeSide side = this->takeAny();
@@ -81,7 +89,8 @@ public:
 private:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
   using Mask = std::uint32_t;
-  /** Above this many triangles round a vertex a linear look-up would be quadratic. */
+  /** With more triangles round a vertex, sides are found by a sorted index: linear search in each
+   * step would take quadratic time. */
   static constexpr std::size_t LinearLimit = 32;
 
   bool isIndexed() const { return this->Sides.size() > LinearLimit; }
@@ -122,7 +131,7 @@ private:
     return this->take(this->NextStart);
   }
 
-  /** Takes the side at a place; the places of others may change. */
+  /** Removes and returns the side at a place. Other sides may change their places. */
   OppositeSide take(std::size_t place)
   {
     --this->Left;
@@ -134,7 +143,7 @@ private:
     return std::exchange(this->Sides[place], this->Sides[this->Left]);
   }
 
-  /** The place of a side left that ends in @p vertex, None if there is none. */
+  /** The place of a remaining side that ends in @p vertex; None if there is none. */
   std::size_t find(Index vertex)
   {
     return this->isIndexed() ? this->findIndexed(vertex) : this->findLinear(vertex);
@@ -142,7 +151,7 @@ private:
 
   std::size_t findLinear(Index vertex) const
   {
-    // No branch on what is found: which side follows is not to be guessed.
+    // No early exit: the processor cannot predict which side matches, so a branch would cost more.
     Mask found = 0;
     for (std::size_t i = 0; i < this->Left; ++i)
     {
@@ -160,7 +169,7 @@ private:
     {
       return None;
     }
-    // The first end of a run remembers how far its run is used up.
+    // The cursor at the first of a vertex's ends tells how many of them are already taken.
     std::size_t& cursor = this->Cursors[first - this->Ends.begin()];
     for (; cursor < this->Ends.size() && this->Ends[cursor].first == vertex; ++cursor)
     {
@@ -182,7 +191,10 @@ private:
   std::size_t NextStart = 0;
 };
 
-/** Chains the sides opposite to a vertex where that is easy, as it is at most vertices. */
+/**
+ * Chains the sides opposite to a vertex in linear time in the common case: one closed fan of
+ * triangles with the same orientation. RingBuilder handles the rest.
+ */
 class ClosedRingBuilder
 {
 public:
@@ -192,10 +204,13 @@ public:
   }
 
   /**
-   * Where all sides follow each other, first end to second end, as one fan that closes, brings them
-   * into that order; leaves them as they are and returns false elsewhere.
-   * @param seconds  the other ends of the sides
-   * @param fan      what opens them, and room for one entry more
+   * Brings sides into the order of a closed fan, where each side begins at the end of the one
+   * before.
+   * @param seconds  the second end of each side
+   * @param fan      the entry that opens each side's triangle, with the side's first end as
+   * neighbour, and room for one more entry, which repeats the first neighbour
+   * @return false, with the entries as they were, where the sides are not one such fan or more than
+   *         255
    */
   bool chain(std::span<const Index> seconds, std::span<RingEntry> fan)
   {
@@ -218,7 +233,7 @@ public:
       fan[chained++] = this->Sides[place];
       const Index end = seconds[place];
       place = this->PlaceOf[end];
-      // The place of a vertex where no side begins is one from another ring.
+      // Where no side begins at a vertex, its place is left over from another ring: hence the test.
       isFound = place < size && this->Sides[place].neighbour() == end;
     } while (isFound && place != 0 && chained < size);
     const bool isWhole = isFound && place == 0 && chained == size;

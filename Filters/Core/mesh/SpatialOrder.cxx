@@ -33,7 +33,7 @@ namespace
 constexpr int RadixBits = 11;
 constexpr int RadixPasses = 3;
 
-/** The leading bits of a point's code, as many as tell most points apart. */
+/** A point and the highest 32 bits of its code, which differ between most points. */
 struct Keyed
 {
   std::uint32_t key;
@@ -90,7 +90,7 @@ BulkVector<Keyed> keysOf(std::span<const Vector3> points, std::span<const std::u
   return keyed;
 }
 
-/** Stable sort by the keys. */
+/** Sorts by the keys; equal keys keep their order. */
 void radixSort(BulkVector<Keyed>& keyed, const ThreadTeam& team)
 {
   constexpr std::size_t digits = std::size_t{ 1 } << RadixBits;
@@ -129,7 +129,7 @@ void radixSort(BulkVector<Keyed>& keyed, const ThreadTeam& team)
   }
 }
 
-/** Orders points of equal keys by the whole of their codes, down to the coordinates themselves. */
+/** Sorts points of equal keys by the rest of their codes, then by coordinates, then by id. */
 class RunSorter
 {
 public:
@@ -166,19 +166,19 @@ public:
 private:
   struct Coded
   {
-    /** The rest of it. */
+    /** The lowest 31 bits of the point's code. */
     std::uint32_t code;
     Index id;
   };
-  /** Codes that are compared with another at once, by the processor where it can; four of these are
-   * at work side by side. */
+  /** Four codes that are compared with another one at once, by vector instructions where the
+   * compiler has them. putByRanks() works on four of these at a time. */
 #if GEODESIC_HAS_LANES
   using Codes = std::int32_t __attribute__((vector_size(16)));
 #else
   struct Codes
   {
     std::int32_t operator[](std::size_t i) const { return this->Code[i]; }
-    /** Subtracts a test that is -1 where it holds. */
+    /** Subtracts a test's results, -1 where it holds: adds 1 there. */
     void operator-=(const Codes& test)
     {
       for (std::size_t i = 0; i < 4; ++i)
@@ -199,12 +199,15 @@ private:
   };
 #endif
   static constexpr std::size_t CodesAtOnce = 16;
-  /** Of so many, to count for each how many are before it costs less than a sort, which has to
-   * guess. */
+  /** For Least to Most points it is faster to count, for each one, the points before it than to
+   * sort: a sort's branches depend on the data and are mispredicted. */
   static constexpr std::size_t Least = 8;
   static constexpr std::size_t Most = 256;
 
-  /** False where some have the same code. */
+  /**
+   * Puts each id of Run to the place in @p run that is the number of lower codes.
+   * @return false, with @p run undefined, where codes are equal
+   */
   bool putByRanks(std::span<Keyed> run) const
   {
     std::array<std::int32_t, Most> codes;
@@ -245,7 +248,7 @@ void sortRuns(BulkVector<Keyed>& keyed, std::span<const Vector3> points, const M
   const ThreadTeam& team)
 {
   const auto isSameRun = [&](std::size_t i, std::size_t j) { return keyed[i].key == keyed[j].key; };
-  // A run belongs to the range that it starts in.
+  // A run of equal keys that crosses the end of a range belongs to the range where it starts.
   std::vector<std::size_t> starts;
   for (std::size_t range = 0; range <= team.numberOfRanges(keyed.size()); ++range)
   {

@@ -14,7 +14,7 @@
 namespace geodesic
 {
 
-/** @throws std::invalid_argument that names the point */
+/** @throws std::invalid_argument always, with the point's number and position in the message */
 [[noreturn]] void throwNotFinite(Index point, const Vector3& position);
 
 /** @throws std::invalid_argument where the position of a point that triangles use is not finite */
@@ -30,7 +30,7 @@ inline void checkFinite(Index point, const Vector3& position)
  * Orders points along a Morton (Z) curve through their bounding cube, so that neighbours on the
  * surface are neighbours in memory.
  * @param points  coordinates
- * @param used    one flag a point: 0 leaves the point out
+ * @param used    one flag for each point, 1 or 0; 0 leaves the point out
  * @param team    threads to work on; the order does not depend on their number
  * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
  *         increasing id; otherwise the order depends on coordinates alone, not on ids.

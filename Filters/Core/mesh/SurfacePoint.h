@@ -12,7 +12,8 @@ namespace geodesic
 
 /**
  * A point on a triangle mesh: a triangle and barycentric weights (each in [0, 1], sum 1) of its
- * three corners. A weight of exactly 0 puts the point on an edge, two of them at a vertex.
+ * three corners. One weight of exactly 0 means that the point is on an edge, two that it is at a
+ * vertex.
  */
 struct SurfacePoint
 {
@@ -23,9 +24,10 @@ struct SurfacePoint
 };
 
 /**
- * The same point with every weight below @p tolerance set to exactly 0. Points meant to lie on an
- * edge come out of a projection with weights of rounding size, and the eikonal update is badly
- * conditioned for a source that close to an edge without being on it.
+ * Returns the point with every weight below @p tolerance set to exactly 0 and the others scaled to
+ * the sum 1. A projection gives points that should lie on an edge weights as small as rounding
+ * errors, and the eikonal update is badly conditioned for a source so close to an edge but not on
+ * it.
  */
 inline SurfacePoint snapped(SurfacePoint point, double tolerance = 1e-9)
 {

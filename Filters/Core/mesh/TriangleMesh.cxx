@@ -20,7 +20,7 @@ namespace
 
 void checkNumber(std::size_t points)
 {
-  // A march numbers what else is in its queue behind the vertices.
+  // A march's queue numbers its other items, secondary values, from the number of vertices on.
   constexpr std::size_t most = 0x3fffffff;
   if (points > most)
   {
@@ -104,7 +104,7 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
 
 void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& team)
 {
-  // Memory costs most where it is first touched, so two steps share it.
+  // The first access to memory is the most expensive one, so two steps share this workspace.
   BulkVector<Index> room(3 * triangles.size());
   this->orderTriangles(triangles, room, team);
   this->Rings = VertexRings(this->Triangles, this->Positions, room, team);
@@ -157,8 +157,9 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
 void TriangleMesh::orderTriangles(
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
-  // A counting sort: each thread counts and places some of the triangles, before those of the next.
-  // Its counts are 4 bytes a vertex, so there are not too many.
+  // A counting sort: each thread counts and places a range of the triangles. Of equal lowest
+  // corners, a thread's triangles go before those of the next thread. Counts take 4 bytes for each
+  // vertex and thread, so at most 8 threads work.
   const ThreadTeam counters = team.atMost(8);
   const std::size_t vertices = this->numberOfVertices();
   std::vector<std::vector<Index>> places(counters.numberOfRanges(triangles.size()));
@@ -222,7 +223,7 @@ void TriangleMesh::orderTriangles(
       const auto cornersOf = [from = corners.data()](std::size_t t) -> Triangle {
         return { from[3 * t], from[3 * t + 1], from[3 * t + 2] };
       };
-      // Where a triangle goes may be anywhere in memory, so that is fetched some time before.
+      // A triangle's place may be anywhere in memory, so it is prefetched 24 triangles ahead.
       constexpr std::size_t ahead = 24;
       std::array<Index, 32> placeOf;
       const auto put = [&](std::size_t t)

@@ -28,12 +28,12 @@ enum class CoincidentPoints
 /**
  * An immutable triangle mesh, built once for an input and shared by every solver and tracer on it.
  *
- * Its *vertices* are the input's *points* that at least one triangle uses, renumbered along a space
- * filling curve (see spatialOrder); with CoincidentPoints::Merge, points of equal coordinates are
- * one vertex, and so are points that are said to be of the same kind. Triangles follow the order of
- * their lowest vertex. Any surface is allowed: boundaries, several parts, mixed orientation, edges
- * with more than two triangles, triangles of zero area. A triangle that repeats a corner has no
- * area and no interior and is left out.
+ * Its *vertices* are the input's *points* that at least one triangle uses, renumbered along a
+ * space-filling curve (see spatialOrder). With CoincidentPoints::Merge, points of equal coordinates
+ * are one vertex; with the constructor that takes kinds, points of the same kind are. Triangles are
+ * sorted by their lowest vertex. Any surface is allowed: boundaries, several parts, mixed
+ * orientation, edges with more than two triangles, triangles of zero area. A triangle that repeats
+ * a corner has no area and no interior and is left out.
  *
  * Holds about 130 bytes a vertex. Lengths are computed from the coordinates where they are used:
  * on current machines that is cheaper than reading them from memory.
@@ -42,9 +42,10 @@ class TriangleMesh
 {
 public:
   /**
-   * @param points     coordinates, in any length unit
-   * @param triangles  point ids
-   * @param team       threads to build it on; the mesh does not depend on their number
+   * @param points      coordinates, in any length unit
+   * @param triangles   point ids
+   * @param coincident  whether points of equal coordinates become one vertex
+   * @param team        threads to build it on; the mesh does not depend on their number
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
    *         coordinates are not finite
    * @throws std::length_error for more than 2^30 - 1 vertices or 700 million triangles
@@ -54,7 +55,7 @@ public:
     CoincidentPoints coincident = CoincidentPoints::Separate,
     const ThreadTeam& team = ThreadTeam());
   /**
-   * The same of points that are one vertex by something else than their coordinates.
+   * Builds the mesh with points merged by the caller's choice instead of by coordinates.
    * @param kinds  a number below points.size() for each point: points of the same kind are one
    *               vertex, at the position of the lowest of them that a triangle uses
    */
@@ -65,22 +66,22 @@ public:
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
   Index numberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
 
-  /** The vertex that stands for an input point, NoIndex where no triangle uses the point. */
+  /** The vertex that an input point became; NoIndex where no triangle uses the point. */
   Index vertexOfPoint(Index point) const { return this->VertexOfPoint[point]; }
-  /** The input point (the lowest of the merged ones) that a vertex stands for. */
+  /** The input point that became a vertex; of several merged ones, the lowest. */
   Index pointOfVertex(Index vertex) const { return this->PointOfVertex[vertex]; }
 
   const Vector3& position(Index vertex) const { return this->Positions[vertex]; }
   std::span<const Vector3> positions() const { return this->Positions; }
   const Triangle& triangle(Index triangle) const { return this->Triangles[triangle]; }
   std::span<const Triangle> triangles() const { return this->Triangles; }
-  /** Which of the triangles given to the constructor this one was. */
+  /** The number that a triangle has in the constructor's list. */
   Index sourceOfTriangle(Index triangle) const { return this->SourceOfTriangle[triangle]; }
-  /** The triangles round a vertex. */
+  /** The triangles round a vertex; see VertexRings. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
   const VertexRings& rings() const { return this->Rings; }
-  /** Has the processor fetch a vertex's position and ring, which are soon to be read; best some
-   * time after prefetchRingStart(), which fetches where the ring is. */
+  /** Asks the processor to fetch a vertex's position and ring, which will soon be read. This reads
+   * where the ring begins, so call prefetchRingStart() some time before. */
   GEODESIC_INLINED void prefetch(Index vertex) const
   {
     this->Rings.prefetch(vertex);
@@ -88,14 +89,14 @@ public:
   }
   GEODESIC_INLINED void prefetchRingStart(Index vertex) const { this->Rings.prefetchStart(vertex); }
 
-  /** The vertex as a point of the surface. Time O(log n). */
+  /** The vertex as a point of the surface. @pre a triangle uses it. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;
   /** The triangles that have all of some vertices as corners; time O(log n). */
   std::vector<Index> trianglesWith(std::span<const Index> corners) const;
-  /** Where a point of the surface is in space. */
+  /** The position in space of a point of the surface. */
   Vector3 positionOf(const SurfacePoint& point) const;
 
-  /** Mean over all vertices of longestEdgeAround(); 0 without any. */
+  /** Mean of longestEdgeAround() over all vertices; 0 for a mesh without vertices. */
   double meanLongestEdge() const { return this->MeanLongestEdge; }
   /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
@@ -106,10 +107,11 @@ private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
   void build(std::span<const Triangle> triangles, const ThreadTeam& team);
-  /** @param corners room to work in, three numbers a triangle */
+  /** @param corners workspace, three numbers for each triangle */
   void orderTriangles(
     std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
-  /** Points that only triangles without an area use are not on the surface. */
+  /** Sets NoIndex as the vertex of points that only left-out triangles use: they aren't on the
+   * surface. */
   void forgetBareVertices();
   void measureEdges();
 

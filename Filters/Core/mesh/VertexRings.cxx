@@ -29,13 +29,13 @@ float longestSideOf(const Triangle& t, const Vector3* positions)
   };
   const double longest =
     std::sqrt(largest(squaredSide(0, 1), largest(squaredSide(1, 2), squaredSide(2, 0))));
-  // More than what rounding to a float changes.
+  // Adds more than rounding to a float may take away.
   constexpr double relative = std::numeric_limits<float>::epsilon();
   constexpr double absolute = std::numeric_limits<float>::denorm_min();
   return static_cast<float>(longest * (1.0 + relative) + absolute);
 }
 
-/** Numbers that follow each other. */
+/** Consecutive numbers, from first() to before last(). */
 class IndexRange
 {
 public:
@@ -53,7 +53,7 @@ private:
   Index Size;
 };
 
-/** All that there are. */
+/** The range of all numbers: its test always holds and costs nothing. */
 struct EveryIndex
 {
   static bool has(Index) { return true; }
@@ -61,13 +61,15 @@ struct EveryIndex
 
 }
 
-/** Some vertices that follow each other, and the triangles that have a corner among them. */
+/** A range of consecutive vertices, and the triangles that have a corner in it. */
 class VertexRings::Range
 {
 public:
   /**
-   * @param triangles  all of them, in the order of their lowest corners
-   * @param isWhole    whether the range is of all vertices
+   * @param first      the first vertex
+   * @param last       the vertex after the last one
+   * @param triangles  those of the whole mesh, sorted by their lowest corners
+   * @param isWhole    whether the range is all vertices
    */
   Range(std::size_t first, std::size_t last, std::span<const Triangle> triangles, bool isWhole)
     : Vertices(static_cast<Index>(first), static_cast<Index>(last - first))
@@ -86,15 +88,15 @@ public:
   }
 
   IndexRange vertices() const { return this->Vertices; }
-  /** Calls @p work with what tells which vertices are in the range. */
+  /** Calls @p work with an object whose has(vertex) tells whether a vertex is in the range. */
   template <class Work>
   void withVertices(const Work& work) const
   {
     this->IsWhole ? work(EveryIndex()) : work(this->Vertices);
   }
-  /** Those with a lowest corner before the range. */
+  /** The triangles whose lowest corner is before the range. */
   std::span<const Triangle> reachIn() const { return this->ReachIn; }
-  /** Those with one in it. */
+  /** The triangles whose lowest corner is in the range. */
   std::span<const Triangle> beginHere() const { return this->BeginHere; }
 
 private:
@@ -105,17 +107,18 @@ private:
 };
 
 /**
- * The making of the rings of a range of vertices. What opens the triangles at each vertex is put to
- * where its ring will be, in no order, as the triangles follow each other; as soon as all those of
- * a vertex have come, they are brought into order, while they are near the processor.
+ * Makes the rings of a range of vertices. It goes through the triangles once and appends, for each
+ * corner, an entry to the place where the corner's ring will be. As soon as all triangles of a
+ * vertex have come, its entries are put into the order of fans, while they are still in the cache.
  */
 class VertexRings::Filling
 {
 public:
   /**
-   * @param start      of the first vertex's ring
-   * @param seconds    room for the other ends of the sides opposite to the vertices, by corner
-   * @pre Starts are the numbers of corners
+   * @param rings      gets the rings; its Starts hold the number of triangles at each vertex
+   * @param start      index of the first entry of the range's first vertex
+   * @param seconds    workspace: for each triangle at each vertex, the second end of the side
+   *                   opposite to the vertex
    */
   Filling(VertexRings& rings, const Range& range, std::size_t start,
     std::span<const Vector3> positions, std::span<Index> seconds)
@@ -131,7 +134,8 @@ public:
   {
   }
 
-  /** Returns the rings of more than one fan, for which there is no room. */
+  /** Makes the rings. Those of more than one fan have too many entries for their places: they are
+   * returned instead, sorted by vertex. */
   std::vector<Ring> fill()
   {
     const IndexRange vertices = this->OfRange.vertices();
@@ -152,13 +156,13 @@ public:
   }
 
 private:
-  /** Puts the corners of triangles in the order of their lowest ones. */
+  /** Adds triangles, sorted by their lowest corners, to the rings of their corners. */
   template <class Vertices>
   void put(std::span<const Triangle> triangles, const Vertices& ours)
   {
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
-      // All triangles at lower vertices have come.
+      // Triangles still to come have no lower corner, so the rings of lower vertices are complete.
       this->chainBefore(lowestCorner(triangles[t]));
       constexpr std::size_t ahead = 32;
       this->prefetchRing(triangles[std::min(t + ahead, triangles.size() - 1)], ours);
@@ -175,7 +179,7 @@ private:
       const Index v = t[c];
       if (ours.has(v))
       {
-        // Moves the start of the ring to its end.
+        // While entries are added, Starts holds the end of the ring; chainBefore() restores it.
         const std::uint32_t place = this->Starts[v]++;
         this->Entries[place] = RingEntry(t[(c + 1) % 3], true);
         this->Seconds[place - v] = t[(c + 2) % 3];
@@ -184,8 +188,8 @@ private:
     }
   }
 
-  /** The highest corner is the one whose ring is least likely to be near. GCC drops the call unless
-   * it is inlined. */
+  /** Asks the processor to fetch the place in the ring of the highest corner, the one least likely
+   * to be in the cache. GCC drops the call unless it is inlined. */
   template <class Vertices>
   GEODESIC_INLINED void prefetchRing(const Triangle& t, const Vertices& ours) const
   {
@@ -199,7 +203,8 @@ private:
     }
   }
 
-  /** Brings the rings of the next vertices into order. @pre all of their corners were put */
+  /** Puts the rings of all vertices before @p last that aren't yet into the order of fans.
+   * @pre all triangles of these vertices were added */
   void chainBefore(Index last)
   {
     for (; this->NextVertex < last; ++this->NextVertex)
@@ -238,7 +243,8 @@ private:
   }
 
   const Range& OfRange;
-  // Pointers of its own, as what is written could be of these arrays' own kind.
+  // Plain pointers: through the vectors the compiler would reload them after every write, which
+  // could, by its type, change them.
   const Vector3* Positions;
   std::uint32_t* Starts;
   RingEntry* Entries;
@@ -274,7 +280,7 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
       ranges[range].emplace(first, last, triangles, ranges.size() == 1);
       starts[range] = this->countCorners(*ranges[range]);
     });
-  // Room for one fan a vertex.
+  // One fan for each vertex: an entry for each of its triangles and one more.
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
   this->Entries.resize(this->Starts.back() + Overrun);
   std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));

@@ -34,7 +34,7 @@ public:
 
   friend constexpr bool operator==(const RingEntry&, const RingEntry&) = default;
 
-  /** Those bits of an entry that are its neighbour, for code that reads several entries at once. */
+  /** The bits of an entry that hold its neighbour, for code that reads several entries at once. */
   static constexpr Index NeighbourBits = 0x7fffffffu;
 
 private:
@@ -44,25 +44,27 @@ private:
 
 /**
  * The triangles round every vertex, as fans of neighbours. A fan of k triangles has k + 1 entries;
- * one that closes round the vertex ends with its first neighbour again. A boundary or manifold
- * vertex has one fan; an edge with more than two triangles, or sheets that meet in a vertex, only
- * mean more fans. The orientation of the triangles plays no part.
+ * a fan that closes round the vertex repeats its first neighbour at its end. A manifold vertex,
+ * inside or on the boundary, has one fan. Edges with more than two triangles, or sheets that meet
+ * in a vertex, add fans. The orientation of the triangles does not matter.
  */
 class VertexRings
 {
 public:
   VertexRings() = default;
   /**
-   * @param triangles  three different vertices each, in the order of the lowest ones
+   * @param triangles  three different vertices each, sorted by the lowest of them
    * @param positions  of the vertices
-   * @param room       to work in, three numbers a triangle
+   * @param room       workspace, three numbers for each triangle
    * @param team       threads to work on; the rings do not depend on their number
+   * @throws std::length_error for more than about 700 million triangles
    * Time O(n).
    */
   VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
     std::span<Index> room, const ThreadTeam& team);
 
-  /** How many entries after the end of a ring may be read. */
+  /** The number of entries that may be read past the end of a ring, so that code can read several
+   * at once. */
   static constexpr std::size_t Overrun = 3;
 
   /** The ring of a vertex. */
@@ -72,8 +74,8 @@ public:
       this->Entries.data() + this->Starts[vertex + 1] };
   }
 
-  /** Has the processor fetch a ring that is soon to be read, the whole of most. GCC drops
-   * the call unless it is inlined. */
+  /** Asks the processor to fetch a ring that will soon be read: all of it at most vertices, the
+   * beginning of longer ones. GCC drops the call unless it is inlined. */
   GEODESIC_INLINED void prefetch(Index vertex) const
   {
     const RingEntry* const entries = this->Entries.data() + this->Starts[vertex];
@@ -81,17 +83,17 @@ public:
     prefetchToRead(entries + 6);
   }
 
-  /** Has it fetch what tells where that ring is. */
+  /** Asks the processor to fetch the start index of a ring, which prefetch() reads. */
   GEODESIC_INLINED void prefetchStart(Index vertex) const { prefetchToRead(&this->Starts[vertex]); }
 
-  /** The number of an entry of a ring, counted over the rings of all vertices. */
+  /** The index of a ring's entry among the entries of all rings. */
   std::size_t numberOf(const RingEntry* entry) const
   {
     return static_cast<std::size_t>(entry - this->Entries.data());
   }
-  /** That of a vertex's first entry. */
+  /** The index of a vertex's first entry; see numberOf(). */
   std::uint32_t firstEntry(Index vertex) const { return this->Starts[vertex]; }
-  /** Of each vertex the length of the longest side of the triangles round it, rounded up. */
+  /** For each vertex the length of the longest side of the triangles round it, rounded up. */
   std::span<const float> longestSides() const { return this->LongestSides; }
   std::size_t numberOfEntries() const { return this->Starts.back(); }
 
@@ -104,13 +106,13 @@ private:
   class Range;
   class Filling;
 
-  /** Counts the corners at each vertex of a range to Starts; returns their sum. */
+  /** Counts the triangles at each vertex of a range in Starts; returns the sum of the counts. */
   std::size_t countCorners(const Range& range);
-  /** Replaces rings, which are sorted by vertex, by others of other sizes. */
+  /** Replaces the rings of some vertices by @p others, sorted by vertex, which may be longer. */
   void replace(std::span<const Ring> others);
 
   std::vector<std::uint32_t> Starts;
-  /** And Overrun more. */
+  /** The entries of all rings, one ring after the other, and Overrun more. */
   BulkVector<RingEntry> Entries;
   BulkVector<float> LongestSides;
 };
