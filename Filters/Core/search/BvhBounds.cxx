@@ -28,7 +28,7 @@ float roundedUp(double x)
   return -roundedDown(-x);
 }
 
-/** What is left of a vector without its part along an axis, also where that is shorter than 1. */
+/** Returns x - (axis . x) axis, the part of @p x across an axis, which may be shorter than 1. */
 Vector3 across(const Vector3& axis, const Vector3& x)
 {
   return x - dot(axis, x) * axis;
@@ -36,7 +36,7 @@ Vector3 across(const Vector3& axis, const Vector3& x)
 
 void setAxis(BvhBounds& bounds, const Vector3& direction)
 {
-  // Not beyond 1 when rounded.
+  // Short enough that rounding to floats cannot make the axis longer than 1.
   constexpr double wantedLength = 1.0 - 1e-6;
   const double length = norm(direction);
   const double scale = length > 0.0 && std::isfinite(length) ? wantedLength / length : 0.0;
@@ -44,7 +44,7 @@ void setAxis(BvhBounds& bounds, const Vector3& direction)
     static_cast<float>(scale * direction.y), static_cast<float>(scale * direction.z) };
 }
 
-/** A cylinder that grows. */
+/** A cylinder that grows until it holds all that is added. */
 struct Cylinder
 {
   double alongLow = Infinity;
@@ -122,9 +122,9 @@ BvhBounds BvhBounds::ofRuns(std::span<const BvhBounds> runs)
   Cylinder cylinder;
   for (const BvhBounds& run : runs)
   {
-    // Any point of the run is x + s + h a, with x the centre of its cylinder and a the axis. s is
-    // at most as long as the radius and, but for a shorter than 1, at right angles to a; h is in
-    // [alongLow, alongHigh].
+    // Any point of the run is x + s + h a, with x the centre of its cylinder and a its axis. h is
+    // in [alongLow, alongHigh]; s is at most as long as the radius, and at right angles to a except
+    // where a is shorter than 1.
     const Vector3 x = run.centre() - centre;
     const Vector3 a = run.axis();
     const double squaredLength = dot(a, a);
@@ -156,7 +156,7 @@ void FourBvhBounds::set(std::size_t run, const BvhBounds& bounds)
 FourBvhBounds::SquaredDistances FourBvhBounds::squaredDistances(const Vector3& query) const
 {
 #if GEODESIC_HAS_LANES
-  // Two at a time, as compilers make branches of plain loops, which no processor can foretell.
+  // Two at a time: compilers turn a plain loop into branches, which no processor can predict.
   using Real = Pair;
 #else
   using Real = double;
@@ -173,8 +173,8 @@ template <class Real>
 void FourBvhBounds::squaredDistances(
   const Vector3& query, std::size_t first, SquaredDistances& result) const
 {
-  // A gap that is NaN, as where no float can hold the box, is none: largest() takes its second
-  // number then.
+  // The gap is NaN where no float can hold the box. It then counts as 0, as largest() returns its
+  // second number.
   const auto outside = [](const Real& x, const Real& low, const Real& high)
   { return largest(largest(low - x, x - high), Real()); };
   const auto realIn = [first](const Numbers& numbers)
@@ -199,7 +199,7 @@ void FourBvhBounds::squaredDistances(
     outside(q.z, low.z, high.z) };
   const Vector3Of<Real> x = q - (Real() + 0.5) * (low + high);
   const Real along = dot(axis, x);
-  // With an axis a not longer than 1, (a x)^2 + |x - (a x) a|^2 is not above x^2.
+  // As the axis a is not longer than 1, (a . x)^2 + |x - (a . x) a|^2 is at most |x|^2.
   const Real gapAlong = outside(along, realIn(this->AlongLow), realIn(this->AlongHigh));
   const Real gapAcross = largest(norm(x - along * axis) - realIn(this->Radius), Real());
   const Real toCylinder = gapAlong * gapAlong + gapAcross * gapAcross;

@@ -13,15 +13,18 @@ namespace geodesic
 {
 
 /**
- * Bounds a run of triangles by a box with the axes' directions, and by a flat cylinder round the
+ * Bounds a run of consecutive triangles by an axis-aligned box, and by a flat cylinder round the
  * box's centre whose axis is the mean of the run's normals. A smooth surface fills the cylinder far
  * better: its height falls with the square of the run's size. Numbers are rounded outwards.
  */
 struct BvhBounds
 {
-  /** @param corners three a triangle, of at least one triangle */
+  /** @param corners three for each triangle; at least one triangle */
   static BvhBounds ofTriangles(std::span<const Vector3> corners);
-  /** Bounds all that at least one other bounds bound. Looser than of the same triangles. */
+  /**
+   * Bounds everything in the given bounds, of which there is at least one. The result is looser
+   * than that of ofTriangles() for the same triangles.
+   */
   static BvhBounds ofRuns(std::span<const BvhBounds> runs);
 
   Vector3 centre() const;
@@ -29,15 +32,16 @@ struct BvhBounds
 
   std::array<float, 3> low;
   std::array<float, 3> high;
-  /** Not longer than 1; 0 where normals cancel, and then the cylinder is a ball. */
+  /** The cylinder's axis, not longer than 1; 0 where normals cancel: the cylinder is then a ball.
+   */
   std::array<float, 3> axisParts;
-  /** From the centre, in the direction of the axis. */
+  /** The cylinder's ends, measured from the centre along the axis. */
   float alongLow;
   float alongHigh;
   float radius;
 };
 
-/** The bounds of four runs, side by side so that the processor takes several at a time. */
+/** The bounds of four runs, stored side by side for vector instructions. */
 class FourBvhBounds
 {
 public:
@@ -45,11 +49,12 @@ public:
 
   void set(std::size_t run, const BvhBounds& bounds);
 
-  /** Squares of distances from a query to each run. */
+  /** Squared distances from a query to each run. */
   struct SquaredDistances
   {
-    /** No point of the run is nearer. */
+    /** A lower bound of the squared distance to any point of the run. */
     std::array<double, Runs> least;
+    /** To the centre of the run's box. */
     std::array<double, Runs> toCentre;
   };
   SquaredDistances squaredDistances(const Vector3& query) const;
@@ -60,7 +65,7 @@ public:
 private:
   using Numbers = std::array<float, Runs>;
 
-  /** Of as many runs as a Real has numbers, from @p first on. */
+  /** Writes the distances of as many runs as a Real has lanes, from run @p first on. */
   template <class Real>
   void squaredDistances(const Vector3& query, std::size_t first, SquaredDistances& result) const;
 

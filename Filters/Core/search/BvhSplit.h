@@ -14,9 +14,10 @@ namespace geodesic
 class TriangleMesh;
 
 /**
- * Tells where to cut a run of a mesh's triangles in two. They follow a space filling curve, which
- * jumps: a run that goes on behind a large jump is in two places, and tells little of either. The
- * farther the curve jumps, the higher is the first bit in which the codes before and behind differ.
+ * Tells where to cut a run of a mesh's triangles in two. Triangles follow a space-filling curve,
+ * which jumps: a run across a large jump lies in two places, and bounds both of them badly. The
+ * farther the curve jumps, the higher is the first bit in which the codes on both sides of the jump
+ * differ.
  */
 class BvhSplit
 {
@@ -24,13 +25,14 @@ public:
   explicit BvhSplit(const TriangleMesh& mesh);
 
   /**
-   * Where the second part of a run of at least two triangles begins: at the farthest jump, of equal
-   * ones that nearest to the middle. No part is less than an eighth of the whole. Time O(n).
+   * Returns where to cut the run of triangles from @p first to before @p last, at least two: the
+   * first triangle of the second part. That is at the farthest jump; of equal ones, at the one
+   * nearest to the middle. No part is less than an eighth of the run. Time O(n).
    */
   Index cut(Index first, Index last) const;
 
 private:
-  /** How far the curve jumps before each triangle. */
+  /** For each triangle how far the curve jumps before it: the highest bit that changes, from 1. */
   std::vector<std::uint8_t> Jumps;
 };
 

@@ -15,7 +15,7 @@
 namespace geodesic
 {
 
-/** Cuts runs into runs, from the whole surface down. */
+/** Makes the nodes: cuts the whole surface into runs, and these again, down to the leaves. */
 class ClosestPointTree::Builder
 {
 public:
@@ -25,7 +25,8 @@ public:
   {
   }
 
-  /** Adds a node, and all below it, for the triangles from @p first to before @p last. */
+  /** Adds a node, and all below it, for the triangles from @p first to before @p last; returns
+   * their bounds. */
   BvhBounds addNode(Index first, Index last)
   {
     const std::size_t number = this->Tree.Nodes.size();
@@ -59,11 +60,11 @@ private:
   struct Parts
   {
     std::size_t count;
-    /** Of each part, and the end of the last one. */
+    /** The first triangle of each part, then the end of the last part. */
     std::array<Index, FourBvhBounds::Runs + 1> begins;
   };
 
-  /** Cuts the largest part again and again. */
+  /** Cuts the largest part in two until there are four, or all are small enough for a leaf. */
   Parts partsOf(Index first, Index last) const
   {
     Parts parts{ 1, { first, last } };
@@ -116,7 +117,7 @@ ClosestPointTree::ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh)
   }
 }
 
-/** Has the processor fetch what a run is, which is soon to be read. */
+/** Asks the processor to fetch the first triangle or the node of a run, which will soon be read. */
 GEODESIC_INLINED void ClosestPointTree::prefetch(const Run& run) const
 {
   if (run.triangles > 0)
@@ -185,8 +186,9 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       }
       continue;
     }
-    // The least distance of a large run tells nothing of where in it the nearest point may be. Its
-    // centre is a better guess, and a good first guess keeps the search short.
+    // The part with the nearest centre is searched first. The least distance of a large run says
+    // little about where in it the nearest point is; its centre is a better guess, and a good first
+    // guess keeps the search short.
     const Node& node = this->Nodes[first];
     const auto [least, toCentre] = node.bounds.squaredDistances(fromOrigin);
     const std::size_t start = pending.size();
@@ -254,7 +256,7 @@ std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(
       }
       continue;
     }
-    // Nearest child last, so that it is looked at first.
+    // The nearest part comes last, so that it is taken first.
     const Node& node = this->Nodes[first];
     const std::size_t start = pending.size();
     for (std::size_t i = 0; i < FourBvhBounds::Runs && node.runs[i].first != NoIndex; ++i)

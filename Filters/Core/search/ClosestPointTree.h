@@ -18,19 +18,19 @@ namespace geodesic
 class TriangleMesh;
 
 /**
- * Finds the point of a surface that is nearest to a point in space or first on a ray, on faces, not
- * only at vertices.
+ * Finds the point of a surface that is nearest to a point in space, or the first one on a ray. Such
+ * a point may be anywhere on a face, not only at a vertex.
  *
- * The triangles of a TriangleMesh already follow a space filling curve, so consecutive ones lie
+ * The triangles of a TriangleMesh already follow a space-filling curve, so consecutive ones lie
  * together: a hierarchy of bounds over runs of them needs no sorting. A run is cut where the curve
- * jumps farthest (see BvhSplit), so that its parts lie in one place each, and is bounded by a box
- * and by a flat cylinder (see BvhBounds): boxes alone would tell little wherever the surface is
+ * jumps farthest (see BvhSplit), so that each part lies in one place. It is bounded by a box and by
+ * a flat cylinder (see BvhBounds), because boxes alone rule out too little where the surface is
  * smooth and much of it is nearly as near as its nearest point. Holds about 20 bytes a triangle.
  */
 class ClosestPointTree
 {
 public:
-  /** @param mesh is shared. Time and memory O(number of triangles). */
+  /** @param mesh the surface, which the tree shares. Time and memory O(number of triangles). */
   explicit ClosestPointTree(std::shared_ptr<const TriangleMesh> mesh);
 
   struct Result
@@ -38,11 +38,12 @@ public:
     /** Snapped to edges and vertices (see snapped). */
     SurfacePoint point;
     Vector3 position;
-    /** From the query point, in the mesh's length unit. */
+    /** From the query point or the ray's origin, in the mesh's length unit. */
     double distance = 0.0;
   };
 
   /**
+   * Returns the nearest point of the surface.
    * @param query a finite point
    * @throws std::invalid_argument where the surface has no triangle, or the square of the distance
    *         overflows
@@ -51,9 +52,10 @@ public:
   Result closestPoint(const Vector3& query) const;
 
   /**
-   * Where a ray first meets the surface, from either side; nothing where it misses. A ray cannot
-   * slip through between two triangles that share an edge.
-   * @param direction  of any length but 0
+   * Returns where a ray first meets the surface, from either side; nothing where it misses. A ray
+   * cannot pass between two triangles that share an edge.
+   * @param origin     where the ray starts
+   * @param direction  where it goes, of any length but 0
    * Time O(log n) for most rays.
    * S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013).
    */
@@ -61,13 +63,15 @@ public:
 
 private:
   class Builder;
-  /** Some triangles from a first one on; where there are none, the node of that number. */
+  /** Consecutive triangles from the first one on. If their number is 0, @a first is the number of a
+   * node instead. */
   struct Run
   {
     Index first = NoIndex;
     Index triangles = 0;
   };
-  /** The parts that a run is cut into; missing ones come last and have no first. */
+  /** The up to four parts that a run is cut into. Missing ones come last; their first is NoIndex.
+   */
   struct Node
   {
     FourBvhBounds bounds;
@@ -80,7 +84,7 @@ private:
   std::shared_ptr<const TriangleMesh> Mesh;
   /** Bounds are stored relative to this point, so that floats resolve a surface far from 0. */
   Vector3 Origin;
-  /** The first one holds all triangles. */
+  /** The first node holds all triangles. */
   std::vector<Node> Nodes;
 };
 

@@ -12,14 +12,15 @@
 namespace geodesic
 {
 
-/** A point of a triangle, by the weights of the corners, and how far a query is from it. */
+/** A point of a triangle, as barycentric weights of the corners, and its squared distance to a
+ * query. */
 struct OnTriangle
 {
   std::array<double, 3> weights;
   double squaredDistance;
 };
 
-/** Nearest point of the side from corner @p i to corner @p j. */
+/** The point of the side from corner @p i to corner @p j that is nearest to @p query. */
 inline OnTriangle onSide(const std::array<Vector3, 3>& corners, int i, int j, const Vector3& query)
 {
   const Vector3 side = corners[j] - corners[i];
@@ -33,7 +34,7 @@ inline OnTriangle onSide(const std::array<Vector3, 3>& corners, int i, int j, co
   return result;
 }
 
-/** A triangle in space, to be searched for its point nearest to a query. */
+/** Finds the point of a triangle that is nearest to a query. */
 class SearchedTriangle
 {
 public:
@@ -48,16 +49,18 @@ public:
   {
   }
 
-  /** Tells by the distance to its plane that the triangle is farther away than a known distance. */
+  /** Whether the triangle's plane is already farther from the query than a known distance. False
+   * does not mean that the triangle is nearer. */
   bool isBeyond(double squaredDistance) const
   {
-    // The normal of a needle is too uncertain.
+    // The normal of a needle is too inexact for this test.
     constexpr double leastSquaredSine = 1e-8;
     return this->Height * this->Height > squaredDistance * this->SquaredNormal &&
       this->SquaredNormal >
       leastSquaredSine * dot(this->Side1, this->Side1) * dot(this->Side2, this->Side2);
   }
 
+  /** The point of the triangle that is nearest to the query. */
   OnTriangle nearest() const
   {
     if (!(this->SquaredNormal > 0.0))
@@ -76,7 +79,7 @@ public:
   }
 
 private:
-  /** On the sides opposite to some corners. */
+  /** The nearest point on the sides opposite to the corners that are flagged. */
   OnTriangle nearestOnSides(const std::array<bool, 3>& isSearched) const
   {
     OnTriangle best{ {}, std::numeric_limits<double>::infinity() };

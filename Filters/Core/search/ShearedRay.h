@@ -15,8 +15,9 @@ namespace geodesic
 {
 
 /**
- * A ray in its own coordinates: sheared so that it runs from 0 along its steepest axis.
- * S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013).
+ * A ray, tested against triangles and boxes. Triangles are moved and sheared to coordinates in
+ * which the ray runs from 0 along the axis in which its direction is longest. S. Woop, C. Benthin,
+ * I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013).
  */
 class ShearedRay
 {
@@ -37,19 +38,22 @@ public:
     }
   }
 
+  /** Where the ray crosses a triangle's plane within the triangle. */
   struct Crossing
   {
     std::array<double, 3> weights;
-    /** In lengths of the direction. */
+    /** Distance from the origin, in lengths of the direction; negative behind the origin. */
     double along;
   };
 
+  /** Where the line of the ray crosses a triangle; nothing where it misses or is parallel to it. */
   std::optional<Crossing> crossing(const std::array<Vector3, 3>& corners) const
   {
     const Vector3 a = this->sheared(corners[0]);
     const Vector3 b = this->sheared(corners[1]);
     const Vector3 c = this->sheared(corners[2]);
-    // Exactly opposite for the two triangles of an edge, so that one of them is always hit.
+    // For the two triangles of an edge, the numbers of that edge are exactly opposite, so that the
+    // ray cannot miss both.
     const double u = c.x * b.y - c.y * b.x;
     const double v = a.x * c.y - a.y * c.x;
     const double w = b.x * a.y - b.y * a.x;
@@ -63,10 +67,12 @@ public:
     return Crossing{ weights, weights[0] * a.z + weights[1] * b.z + weights[2] * c.z };
   }
 
-  /** Where the ray enters a box, infinity where it misses. */
+  /** Where the ray enters a box, in lengths of the direction: 0 from inside, infinity where it
+   * misses. */
   double entry(const std::array<double, 3>& low, const std::array<double, 3>& high) const
   {
-    // The least factor by which rounding cannot lose a box that is touched, with room to spare.
+    // A factor above all rounding errors of this function, so that no box that is touched is
+    // missed.
     constexpr double wider = 1.0 + 1e-15;
     const std::array<double, 3> origin = componentsOf(this->Origin);
     double first = 0.0;
