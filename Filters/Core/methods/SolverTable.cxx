@@ -58,7 +58,8 @@ constexpr std::array Solvers{
     .make = &make<ReferenceSolver> },
 };
 
-/** The solvers that a request may choose from, for messages: "0 (FastMarching), 1 (Dijkstra)". */
+/** Lists the solvers that users may choose, for messages: "0 (FastMarching), 1 (Dijkstra)".
+ * @param describe returns the text for a solver; one with an empty text is left out */
 template <class Describe>
 std::string listOf(std::span<const SolverTraits> solvers, const Describe& describe)
 {

@@ -27,49 +27,56 @@ struct SolverTraits
 {
   /** The value of Method in the filters, their XML and state files. Never changes. */
   int number;
-  /** As users see it; the text of the XML entry. */
+  /** The name that users see; also the text of the XML entry. */
   const char* name;
-  /** The number of the contour interpolator's GeodesicMethod; -1: it does not offer the solver. */
+  /** The value of the contour interpolator's GeodesicMethod; -1 where it does not offer the solver.
+   */
   int interpolatorNumber;
-  /** Whether the filters' XML offers it; others are for tests. */
+  /** Whether the filters' XML offers the solver. Solvers that aren't offered are for tests. */
   bool isOffered;
-  /** Distances go across faces, and so do paths; else along edges only. */
+  /** Whether distances and paths go across faces; if not, they follow edges only. */
   bool crossesFaces;
-  /** Distances are those of the polyhedron, rounding aside. */
+  /** Whether distances are exactly those on the polyhedron, except for rounding. */
   bool isExact;
+  /** Whether it can use SolveOptions::cost. */
   bool takesCosts;
+  /** Whether it can use excluded vertices and closed triangles. */
   bool takesBarriers;
   RankSupport ranks;
-  /** Bytes a vertex that a solver holds after a whole field from one seed, beside the mesh. */
+  /** Memory that a solver holds after a whole field from one seed, in bytes for each vertex,
+   * without the mesh. */
   double bytesPerVertex;
 
+  /** Makes a solver for a mesh. */
   std::unique_ptr<DistanceSolver> (*make)(std::shared_ptr<const TriangleMesh> mesh);
 };
 
-/** All solvers, by number. A new solver is registered here and nowhere else. */
+/** All solvers, sorted by number. A new solver is registered here and nowhere else. */
 std::span<const SolverTraits> solverTable();
 
-/** @throws std::invalid_argument naming the numbers there are */
+/** The solver of a number. @throws std::invalid_argument with a list of the numbers there are */
 const SolverTraits& solverOfNumber(int number);
-/** The solver of an interpolator's GeodesicMethod. @throws std::invalid_argument */
+/** The solver of a value of the interpolator's GeodesicMethod. @throws std::invalid_argument with a
+ * list of the values there are */
 const SolverTraits& solverOfInterpolator(int interpolatorNumber);
-/** @throws std::invalid_argument naming the solvers there are */
+/** The solver of a name. @throws std::invalid_argument with a list of the names there are */
 const SolverTraits& solverOfName(std::string_view name);
 
-/** What a request asks of a solver. */
+/** What a solver must be able to do to serve a request. */
 struct SolverDemands
 {
   bool hasCosts = false;
   bool hasBarriers = false;
   bool isOnSeveralRanks = false;
 
-  /** @param ranks on how many of them the surface is */
+  /** @param ranks the number of ranks that have a piece of the surface */
   static SolverDemands of(const SolveOptions& options, int ranks);
 };
 
 /**
+ * Checks that a solver can serve a request.
  * @param table where to look for solvers that can serve instead
- * @throws std::invalid_argument that says what the solver cannot do, and which ones can
+ * @throws std::invalid_argument where it cannot; the message says why and names solvers that can
  */
 void checkServes(const SolverTraits& solver, const SolverDemands& demands,
   std::span<const SolverTraits> table = solverTable());

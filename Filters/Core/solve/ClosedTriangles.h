@@ -12,13 +12,16 @@
 namespace geodesic
 {
 
-/** Which triangles of the rings a front may not cross. Their vertices and border edges stay open.
- */
+/** Tells which triangles of a vertex's ring a front may not cross. The vertices of such a closed
+ * triangle, and its edges to open triangles, stay open. */
 class ClosedTriangles
 {
 public:
-  /** @param closed one flag a triangle, or none. Time O(n) if there is one, memory 7 bytes a
-   * vertex. */
+  /**
+   * @param mesh    must outlive this object
+   * @param closed  one flag for each triangle, non-zero where it is closed; or empty
+   * If any triangle is closed: time O(n), memory 7 bytes a vertex.
+   */
   ClosedTriangles(const TriangleMesh& mesh, std::span<const std::uint8_t> closed);
 
   /** Whether every triangle may be crossed. */
@@ -37,10 +40,12 @@ public:
     return this->isOpen(vertex, i) || (i > 0 && this->isOpen(vertex, i - 1));
   }
 
+  /** Whether any triangle round @p vertex may be crossed. */
   bool hasOpenTriangle(Index vertex) const;
 
 private:
   const TriangleMesh& Mesh;
+  /** One flag for each ring entry; empty where no triangle is closed. */
   std::vector<std::uint8_t> Closed;
 };
 

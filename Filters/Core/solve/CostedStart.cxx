@@ -20,8 +20,8 @@ namespace
 constexpr double DiscInMeanEdges = 3.0;
 
 /**
- * Three numbers for each neighbour of a vertex: where it is as seen from there. Pieces of a surface
- * have some neighbours in common, which are told apart by that.
+ * Returns the vectors from a vertex to its neighbours, three numbers each. Pieces of a surface have
+ * some of these neighbours in common; equal vectors show which.
  */
 std::vector<double> offsetsAround(const TriangleMesh& mesh, Index vertex)
 {
@@ -34,7 +34,10 @@ std::vector<double> offsetsAround(const TriangleMesh& mesh, Index vertex)
   return offsets;
 }
 
-/** The mean length of the edges at a vertex, on all pieces; the same to the last bit on each. */
+/** Returns the mean length of the edges at a vertex.
+ * @param coordinates  offsetsAround() the vertex, from all pieces in any order: offsets are sorted,
+ *                     so that the mean is the same to the last bit on each piece
+ */
 double meanOfOffsets(std::span<const double> coordinates)
 {
   std::vector<std::array<double, 3>> offsets;
@@ -52,8 +55,9 @@ double meanOfOffsets(std::span<const double> coordinates)
 }
 
 /**
- * The radius of the disc round a label's origin. At the vertices that carry the origin, in the
- * order of their positions, the edges are those of all pieces.
+ * Returns the radius of the disc round a label's origin: three times the mean edge at a vertex that
+ * carries the origin, the largest of up to three. Edges are those of all pieces; sorted by
+ * position, the carriers have the same order on each. Collective.
  */
 double discRadius(const TriangleMesh& mesh, const SurfacePoint& origin, Partition& partition)
 {
@@ -74,7 +78,8 @@ double discRadius(const TriangleMesh& mesh, const SurfacePoint& origin, Partitio
   {
     numbered.push_back({ carriers[i], i, 0.0, false });
   }
-  // Also pieces that have a carrier, but no triangle with the origin.
+  // A piece may have a carrier, but no triangle with the origin: it learns its carriers from
+  // others.
   constexpr std::size_t mostCarriers = 3;
   carriers.resize(mostCarriers, NoIndex);
   for (const StartValue& other : partition.exchange(numbered))
@@ -117,7 +122,7 @@ bool isConstant(
   return most <= least * (1.0 + 1e-12);
 }
 
-/** The starts of the label, and the vertices of its disc, with lengths as values. */
+/** Returns the label's starts and the vertices of its disc, with lengths as values. Collective. */
 std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const Label& source,
   std::span<const FrontStart> starts, const SolveOptions& options, Partition& partition,
   FrontSolver& unitSolver)
@@ -149,7 +154,10 @@ std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const L
   return disc;
 }
 
-/** Adds what other pieces start with at shared vertices. */
+/**
+ * Adds the starts of other pieces at shared vertices, and keeps the least value for each label and
+ * vertex. Collective.
+ */
 void addStartsOfOthers(std::vector<StartValue>& starts, Partition& partition)
 {
   const std::vector<StartValue> others = partition.exchange(starts);
@@ -185,7 +193,7 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
   const SolveOptions& options, Partition& partition, FrontSolver& unitSolver)
 {
   std::vector<StartValue> values;
-  // The starts of a label stand together.
+  // The starts of a label follow each other.
   auto last = front.starts.begin();
   for (Index label = 0; label < front.labels.size(); ++label)
   {

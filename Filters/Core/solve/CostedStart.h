@@ -18,25 +18,29 @@ class Partition;
 class TriangleMesh;
 
 /**
- * The starts where the cost is 1: lengths are values, and final. Those at shared vertices are the
- * same on all pieces, as all starts here.
+ * Returns the start values where the cost is 1: the lengths of the starts, all final. Collective;
+ * like those of costedStarts(), values at shared vertices are the same on all pieces.
  */
 std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition);
 
 /**
- * The starts where each vertex has a cost.
+ * Returns the start values where each vertex has a cost. Collective.
  *
- * Near a point in a varying cost the flat source that the update assumes does not exist, and its
- * clamps make it erratic. So where the cost varies within three mean edges of a round label's
- * origin, the vertices of that disc get their length (unfolded, within barriers: a march at cost 1)
- * times the mean of the cost at both ends, for good. Elsewhere a start is its length times the
- * local cost.
+ * The update assumes a flat source. Near a point in a varying cost there is none, and the update's
+ * clamps make its values erratic. So where the cost varies within three mean edges of a round
+ * label's origin, the vertices of that disc get final values: their length, from a march at cost 1
+ * within the barriers, times the mean of the costs at the origin and at the vertex. Where it does
+ * not vary, only the label's starts get such values. The start of a straight label is its length
+ * times the cost at the vertex, final only where the length is 0.
  * @param unitSolver any solver on the mesh; its field is overwritten
  */
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
   const SolveOptions& options, Partition& partition, FrontSolver& unitSolver);
 
-/** The cost at the origin of a round label, which may be on another piece. Collective. */
+/**
+ * Returns the cost at the origin of a round label, interpolated in the origin's triangle, which may
+ * be on another piece. Collective.
+ */
 double costAtOrigin(
   const TriangleMesh& mesh, std::span<const double> cost, const Label& label, Partition& partition);
 

@@ -18,13 +18,14 @@ namespace geodesic
 namespace
 {
 
-/** Nearest first; of equally near ones the smaller seed. */
+/** The heap's order: the least distance first, of equal ones that of the smaller seed. */
 bool isAfter(const EdgeTrial& a, const EdgeTrial& b)
 {
   return std::tie(a.distance, a.seed) > std::tie(b.distance, b.seed);
 }
 
-/** Spreads along the edges. A vertex keeps the value of one label, its nearest seed. */
+/** A front that spreads along edges. A vertex keeps one value, that of its nearest seed; a label
+ * here is the number of a seed. */
 class EdgeFront final : public MarchingFront
 {
 public:
@@ -42,6 +43,8 @@ public:
     this->Heap.clear();
   }
 
+  /** Takes a distance over where it is less, or equal and of a smaller seed, and within the limit.
+   */
   void propose(Index vertex, Index seed, double distance)
   {
     const double old = this->Field.distance(vertex);
@@ -63,10 +66,11 @@ public:
       std::pop_heap(this->Heap.begin(), this->Heap.end(), isAfter);
       const EdgeTrial trial = this->Heap.back();
       this->Heap.pop_back();
+      // An item is out of date where a better one for its vertex was proposed after it.
       if (trial.distance == this->Field.distance(trial.vertex) &&
         trial.seed == this->Field.nearestSeed(trial.vertex))
       {
-        this->sweep(trial);
+        this->updateNeighbours(trial);
       }
     }
   }
@@ -101,7 +105,7 @@ public:
   }
 
 private:
-  void sweep(const EdgeTrial& trial)
+  void updateNeighbours(const EdgeTrial& trial)
   {
     const Vector3 centre = this->Mesh.position(trial.vertex);
     const std::span<const RingEntry> ring = this->Mesh.ring(trial.vertex);

@@ -12,7 +12,7 @@
 namespace geodesic
 {
 
-/** A vertex on its way through the heap. */
+/** A distance proposed for a vertex, and the seed that it is from; waits in the heap. */
 struct EdgeTrial
 {
   double distance;
@@ -21,10 +21,10 @@ struct EdgeTrial
 };
 
 /**
- * Shortest distance along the edges of the mesh, an upper bound of the geodesic distance that does
- * not become exact under refinement. A seed inside a face or on an edge reaches that face's corners
- * in a straight line. E. W. Dijkstra, A note on two problems in connexion with graphs, Numer. Math.
- * 1 (1959).
+ * Computes the shortest distance along the edges of the mesh: an upper bound of the geodesic
+ * distance that does not converge to it under refinement. From a seed inside a face or on an edge,
+ * a straight line leads to the corners of its faces. E. W. Dijkstra, A note on two problems in
+ * connexion with graphs, Numer. Math. 1 (1959).
  *
  * Time O(n log n), memory 16 bytes for each vertex of the front.
  */
@@ -37,7 +37,7 @@ protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
 
 private:
-  /** The first values, without those of the seeds themselves. */
+  /** Returns the start values, which leave out the seeds' own values. Collective. */
   std::vector<StartValue> starts(const Request& request) const;
 
   std::vector<EdgeTrial> Heap;

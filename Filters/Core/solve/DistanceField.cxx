@@ -64,7 +64,7 @@ void DistanceField::finish(double limit, StopReason reason)
 
 double DistanceField::largestReached() const
 {
-  // Several at a time, as each would wait for the one before.
+  // Four independent maxima: with one, each comparison would wait for the one before.
   std::array<double, 4> most{};
   std::size_t i = 0;
   for (; i + most.size() <= this->Reached.size(); i += most.size())

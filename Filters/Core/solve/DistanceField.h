@@ -13,23 +13,23 @@
 namespace geodesic
 {
 
-/** Why a run ended. */
+/** Why a solver's run ended. */
 enum class StopReason
 {
-  /** Everything that can be reached was. */
+  /** Every vertex that can be reached was. */
   Exhausted,
-  /** Everything within SolveOptions::maximumDistance was reached. */
+  /** Every vertex within SolveOptions::maximumDistance was reached. */
   MaximumDistance,
-  /** SolveOptions::targets were final. */
+  /** The distances of SolveOptions::targets are final. */
   Targets,
-  /** SolveOptions::onProgress asked for it; the distances are not final. */
+  /** SolveOptions::onProgress returned false; the distances are not final. */
   Cancelled
 };
 
 /**
- * Distances at the vertices of a mesh, in its length unit. A solver owns its field and writes the
- * next one into it; only what the last front touched is reset, so a bounded run on a large mesh
- * costs what its front reaches.
+ * Distances at the vertices of a mesh, in its length unit times the cost. A solver owns its field
+ * and writes the next one into it. Only the vertices that the last front reached are reset, so that
+ * the time of a bounded run on a large mesh depends on what its front reaches, not on the mesh.
  */
 class DistanceField
 {
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /** Unreached where no distance is known. */
+  /** The distance of a vertex; Unreached where it has none. */
   double distance(Index vertex) const { return this->Distances[vertex]; }
   std::span<const double> distances() const { return this->Distances; }
   bool isReached(Index vertex) const { return this->Distances[vertex] < Unreached; }
@@ -53,10 +53,11 @@ public:
   double largestDistance() const { return this->LargestDistance; }
   StopReason stopReason() const { return this->Reason; }
 
-  // For solvers.
+  // The rest is for solvers.
 
+  /** Makes all vertices unreached. */
   void reset();
-  /** Sets a distance, which may be set again, and notes the vertex as reached. */
+  /** Sets a vertex's distance, for the first time or again, and adds the vertex to reached(). */
   void setDistance(Index vertex, double distance)
   {
     if (!this->isReached(vertex))
@@ -67,13 +68,13 @@ public:
   }
   /** Sets the distance of a vertex that has one. */
   void lowerDistance(Index vertex, double distance) { this->Distances[vertex] = distance; }
-  /** Brings what was reached into the order of the vertices where it is much of the mesh: who
-   * visits it then goes through memory from front to back. */
+  /** Sorts reached() by vertex if it is at least an eighth of the mesh: a loop over it then goes
+   * through memory from front to back. */
   void orderReached();
   void setNearestSeed(Index vertex, Index seed) { this->NearestSeeds[vertex] = seed; }
-  /** Of all that was reached. */
+  /** Sets the nearest seed of all reached vertices. */
   void setNearestSeed(Index seed) { this->fillReached(std::span(this->NearestSeeds), seed); }
-  /** Gives all that was reached the same value in @p values, which are one a vertex. */
+  /** Sets the entries of all reached vertices in @p values, one for each vertex, to @p value. */
   template <class Value>
   void fillReached(std::span<Value> values, const Value& value) const
   {
@@ -87,7 +88,7 @@ public:
       values[vertex] = value;
     }
   }
-  /** Takes back every distance above @p limit and sums up the run. */
+  /** Makes vertices farther than @p limit unreached; sets largestDistance() and stopReason(). */
   void finish(double limit, StopReason reason);
 
 private:

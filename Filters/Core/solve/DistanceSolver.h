@@ -14,7 +14,7 @@ namespace geodesic
 
 class TriangleMesh;
 
-/** What gives distances from seeds to the vertices of a mesh. */
+/** The interface of all solvers: distances from seeds to the vertices of a mesh. */
 class DistanceSolver
 {
 public:
@@ -23,10 +23,11 @@ public:
   virtual const TriangleMesh& mesh() const = 0;
 
   /**
-   * @param seeds   at least one
-   * @param options see there; what its spans refer to must live as long as the call
-   * @return the field, which the next call overwrites. A target that can't be reached, or a
-   * cancelled run, is no error: see DistanceField::stopReason.
+   * Computes the distance field of some seeds.
+   * @param seeds    at least one
+   * @param options  the arrays that its spans refer to must exist during the call
+   * @return the field, which the next call overwrites. It is not an error that a target can't be
+   *         reached or that the run is cancelled: see DistanceField::stopReason.
    */
   virtual const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options) = 0;
 };

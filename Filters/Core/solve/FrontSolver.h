@@ -18,8 +18,9 @@ class StopLimit;
 class TriangleMesh;
 
 /**
- * Computes the distance from seeds to the vertices of a mesh. A solver keeps its workspace, so a
- * second run on it allocates nothing and touches only what its front reaches.
+ * The base of solvers whose fronts carry labels and values (see MarchingFront). It checks a request
+ * and turns seeds into labels and starts; a derived class marches. A solver keeps its workspace, so
+ * that a second run with it allocates nothing and touches only what its front reaches.
  */
 class FrontSolver : public DistanceSolver
 {
@@ -31,8 +32,8 @@ public:
 
   /**
    * See DistanceSolver.
-   * @throws std::invalid_argument for a request without an answer: no seed, a seed that is no point
-   * of the mesh or that lies on what is excluded or closed, an option that does not fit the mesh
+   * @throws std::invalid_argument for no seed, a seed that is no point of the mesh or lies on
+   *         excluded vertices or in a closed triangle, or an option that does not fit the mesh
    * @throws std::runtime_error where fast marching does not settle (see MarchControl). After any
    *         exception from within a run the solver's workspace is undefined: make a new solver.
    */
@@ -41,19 +42,21 @@ public:
 protected:
   explicit FrontSolver(std::shared_ptr<const TriangleMesh> mesh);
 
-  /** What a run is asked for, checked. */
+  /** A checked request, as march() gets it. */
   struct Request
   {
     const SeedFront& front;
     const ClosedTriangles& closed;
     const SolveOptions& options;
     Partition& partition;
-    /** On all pieces of the surface alike, also on one without vertices. */
+    /** Whether there are costs; the same on all pieces, also on one without vertices. */
     bool hasCost;
   };
 
   /**
-   * Lowers the field until it is final up to the limit.
+   * Marches from the request's starts until the field is final up to the limit.
+   * @param limit  falls as the front comes nearer to the targets
+   * @param field  reset, gets the distances and nearest seeds
    * @return false when cancelled
    */
   virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;

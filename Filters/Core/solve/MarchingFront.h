@@ -12,8 +12,9 @@ namespace geodesic
 {
 
 /**
- * A march that can stop and go on: what a Partition needs of the solver on a piece. As the march is
- * label correcting, values may be lowered from outside at any time between two advances.
+ * A march that can stop and continue: the interface through which a Partition drives the solver on
+ * a piece. As the march is label correcting, the caller may lower values between two calls of
+ * advance(). "Distances" here include the seed's own value.
  */
 class MarchingFront
 {
@@ -22,19 +23,22 @@ public:
 
   virtual ~MarchingFront() = default;
 
-  /** Takes from the queue what lies below a distance, and what that adds, until nothing does. */
+  /** Takes vertices from the queue, also those added meanwhile, until none has a distance below
+   * @p limit or the run is cancelled. */
   virtual void advance(double limit) = 0;
-  /** No distance that waits in the queue is less; infinity where none does. */
+  /** A lower bound of all distances in the queue; infinity where the queue is empty. */
   virtual double nextDistance() const = 0;
-  /** What an edge of TriangleMesh::meanLongestEdge() adds to a distance; 0 on a piece without
-   * edges, or any number. */
+  /** TriangleMesh::meanLongestEdge() times the mean cost. On a piece without edges 0 or any other
+   * finite number. */
   virtual double meanLongestEdge() const = 0;
-  /** How many vertices were taken from the queue so far. */
+  /** The number of vertices taken from the queue so far. */
   virtual std::size_t numberOfUpdates() const = 0;
   virtual bool isCancelled() const = 0;
-  /** The values that a vertex keeps, without those of the seeds themselves. */
+  /** Calls visit(label, value) for each value that a vertex keeps, in the form that lower() takes.
+   * In fast marching a value leaves out the seed's own value. */
   virtual void visitValues(Index vertex, const Visit& visit) const = 0;
-  /** Takes a value over where it counts; see visitValues. */
+  /** Takes over a value of another piece if it is enough below the vertex's own; see visitValues.
+   */
   virtual void lower(Index vertex, Index label, double value) = 0;
 };
 

@@ -18,40 +18,42 @@ namespace geodesic
 class StopLimit;
 
 /**
- * How the processes that have a piece each of one surface solve together. This one is of a surface
- * in one piece.
+ * How processes that each have a piece of one surface solve together. This base class is for a
+ * surface in one piece; there is nothing to send.
  *
- * Vertices that several pieces have are *shared*. All that enters an update is the same on every
- * piece that shares the vertex, so that the field is the one of the whole surface. All calls but
- * the const ones are collective: every piece makes the same ones in the same order.
+ * Vertices that several pieces have are *shared*. The inputs of an update are the same on every
+ * piece that shares the vertex, so that the field is that of the whole surface. All calls but the
+ * const ones are collective: every piece makes the same calls in the same order.
  */
 class Partition
 {
 public:
   virtual ~Partition() = default;
 
+  /** Whether the surface is in several pieces. */
   virtual bool isDivided() const { return false; }
-  /** Whether a vertex counts as this piece's: of those that share it one owns it. */
+  /** Whether this piece owns a vertex: of the pieces that share it, exactly one does. */
   virtual bool owns(Index) const { return true; }
   /** The vertices that other pieces have as well. */
   virtual std::span<const Index> sharedVertices() const { return {}; }
   /**
-   * Of each vertex the length of the longest side of the triangles round it on all pieces. Empty
-   * where the surface is not divided: then VertexRings::longestSides() are meant.
+   * For each vertex of this piece the length of the longest side of the triangles round it on all
+   * pieces. Empty where the surface is not divided: use VertexRings::longestSides() then.
    */
   virtual std::span<const float> longestSides() const { return {}; }
 
-  /** Runs a step that makes no collective call. Where it throws on one piece, it does on all. */
+  /** Runs a step that makes no collective call. If it throws on one piece, this throws on all. */
   virtual void together(const std::function<void()>& step) { step(); }
-  /** What each piece gives, one after the other in the order of the pieces. */
+  /** Returns the numbers of all pieces, one piece after the other; the same on each. */
   virtual std::vector<double> gather(std::span<const double> own)
   {
     return { own.begin(), own.end() };
   }
-  /** What the other pieces give for vertices that this one shares, by its own vertex numbers. */
+  /** Sends values of this piece's vertices. Returns those that other pieces sent for vertices that
+   * this piece shares, with this piece's vertex numbers. */
   virtual std::vector<StartValue> exchange(std::span<const StartValue>) { return {}; }
   /**
-   * Marches until nothing is left to do on any piece.
+   * Advances the front until nothing is left to do on any piece.
    * @return false when cancelled on any piece
    */
   virtual bool march(MarchingFront& front, StopLimit&)

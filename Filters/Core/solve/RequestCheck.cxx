@@ -65,7 +65,7 @@ void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& 
   }
 }
 
-/** The vertices that carry seeds and have a triangle which is not closed, on any piece. */
+/** The vertices that carry seeds and have an open triangle on at least one piece. Collective. */
 std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
   const ClosedTriangles& closed, Partition& partition)
 {
@@ -94,7 +94,7 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
   return open;
 }
 
-/** Throws where a front can't leave the point. */
+/** Throws where a front can't leave the point. @param open see openCarriers() */
 void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
   const SolveOptions& options, const std::set<Index>& open)
 {

@@ -15,14 +15,16 @@ class ClosedTriangles;
 class Partition;
 class TriangleMesh;
 
-/** @throws std::invalid_argument for an option that does not fit the mesh, naming value and limit
- */
+/** @throws std::invalid_argument for an option that does not fit the mesh; the message has the
+ * value and what is allowed */
 void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
 
 /**
  * @pre the seeds are on the mesh (see seedFront)
- * @throws std::invalid_argument naming the first seed from which no front can start: one with a
- * point that is excluded, or on an edge between excluded vertices, or inside a closed triangle
+ * Checks that a front can start from every seed. Collective.
+ * @throws std::invalid_argument with the number of the first seed from which none can: one with a
+ *         point at an excluded vertex, on an edge or in a face of excluded vertices only, or inside
+ *         closed triangles
  */
 void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
   const SolveOptions& options, const ClosedTriangles& closed, Partition& partition);

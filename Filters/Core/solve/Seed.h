@@ -13,20 +13,21 @@
 namespace geodesic
 {
 
-/** A source of the front. Seeds are told apart by their position in the list given to a solver. */
+/** A source of distances. The number of a seed is its position in the list given to a solver. */
 struct Seed
 {
   enum class Kind
   {
-    /** The one entry of points. */
+    /** The seed is the one entry of Seed::points. */
     Point,
     /**
-     * The straight segments from each of points to the next, each inside a face or along an edge.
-     * Of a surface in several pieces, one has all of them and the others none.
+     * The seed is the straight segments from each entry of Seed::points to the next. A segment lies
+     * inside a face or along an edge. Where the surface is in several pieces, one piece has all
+     * points and the others none.
      */
     Curve,
-    /** All of vertices, on this piece of the surface, and what lies between neighbours among them.
-     */
+    /** The seed is Seed::vertices, those on this piece of the surface, with the edges and faces
+     * between them. */
     Region
   };
 
@@ -34,7 +35,8 @@ struct Seed
   {
     return { Kind::Point, { point }, {}, value, {} };
   }
-  /** @param points on this piece of the surface, one or none */
+  /** A point of a surface in several pieces; see Seed::position.
+   * @param points the point where this piece has it, else none */
   static Seed atPosition(const Vector3& position, std::vector<SurfacePoint> points)
   {
     return { Kind::Point, std::move(points), {}, 0.0, position };
@@ -54,8 +56,8 @@ struct Seed
   /** Distance at the seed itself, at least 0, in the mesh's length unit (times the cost). */
   double value = 0.0;
   /**
-   * Of a point on a surface in several pieces: where it is, the same for all of them. Those that
-   * do not have the point itself have no points. Empty: where points[0] is.
+   * For a point on a surface in several pieces: its position, the same on all of them. Pieces that
+   * do not have the point have no points. If empty, the position is that of points[0].
    */
   std::optional<Vector3> position;
 };

@@ -132,9 +132,9 @@ public:
   }
 
 private:
-  /** Of more bends, or border vertices, than this none gets a round label of its own. */
+  /** A curve with more bends, or a region with more border vertices, gets no round labels. */
   static constexpr std::size_t MostRoundLabels = 256;
-  /** Cosine of the angle from which on a curve bends. */
+  /** A curve bends where the cosine of the angle between its segments is less. */
   static constexpr double StraightCosine = 0.985;
 
   Index addLabel(FrontShape shape, const SurfacePoint& origin = {}, const Vector3& position = {})
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /** @param points all of the curve's, on one of the pieces; none on the others */
+  /** @param points all points of the curve on one of the pieces; none on the others */
   void addCurve(const std::vector<SurfacePoint>& points)
   {
     const std::size_t first = this->Front.labels.size();
@@ -185,7 +185,7 @@ private:
     }
   }
 
-  /** The labels of the piece that has some from @p first on, for those that have none. */
+  /** Copies the labels from @p first on of the piece that has them to the pieces that have none. */
   void addLabelsOfOthers(std::size_t first)
   {
     const bool hasOwn = this->Front.labels.size() > first;
@@ -273,7 +273,7 @@ private:
     return corners;
   }
 
-  /** Numbers of the curve's points where it is not straight, its ends among them. */
+  /** The numbers of the points where the curve bends, and of its two ends. */
   std::vector<std::size_t> bendsOf(const std::vector<SurfacePoint>& points) const
   {
     std::vector<Vector3> positions;
@@ -344,7 +344,7 @@ private:
     }
   }
 
-  /** A set of vertices with those shared ones that other pieces have in theirs, sorted. */
+  /** Adds to a set of vertices the shared ones in the sets of other pieces; returns it sorted. */
   std::vector<Index> withThoseOfOthers(std::vector<Index> vertices)
   {
     std::vector<StartValue> own;
@@ -361,7 +361,7 @@ private:
     return vertices;
   }
 
-  /** How many vertices these sets of all pieces have together. */
+  /** The number of different vertices in the sets of all pieces. */
   double countOf(const std::vector<Index>& vertices)
   {
     const auto owned = static_cast<double>(std::count_if(
@@ -372,7 +372,7 @@ private:
 
   bool isAnywhere(const std::vector<Index>& vertices) { return this->countOf(vertices) > 0.0; }
 
-  /** One round label at each vertex of these sets of all pieces. */
+  /** Adds a round label at each vertex in the sets of all pieces, in the same order on each. */
   void addVertices(const std::vector<Index>& vertices)
   {
     if (!this->Pieces.isDivided())
@@ -388,7 +388,7 @@ private:
     for (Index vertex : vertices)
     {
       const Vector3& p = this->Mesh.position(vertex);
-      // Adding 0 makes -0 one with 0.
+      // Adding 0 turns -0 into 0, so that places compare equal.
       const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
       vertexAt.emplace(place, vertex);
       own.insert(own.end(), place.begin(), place.end());

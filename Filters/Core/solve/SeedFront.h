@@ -17,22 +17,24 @@ class ClosedTriangles;
 class Partition;
 class TriangleMesh;
 
-/** How a front was born: round a point, or from a line, which it leaves in a straight front. */
+/** The shape of a front: round, from a point, or straight, from a line or region. */
 enum class FrontShape
 {
   Round,
   Straight
 };
 
-/** A part of a seed whose front is marched by itself, apart from the other labels'. */
+/** A part of a seed whose front marches by itself, with values apart from those of other labels. */
 struct Label
 {
+  /** The number of the seed. */
   Index seed;
   FrontShape shape;
   /** The seed's value. */
   double value;
-  /** Where a round front starts; no triangle where that is on other pieces of the surface only. */
+  /** Where a round front starts. Its triangle is NoIndex where only other pieces have the point. */
   SurfacePoint origin;
+  /** The position of a round front's origin, known on all pieces. */
   Vector3 position;
 };
 
@@ -41,19 +43,19 @@ struct FrontStart
 {
   Index vertex;
   Index label;
-  /** Length from the label, without its value. */
+  /** Length of the straight line, without the label's value. */
   double length;
 };
 
 /**
- * Where the fronts of the seeds start.
+ * The labels of all seeds, and the vertices where their fronts start.
  *
- * A point is one round label: it starts at the point's vertex, at the corners of all triangles of
- * its edge, or at the corners of its face. A curve is one straight label for each straight piece,
- * which starts at the corners of the triangles that the piece touches, and a round one at each end
- * and bend. A region is one straight label at its vertices, and a round one for each isolated
- * vertex and, on small regions, for each vertex of its border. Within a triangle the straight line
- * is the shortest, so lengths are final.
+ * A point makes one round label, which starts at the point's vertex, at the corners of all
+ * triangles of its edge, or at the corners of its face. A curve makes one straight label for each
+ * straight part, which starts at the corners of the triangles that the part touches, and a round
+ * label at each end and bend. A region makes one straight label at its vertices, a round one at
+ * each isolated vertex and, if its border is small, one at each vertex of the border. Within a
+ * triangle the straight line is the shortest, so that lengths are final.
  */
 struct SeedFront
 {
@@ -62,23 +64,25 @@ struct SeedFront
 };
 
 /**
- * @throws std::invalid_argument naming the first seed that is none: without points, in a triangle
- * that does not exist, of weights that are no barycentric weights, of a value that is negative or
- * not finite
+ * @throws std::invalid_argument with the number of the first invalid seed: one without points, with
+ * a triangle or vertex that does not exist, with weights that are negative or have not the sum 1,
+ * or with a value that is negative or not finite
  */
 void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition);
 
 /**
- * The labels are the same on all pieces of the surface, the starts those of this one.
- * @pre the seeds are checked
- * @param closed triangles that no front crosses, nor starts through
+ * Makes labels and starts of seeds. Labels are the same on all pieces of the surface; starts are
+ * those of this piece. Collective.
+ * @pre checkSeeds() has accepted the seeds
+ * @param closed triangles that no front crosses; none starts through them either
  * @throws std::invalid_argument for a curve with a segment that is neither in one face nor along
- * one edge
+ *         one edge
  */
 SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
   std::span<const Seed> seeds, Partition& partition);
 
-/** The vertices whose weights carry the point: a vertex, the ends of an edge, a face's corners. */
+/** The vertices with a weight in a point: one vertex, the two ends of an edge, or a face's three
+ * corners. */
 std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point);
 
 }

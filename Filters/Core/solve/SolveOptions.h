@@ -14,7 +14,7 @@
 namespace geodesic
 {
 
-/** Which of the targets must be final before the front may stop. */
+/** Whether the front may stop when any target is final, or only when all are. */
 enum class TargetMode
 {
   Any,
@@ -23,7 +23,7 @@ enum class TargetMode
 
 class Partition;
 
-/** Thrown where a path on a part of a surface depends on what lies beyond that part. */
+/** Thrown where a path on a part of a surface depends on triangles outside that part. */
 class IncompleteRing : public std::exception
 {
 public:
@@ -31,7 +31,7 @@ public:
     : Vertex(vertex)
   {
   }
-  /** Whose triangles are not all there. */
+  /** A vertex on the path some of whose triangles are missing. */
   Index vertex() const { return this->Vertex; }
   const char* what() const noexcept override
   {
@@ -42,43 +42,44 @@ private:
   Index Vertex;
 };
 
+/** Options of a solver's run. Spans borrow the caller's arrays. */
 struct SolveOptions
 {
   /**
-   * Cost of a unit of length at each vertex, positive and finite; that of a triangle is the mean of
-   * its corners'. Empty: 1. Distances are lengths times cost.
+   * The cost of a unit of length at each vertex, positive and finite. The cost of a triangle is the
+   * mean of its corners' costs; distances are lengths times cost. Empty: 1 everywhere.
    */
   std::span<const double> cost;
-  /** One flag a vertex: non-zero ones are never entered by the front. Empty: none. */
+  /** One flag for each vertex: the front never enters non-zero ones. Empty: none. */
   std::span<const std::uint8_t> excluded;
-  /** One flag a triangle: the front never crosses non-zero ones; their border stays open. Empty:
-   * none. */
+  /** One flag for each triangle: the front never crosses non-zero ones. Their vertices, and their
+   * edges to other triangles, stay open. Empty: none. */
   std::span<const std::uint8_t> closedTriangles;
-  /** No vertex farther than this gets a distance, every nearer one gets its final one. */
+  /** Vertices up to this distance get their final one, farther ones get none. At least 0. */
   double maximumDistance = std::numeric_limits<double>::infinity();
   /**
-   * What to reach: each target is a set of three vertices (the corners round a point; three times
-   * the same for a vertex) and reached when all of them are. Nothing farther than the last one
-   * needed gets a distance. Empty: none.
+   * The targets to reach. A target is three vertices: the corners of a point's triangle, or the
+   * same vertex three times. It is reached when all three are. Vertices farther than the last
+   * target that targetMode needs get no distance. Empty: no targets.
    */
   std::span<const Triangle> targets;
   TargetMode targetMode = TargetMode::Any;
   /**
-   * Called with the number of vertices taken from the queue so far, each time that another
-   * @a progressInterval were; returning false cancels the run.
+   * Called each time that the march has taken another progressInterval vertices from its queue,
+   * with the number of vertices so far. Returning false cancels the run.
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;
   /**
-   * How to solve together with the other pieces of the surface, each of which is given the same
-   * seeds, targets and limits. A target that is on other pieces only has the corners NoIndex. Null:
-   * the surface is in one piece.
+   * How to solve together with the other pieces of the surface. Each piece is given the same seeds,
+   * targets and limits; a target that only other pieces have has the vertices NoIndex. Null: the
+   * surface is in one piece.
    */
   Partition* partition = nullptr;
   /**
-   * For paths only. One flag a vertex: non-zero where the mesh, a part of a larger surface, lacks
-   * some of the triangles round it. A path that depends on them ends in IncompleteRing. Empty: the
-   * mesh is the surface.
+   * For paths only. One flag for each vertex: non-zero where the mesh is a part of a larger surface
+   * and lacks some of the triangles round the vertex. A path that depends on them throws
+   * IncompleteRing. Empty: the mesh is the whole surface.
    */
   std::span<const std::uint8_t> incomplete;
 

@@ -8,13 +8,18 @@
 namespace geodesic
 {
 
-/** A vertex's first value, for a label, without the label's own. */
+/**
+ * The value that a vertex has for a label before the march: its distance from the label's origin or
+ * line. The label's own value (Label::value) is not included.
+ */
 struct StartValue
 {
   Index vertex;
+  /** Index of the label in SeedFront::labels. */
   Index label;
+  /** In the mesh's length unit times the cost. */
   double value;
-  /** Never to be updated for this label. */
+  /** Whether the march must never change this value. */
   bool isFinal;
 };
 

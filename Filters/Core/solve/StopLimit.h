@@ -14,9 +14,9 @@ namespace geodesic
 {
 
 /**
- * The distance beyond which nothing is asked for: the maximum distance or that of the targets,
- * whichever is less. It falls while the front comes nearer to the targets. As it never rises, what
- * was passed over once is never missed, whatever the order of the march.
+ * The distance beyond which no vertex needs a value: the maximum distance or that of the targets,
+ * whichever is less. It falls when the targets' distances fall, and never rises. So a value once
+ * ignored as too large is never needed later, in whatever order the march goes.
  */
 class StopLimit
 {
@@ -29,19 +29,22 @@ public:
   {
   }
 
+  /** The limit; infinity where there is none yet. */
   double value() const { return this->Limit; }
-  /** Whether there is one now. */
+  /** Whether there is a limit now. */
   bool isKnown() const { return this->Limit < DistanceField::Unreached; }
-  /** Whether there is one now, or may be later. */
+  /** Whether there is a limit now or may be one later. */
   bool isPossible() const { return this->isKnown() || !this->Options.targets.empty(); }
 
   /**
-   * The largest value that may still matter where neighbours differ by up to @p reach: one above
-   * the limit can lower its neighbours' a little below it, but not beyond that.
+   * The largest value that may still matter at a vertex: the limit plus @p reach. A value above the
+   * limit can still lead to values below it at neighbours.
+   * @param reach the most that the vertex's value can lie above values that it leads to
    */
   double with(double reach) const { return this->Limit + reach; }
 
-  /** To be called now and then; lowers the limit to what the targets' distances allow. */
+  /** Lowers the limit to what the targets' present distances allow. The march calls this regularly.
+   */
   void update()
   {
     if (!this->Options.targets.empty())
@@ -50,7 +53,7 @@ public:
     }
   }
 
-  /** Of each target as far as it is known; infinity for one that is on another piece. */
+  /** The distance of each target, as far as known; infinity for one not reached yet. */
   std::vector<double> targetDistances() const
   {
     std::vector<double> distances(this->Elsewhere.size());
@@ -61,13 +64,14 @@ public:
     return distances;
   }
 
-  /** Takes over the distances of the targets that other pieces of the surface know. */
+  /** Takes over the targets' distances that other pieces of the surface know, and updates. */
   void learn(std::span<const double> targetDistances)
   {
     this->Elsewhere.assign(targetDistances.begin(), targetDistances.end());
     this->update();
   }
 
+  /** Why a march that was not cancelled ended. */
   StopReason reason() const
   {
     if (!this->Options.targets.empty() && this->distanceOfTargets() <= this->Limit &&
@@ -105,7 +109,7 @@ private:
   const SolveOptions& Options;
   const DistanceField& Field;
   double Limit;
-  /** Of each target, the distance that other pieces know. */
+  /** For each target the distance that other pieces know. */
   std::vector<double> Elsewhere;
 };
 
