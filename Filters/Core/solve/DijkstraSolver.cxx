@@ -43,8 +43,7 @@ public:
     this->Heap.clear();
   }
 
-  /** Takes a distance over where it is less, or equal and of a smaller seed, and within the limit.
-   */
+  /** Sets a distance that is less, or equal and of a smaller seed, and within the limit. */
   void propose(Index vertex, Index seed, double distance)
   {
     const double old = this->Field.distance(vertex);

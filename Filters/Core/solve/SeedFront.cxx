@@ -132,7 +132,7 @@ public:
   }
 
 private:
-  /** A curve with more bends, or a region with more border vertices, gets no round labels. */
+  /** A curve with more bends, or a region with more border vertices, gets no round labels there. */
   static constexpr std::size_t MostRoundLabels = 256;
   /** A curve bends where the cosine of the angle between its segments is less. */
   static constexpr double StraightCosine = 0.985;
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /** @param points all points of the curve on one of the pieces; none on the others */
+  /** @param points all of the curve's, on one of the pieces; none on the others */
   void addCurve(const std::vector<SurfacePoint>& points)
   {
     const std::size_t first = this->Front.labels.size();
@@ -388,7 +388,7 @@ private:
     for (Index vertex : vertices)
     {
       const Vector3& p = this->Mesh.position(vertex);
-      // Adding 0 turns -0 into 0, so that places compare equal.
+      // Adding 0 turns -0 into 0, so that equal places have the same bits on all pieces.
       const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
       vertexAt.emplace(place, vertex);
       own.insert(own.end(), place.begin(), place.end());
