@@ -169,7 +169,7 @@ private:
     {
       return None;
     }
-    // The cursor at the first of a vertex's ends tells how many of them are already taken.
+    // The cursor at the first of a vertex's ends skips those that earlier calls found taken.
     std::size_t& cursor = this->Cursors[first - this->Ends.begin()];
     for (; cursor < this->Ends.size() && this->Ends[cursor].first == vertex; ++cursor)
     {
@@ -208,7 +208,7 @@ public:
    * before.
    * @param seconds  the second end of each side
    * @param fan      the entry that opens each side's triangle, with the side's first end as
-   * neighbour, and room for one more entry, which repeats the first neighbour
+   *                 neighbour, and room for one more entry, which repeats the first neighbour
    * @return false, with the entries as they were, where the sides are not one such fan or more than
    *         255
    */
