@@ -5,6 +5,7 @@
 #include "Inputs.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
@@ -250,6 +251,38 @@ TEST_F(SurfaceFilter, DijkstraFollowsEdges)
   EXPECT_NEAR(d->GetComponent(2 * 7 + 1, 0), 1.0 + std::sqrt(2.0), 1e-12);
   this->Filter->SetMethod(vtkSurfaceGeodesicDistance::FAST_MARCHING);
   EXPECT_NEAR(this->run(surface)->GetComponent(2 * 7 + 1, 0), std::sqrt(5.0), 1e-12);
+}
+
+// The reference solver is for tests: number 100 of the table of solvers, which XML does not offer.
+TEST_F(SurfaceFilter, TheReferenceSolverGivesTheSameField)
+{
+  const auto bunny = readData("Bunny.vtp");
+  this->Filter->AddSeedPointId(17);
+  this->Filter->AddSeedPointId(20000);
+  vtkNew<vtkDoubleArray> batched;
+  batched->DeepCopy(this->run(bunny));
+  this->Filter->SetMethod(100);
+  vtkDataArray* reference = this->run(bunny);
+  const double largest = this->Filter->GetMaximumDistanceReached();
+  for (vtkIdType i = 0; i < bunny->GetNumberOfPoints(); ++i)
+  {
+    const double expected = batched->GetComponent(i, 0);
+    ASSERT_EQ(std::isnan(reference->GetComponent(i, 0)), std::isnan(expected));
+    ASSERT_TRUE(
+      std::isnan(expected) || std::abs(reference->GetComponent(i, 0) - expected) < 1e-7 * largest);
+  }
+}
+
+TEST_F(SurfaceFilter, AMethodThatDoesNotExistIsAnErrorThatNamesThoseThatDo)
+{
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->SetMethod(7);
+  this->Filter->SetInputDataObject(square(3));
+  const std::string error = errorsOf(this->Filter.Get());
+  EXPECT_NE(error.find("no method 7"), std::string::npos) << error;
+  EXPECT_NE(error.find("0 (FastMarching), 1 (Dijkstra)"), std::string::npos) << error;
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::DIJKSTRA);
+  EXPECT_NE(this->run(square(3)), nullptr);
 }
 
 TEST_F(SurfaceFilter, AnEmptyNameMakesNoArray)

@@ -4,7 +4,7 @@
 
 #include "ExactDistances.h"
 #include "Solving.h"
-#include "solve/SeedFront.h"
+#include "mesh/Carriers.h"
 
 #include <algorithm>
 #include <array>
@@ -184,7 +184,7 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random)
 bool isFree(const RandomCase& of, const SurfacePoint& point)
 {
   const bool isClosed = !of.closedTriangles.empty() && of.closedTriangles[point.triangle];
-  const std::vector<Index> carriers = carriersOf(*of.mesh, point);
+  const Carriers carriers = carriersOf(*of.mesh, point);
   return !isClosed &&
     std::none_of(carriers.begin(), carriers.end(),
       [&](Index v) { return !of.excluded.empty() && of.excluded[v]; });

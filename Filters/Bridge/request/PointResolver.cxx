@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "request/PointResolver.h"
 
-#include "solve/SeedFront.h"
+#include "mesh/Carriers.h"
 
 #include "vtkIdList.h"
 
@@ -138,8 +138,8 @@ std::vector<Index> verticesWithIds(
 
 Triangle targetAt(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  const std::vector<Index> carriers = carriersOf(mesh, point);
-  return { carriers.front(), carriers[carriers.size() / 2], carriers.back() };
+  const Carriers carriers = carriersOf(mesh, point);
+  return { carriers[0], carriers[carriers.size() / 2], carriers[carriers.size() - 1] };
 }
 
 Triangle targetAt(Index vertex)

@@ -4,6 +4,7 @@
 #define geodesic_PathPoint_h
 
 #include "base/Index.h"
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
@@ -12,32 +13,6 @@
 
 namespace geodesic
 {
-
-/** Up to three vertices: one, the two ends of an edge, or the corners of a face. */
-class Carriers
-{
-public:
-  constexpr void add(Index vertex)
-  {
-    if (!this->contains(vertex))
-    {
-      this->Vertices[this->Count++] = vertex;
-    }
-  }
-  constexpr bool contains(Index vertex) const
-  {
-    return std::find(this->begin(), this->end(), vertex) != this->end();
-  }
-  constexpr int size() const { return this->Count; }
-  constexpr Index operator[](int i) const { return this->Vertices[i]; }
-  constexpr const Index* begin() const { return this->Vertices.data(); }
-  constexpr const Index* end() const { return this->Vertices.data() + this->Count; }
-
-private:
-  // Two faces' corners fit as well, so that a union need not be checked before it is made.
-  std::array<Index, 6> Vertices{};
-  int Count = 0;
-};
 
 /**
  * A point of a path: weights (each in [0, 1], sum 1) of up to three vertices that share a face.

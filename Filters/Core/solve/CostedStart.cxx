@@ -3,6 +3,7 @@
 #include "solve/CostedStart.h"
 
 #include "base/SortUnique.h"
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/FrontSolver.h"
 #include "solve/Partition.h"
@@ -64,7 +65,8 @@ double discRadius(const TriangleMesh& mesh, const SurfacePoint& origin, Partitio
   std::vector<Index> carriers;
   if (origin.triangle != NoIndex)
   {
-    carriers = carriersOf(mesh, origin);
+    const Carriers ofOrigin = carriersOf(mesh, origin);
+    carriers.assign(ofOrigin.begin(), ofOrigin.end());
   }
   const auto coordinates = [&](Index vertex)
   {

@@ -3,6 +3,7 @@
 #include "solve/RequestCheck.h"
 
 #include "base/NumberText.h"
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
@@ -98,7 +99,7 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
 void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
   const SolveOptions& options, const std::set<Index>& open)
 {
-  const std::vector<Index> carriers = carriersOf(mesh, point);
+  const Carriers carriers = carriersOf(mesh, point);
   const auto excluded = std::find_if(
     carriers.begin(), carriers.end(), [&](Index vertex) { return options.isExcluded(vertex); });
   const bool allExcluded = std::all_of(

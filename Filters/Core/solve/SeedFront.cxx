@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "base/SortUnique.h"
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
@@ -70,7 +71,7 @@ void checkSeed(
 /** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
  */
 std::vector<Index> cornersRound(
-  const TriangleMesh& mesh, const ClosedTriangles& closed, const std::vector<Index>& carriers)
+  const TriangleMesh& mesh, const ClosedTriangles& closed, const Carriers& carriers)
 {
   std::vector<Index> corners;
   const Index centre = carriers[0];
@@ -159,7 +160,7 @@ private:
   void addPoint(const SurfacePoint& point, const Vector3& position)
   {
     const Index label = this->addLabel(FrontShape::Round, point, position);
-    const std::vector<Index> carriers = carriersOf(this->Mesh, point);
+    const Carriers carriers = carriersOf(this->Mesh, point);
     if (carriers.size() == 1)
     {
       this->Front.starts.push_back({ carriers[0], label, 0.0 });
@@ -254,10 +255,11 @@ private:
   std::vector<Index> cornersRoundSegment(
     const SurfacePoint& a, const SurfacePoint& b, std::size_t number) const
   {
-    std::vector<Index> carriers = carriersOf(this->Mesh, a);
-    const std::vector<Index> others = carriersOf(this->Mesh, b);
-    carriers.insert(carriers.end(), others.begin(), others.end());
-    sortUnique(carriers);
+    Carriers carriers = carriersOf(this->Mesh, a);
+    for (const Index carrier : carriersOf(this->Mesh, b))
+    {
+      carriers.add(carrier);
+    }
     std::vector<Index> corners;
     if (carriers.size() <= 3)
     {
@@ -421,20 +423,6 @@ private:
   double Value = 0.0;
 };
 
-}
-
-std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  const Triangle& triangle = mesh.triangle(point.triangle);
-  std::vector<Index> carriers;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (point.weights[c] > 0.0)
-    {
-      carriers.push_back(triangle[c]);
-    }
-  }
-  return carriers;
 }
 
 void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition)

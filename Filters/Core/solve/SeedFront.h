@@ -81,10 +81,6 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
 SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
   std::span<const Seed> seeds, Partition& partition);
 
-/** The vertices with a weight in a point: one vertex, the two ends of an edge, or a face's three
- * corners. */
-std::vector<Index> carriersOf(const TriangleMesh& mesh, const SurfacePoint& point);
-
 }
 
 #endif

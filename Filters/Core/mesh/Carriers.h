@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Carriers_h
+#define geodesic_Carriers_h
+
+#include "base/Index.h"
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <array>
+
+namespace geodesic
+{
+
+/** Up to three vertices: one, the two ends of an edge, or the corners of a face. */
+class Carriers
+{
+public:
+  constexpr void add(Index vertex)
+  {
+    if (!this->contains(vertex))
+    {
+      this->Vertices[this->Count++] = vertex;
+    }
+  }
+  constexpr bool contains(Index vertex) const
+  {
+    return std::find(this->begin(), this->end(), vertex) != this->end();
+  }
+  constexpr int size() const { return this->Count; }
+  constexpr Index operator[](int i) const { return this->Vertices[i]; }
+  constexpr const Index* begin() const { return this->Vertices.data(); }
+  constexpr const Index* end() const { return this->Vertices.data() + this->Count; }
+
+private:
+  // Two faces' corners fit as well, so that a union need not be checked before it is made.
+  std::array<Index, 6> Vertices{};
+  int Count = 0;
+};
+
+/** The vertices whose weights carry the point: a vertex, the ends of an edge, a face's corners.
+ */
+inline Carriers carriersOf(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  Carriers carriers;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (point.weights[c] > 0.0)
+    {
+      carriers.add(mesh.triangle(point.triangle)[c]);
+    }
+  }
+  return carriers;
+}
+}
+
+#endif
