@@ -16,24 +16,29 @@ namespace geodesic
 {
 
 /**
- * A queue that hands out items roughly by increasing key: in order of buckets of equal width,
- * within a bucket in the order they came. Enough for a label correcting march, whose result does
- * not depend on the order, at constant time an item. R. Dial, Algorithm 360, CACM 12 (1969).
+ * A queue that hands out items roughly by increasing key. It goes from bucket to bucket, which are
+ * of equal width; within a bucket, items come in the order in which they were pushed. That is
+ * enough for a label correcting march, whose result does not depend on the order. Time is constant
+ * for an item. R. Dial, Algorithm 360, CACM 12 (1969).
  */
 class BucketQueue
 {
 public:
+  /** Largest number of buckets. */
   static constexpr std::size_t MostBuckets = 1 << 16;
 
-  /** How many buckets start() asks for. */
+  /** The number of buckets that start() makes, a power of two. */
   static std::size_t numberOfBuckets(double width, double span)
   {
     const double wanted = std::min(span / width + 2.0, static_cast<double>(MostBuckets));
     return std::bit_ceil(static_cast<std::size_t>(wanted));
   }
 
-  /** @param width of a bucket, more than 0; @param span the most that a pushed key exceeds the last
-   * popped one */
+  /**
+   * Empties the queue and goes to key 0.
+   * @param width  of a bucket, more than 0
+   * @param span   the most by which a pushed key exceeds the last one taken
+   */
   void start(double width, double span)
   {
     const std::size_t buckets = numberOfBuckets(width, span);
@@ -54,7 +59,8 @@ public:
 
   bool isEmpty() const { return this->Count == 0; }
 
-  /** A key beyond the last bucket, or before the current one, joins the nearest there is. */
+  /** Adds an item. With a key beyond the last bucket it goes into the last one, with a key before
+   * the current bucket into the current one. */
   void push(Index item, double key)
   {
     const double number = key * this->PerWidth;
@@ -65,15 +71,15 @@ public:
     ++this->Count;
   }
 
-  /** The bucket of a key, which may be infinite. */
+  /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const
   {
     constexpr double last = 1ull << 62;
     return static_cast<std::uint64_t>(std::clamp(key * this->PerWidth, 0.0, last));
   }
 
-  /** Whether an item of a bucket before @p end waits; goes to the first such bucket, or to @p end.
-   */
+  /** Whether an item waits in a bucket before @p end. Goes to the first such bucket, or else to
+   * @p end. */
   bool hasBefore(std::uint64_t end)
   {
     if (this->isEmpty())
@@ -93,8 +99,9 @@ public:
   }
 
   /**
-   * Goes back to the bucket of a key, so that a key below the last popped one has its place again.
-   * Time O(1), but where more buckets are needed to hold what is between.
+   * Goes back to the bucket of a key, so that keys from there on have their places again, if the
+   * key is below the last one taken. Does nothing if that would need more than MostBuckets buckets.
+   * Time O(1), or linear in the number of buckets if there are too few so far.
    */
   void goBackTo(double key)
   {
@@ -129,7 +136,7 @@ public:
     this->goTo(target);
   }
 
-  /** The first bucket that is not empty. @pre not empty */
+  /** The number of the first bucket in which an item waits. @pre !isEmpty() */
   std::uint64_t nextBucket() const
   {
     std::uint64_t number = this->Current;
@@ -141,11 +148,15 @@ public:
     }
     return number;
   }
-  /** Where a bucket begins. */
+  /** The least key of a bucket. */
   double keyOf(std::uint64_t bucket) const { return static_cast<double>(bucket) / this->PerWidth; }
 
-  /** Takes items of one bucket, at least one and at most as many as @p room holds, which they are
-   * put into. @pre hasBefore */
+  /**
+   * Takes items from the current bucket.
+   * @param room  for the items; as many are taken as fit, or all of the bucket
+   * @return the part of @p room that holds them, at least one
+   * @pre hasBefore() was true
+   */
   std::span<const Index> take(std::span<Index> room)
   {
     const std::span<const Index> taken = this->next(room.size());
@@ -155,8 +166,8 @@ public:
     return room.first(taken.size());
   }
 
-  /** The next items of the bucket, @p most of them if there are so many; valid until the next push.
-   */
+  /** The next items of the current bucket, without taking them: @p most of them, or all if they are
+   * fewer. Valid until the next push. */
   std::span<const Index> next(std::size_t most) const
   {
     const std::span<const Index> items = this->Buckets[this->indexOf(this->Current)];
@@ -174,13 +185,16 @@ private:
   std::vector<Index>& bucket(std::uint64_t number) { return this->Buckets[this->indexOf(number)]; }
 
   std::vector<std::vector<Index>> Buckets;
-  /** The number of buckets, a power of two, less 1. */
+  /** The number of buckets, which is a power of two, less 1. */
   std::uint64_t LastIndex = 0;
   double PerWidth = 1.0;
+  /** The number of the current bucket. */
   std::uint64_t Current = 0;
-  /** That of the last bucket there is beyond the current one. */
+  /** The number of the last bucket for which there is room. */
   double LastNumber = 0.0;
+  /** How many items of the current bucket have been taken. */
   std::size_t Next = 0;
+  /** How many items wait. */
   std::size_t Count = 0;
 };
 

@@ -16,42 +16,47 @@
 namespace geodesic
 {
 
-/** From a row's vertex and the neighbour in a slot, over the edge between, to the neighbour in
- * the slot before or after. */
+/**
+ * An update over the inside of an edge: the edge from a row's vertex to one neighbour is crossed,
+ * to the neighbour in the slot before or after it.
+ */
 class EdgeCrossing
 {
 public:
   constexpr EdgeCrossing() = default;
+  /** @param over slot of the edge's other end; @param target slot of the neighbour to be updated */
   constexpr EdgeCrossing(std::size_t over, std::size_t target)
     : Both(static_cast<std::uint32_t>(over | target << Bits))
   {
   }
   constexpr Slot across() const { return static_cast<Slot>(this->Both); }
   constexpr Slot target() const { return static_cast<Slot>(this->Both >> Bits); }
-  /** The same way between neighbours so many slots on. */
+  /** The same crossing with both slots larger by @p slots. */
   constexpr EdgeCrossing later(std::size_t slots) const
   {
-    EdgeCrossing way;
-    way.Both = this->Both + static_cast<std::uint32_t>(slots * (1u + (1u << Bits)));
-    return way;
+    EdgeCrossing crossing;
+    crossing.Both = this->Both + static_cast<std::uint32_t>(slots * (1u + (1u << Bits)));
+    return crossing;
   }
 
 private:
   static constexpr int Bits = 16;
-  /** Two slots in one number, which is written at once. */
+  /** Both slots in one number, so that one instruction stores them. */
   std::uint32_t Both = 0;
 };
 
 /**
- * A list that takes on one item for each bit of some masks. How many bits there are is not to be
- * guessed, so for up to @p Usual there is no branch on it.
- * @tparam Size  the most items there can be, and Usual more
+ * A list with an item for each bit that is set in some masks. A processor can't predict how many
+ * bits are set, so there is no branch on their number up to @p Usual bits.
+ * @tparam Item   type of the items
+ * @tparam Size   largest number of items
+ * @tparam Usual  number of bits that are treated at a time; there is room for as many more items
  */
 template <class Item, std::size_t Size, std::size_t Usual>
 class BitList
 {
 public:
-  /** @param itemOf gives the item of a bit's number */
+  /** Appends an item for each bit of @p bits. @param itemOf gives the item for a bit's number */
   template <class ItemOf>
   GEODESIC_INLINED void add(BatchMasks::Some bits, ItemOf itemOf)
   {
@@ -61,7 +66,7 @@ public:
       const auto found = static_cast<std::size_t>(std::popcount(bits));
       for (std::size_t i = 0; i < Usual; ++i)
       {
-        // Of no bits the number is any, and they are not counted.
+        // With no bit left the item is any, and it is not counted.
         constexpr BatchMasks::Some stop = ~(~BatchMasks::Some{ 0 } >> 1);
         this->Items[count + i] = itemOf(std::countr_zero(bits | stop));
         bits &= bits - 1;
@@ -71,7 +76,8 @@ public:
     this->Count = count;
   }
 
-  /** Repeats the first item behind the last, so that items can be taken @p several at a time. */
+  /** Writes the first item behind the last until items can be read @p several at a time. The size
+   * stays. */
   void pad(std::size_t several)
   {
     std::fill_n(this->Items.begin() + this->Count, several - 1, this->Items[0]);
@@ -87,8 +93,8 @@ private:
 };
 
 /**
- * The crossings that fronts are to go in the batch, as what was noted of the neighbours says: lists
- * of those along edges and those over edges, made for the whole batch at once; a part of
+ * Lists of the updates to be computed for a batch: along edges, and over edges for each shape of
+ * front. They are made from the masks of UpdateBatch, for all rows at once. It is a part of
  * NeighbourUpdate.
  */
 class CandidateLists
@@ -97,27 +103,28 @@ public:
   using AlongList = BitList<Slot, UpdateBatch::Slots, 8>;
   using CrossingList = BitList<EdgeCrossing, 2 * UpdateBatch::Slots, 6>;
 
-  /** To neighbours. */
+  /** The slots of neighbours to be updated along the edges to them. */
   const AlongList& along() const { return this->Along; }
-  /** Of fronts of a shape. */
+  /** The crossings of edges by fronts of a shape. */
   CrossingList& across(FrontShape shape)
   {
     return this->Crossings[static_cast<std::size_t>(shape)];
   }
 
-  /** Makes the list along edges; only the edges of open triangles stay in UpdateBatch::along. */
+  /** Makes the list along edges, and removes from UpdateBatch::along edges without an open triangle
+   * beside them and neighbours that come again. */
   GEODESIC_INLINED void listAlong(UpdateBatch& batch)
   {
     const Masks end = batch.end.all();
     const Masks again = batch.again.all();
     const Masks isOpen = openTriangles(batch);
-    // Before the first neighbour comes the triangle that ends where it comes again.
+    // In a ring that closes, the triangle before the first neighbour is the last one of the row.
     const Masks isOpenBeforeFirst = BatchMasks::all((isOpen & again >> 1) != 0) & 1;
     const Masks isOpenEdge = isOpen | isOpen << 1 | isOpenBeforeFirst;
     const Masks isOnce = (end - 1) | (end & ~again);
     batch.along.set(batch.along.all() & isOnce & isOpenEdge);
     this->Along.clear();
-    inSomeRows(
+    visitRows(
       [&](std::size_t first, std::size_t base)
       {
         this->Along.add(batch.along.some(first),
@@ -125,17 +132,19 @@ public:
       });
   }
 
-  /** Makes the lists over edges. */
+  /** Makes the lists over edges, for each shape of front. */
   GEODESIC_INLINED void listCrossings(UpdateBatch& batch)
   {
     const Masks again = batch.again.all();
-    const auto rounded = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
+    // The first neighbour's bit is also needed in the slot where it comes again.
+    const auto closed = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
     const Masks isOpen = openTriangles(batch);
     const Masks isThin = batch.isThin.all();
-    const Masks isSettled = ~rounded(batch.isQueued.all());
-    const Masks along = rounded(batch.along.all());
-    // The edge to a vertex that waits is crossed from there; not so in a thin triangle, where what
-    // lies behind the edge may come before it.
+    const Masks isSettled = ~closed(batch.isQueued.all());
+    const Masks along = closed(batch.along.all());
+    // If the other end of an edge waits in the queue, the edge is crossed when that end is taken.
+    // In a thin triangle it is crossed at once: what lies behind the edge may have a lower value
+    // than the end that waits, and be taken first.
     const Masks first =
       (batch.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
     const Masks second = (batch.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
@@ -147,16 +156,16 @@ public:
 private:
   using Masks = BatchMasks::All;
 
-  /** Of all batch. */
+  /** Masks of the open triangles of all rows. */
   GEODESIC_INLINED static Masks openTriangles(const UpdateBatch& batch)
   {
     return batch.isOpen.all() & (batch.end.all() - 1);
   }
 
-  /** Calls @p work with the first of some batch that come together in masks, and its first slot.
-   */
+  /** Calls @p work for each four rows whose masks are in one number (see BatchMasks::Some), with
+   * the number of the first row and of its first slot. */
   template <class Work>
-  GEODESIC_INLINED static void inSomeRows(const Work& work)
+  GEODESIC_INLINED static void visitRows(const Work& work)
   {
     for (std::size_t first = 0; first < UpdateBatch::Most; first += BatchMasks::SizeOfSome)
     {
@@ -164,26 +173,26 @@ private:
     }
   }
 
-  /** @param first, second  as in UpdateBatch, of fronts of the shape */
+  /** Makes the list for a shape. @param first, second  as in UpdateBatch, for rows of the shape */
   GEODESIC_INLINED void listCrossings(FrontShape shape, const Masks& first, const Masks& second)
   {
     CrossingList& crossings = this->across(shape);
     crossings.clear();
-    BatchMasks back;
-    BatchMasks on;
-    back.set(first);
-    on.set(second);
-    if (!back.hasAny() && !on.hasAny())
+    BatchMasks toFirst;
+    BatchMasks toSecond;
+    toFirst.set(first);
+    toSecond.set(second);
+    if (!toFirst.hasAny() && !toSecond.hasAny())
     {
       return;
     }
-    inSomeRows(
+    visitRows(
       [&](std::size_t row, std::size_t base)
       {
-        crossings.add(
-          back.some(row), [&](std::size_t slot) { return EdgeCrossing(1, 0).later(base + slot); });
-        crossings.add(
-          on.some(row), [&](std::size_t slot) { return EdgeCrossing(0, 1).later(base + slot); });
+        crossings.add(toFirst.some(row),
+          [&](std::size_t slot) { return EdgeCrossing(1, 0).later(base + slot); });
+        crossings.add(toSecond.some(row),
+          [&](std::size_t slot) { return EdgeCrossing(0, 1).later(base + slot); });
       });
   }
 

@@ -19,9 +19,11 @@ namespace geodesic
 {
 
 /**
- * Looks at the rings of vertices and notes what there is to do, several neighbours at a time and
- * without a branch on what is found, so that the processor can go ahead to the next ring while it
- * waits for memory: a part of NeighbourUpdate, which see also for Cost and Values.
+ * Finds the candidates of a batch, the neighbours that may gain by an update, and notes them in the
+ * masks of UpdateBatch. It is a part of NeighbourUpdate, which also explains Cost and Values.
+ *
+ * The scan reads two or four neighbours at a time. It has no branch on what it finds, so that the
+ * processor can go ahead to the next ring while it waits for memory.
  */
 template <class Cost, class Values>
 class CandidateScan
@@ -37,8 +39,13 @@ public:
   {
   }
 
-  /** Looks at a row of the ring of what was taken. Judges it where what other labels have plays
-   * no part. @pre at least two slots of it are in use */
+  /**
+   * Reads the neighbours of a row into the batch. With one label it notes the candidates as well;
+   * with several, judge() does that when all values are known.
+   * @param taken   the value that the row was made for
+   * @param number  of the row
+   * @pre at least two slots of the row are in use
+   */
   template <class Real>
   GEODESIC_FLAT void scan(const PoppedValue& taken, std::size_t number, UpdateBatch& batch) const
   {
@@ -56,7 +63,7 @@ public:
     unsigned isQueued = 0;
     for (std::size_t i = 0; i < size; i += lanes<Real>)
     {
-      // After the last neighbour come any others, with which nothing is done.
+      // The last lanes may lie behind the row. Their numbers are written and never used.
       const Indices<Real> neighbours = neighboursIn<Real>(entries + i);
       std::copy_n(neighbours.begin(), lanes<Real>, &batch.Neighbours[base + i]);
       const BestValues<Real> seen = reader.template look<Real>(neighbours);
@@ -83,13 +90,13 @@ public:
       }
     }
     const std::size_t last = size - 1;
-    const bool isRound = entries[0].neighbour() == entries[last].neighbour();
+    const bool closes = entries[0].neighbour() == entries[last].neighbour();
     const auto end = static_cast<Mask>(1u << size >> 1);
     row.label = taken.label;
-    row.last = isRound ? static_cast<Index>(last) : 0;
+    row.last = closes ? static_cast<Index>(last) : 0;
     batch.OwnValues[number] = taken.value;
     batch.end[number] = end;
-    batch.again[number] = isRound ? end : Mask(0);
+    batch.again[number] = closes ? end : Mask(0);
     batch.isQueued[number] = static_cast<Mask>(isQueued);
     if (!this->IsAllOpen)
     {
@@ -106,7 +113,8 @@ public:
     }
   }
 
-  /** Notes in the masks of a row what is worth a closer look. */
+  /** Notes the candidates of a row in the masks of the batch. @pre the batch has the values of all
+   * neighbours in the row */
   template <class Real>
   GEODESIC_FLAT void judge(std::size_t number, UpdateBatch& batch) const
   {
@@ -138,7 +146,7 @@ private:
     return neighbours;
   }
 
-  /** The slacks of as many triangles as a Real has numbers. */
+  /** The slacks of two or four triangles, as many as a Real has lanes. */
   template <class Real>
   class Slacks
   {
@@ -153,7 +161,7 @@ private:
       using Floats = typename FloatsBeside<Real>::Type;
       return __builtin_convertvector(std::bit_cast<Floats>(this->Bits), Real);
     }
-    /** Which of the triangles are thin. */
+    /** Mask of the triangles that are thin. */
     GEODESIC_INLINED unsigned areThin() const
     {
       static_assert(TriangleSlack::ThinBit == 1);
@@ -164,11 +172,12 @@ private:
     BitsOf<Real> Bits;
   };
 
-  /** What is worth a closer look in a row, found for some neighbours after the other. */
+  /** Finds the candidates of one row, two or four neighbours at a time. */
   template <class Real>
   class Judgement
   {
   public:
+    /** @param vertex of the row; @param own its value */
     Judgement(Index vertex, double own)
       : Own(own)
       , Vertex(vertex)
@@ -176,15 +185,26 @@ private:
     {
     }
 
-    /** @param held  nothing at or above it is of interest at the neighbours */
+    /**
+     * Treats the neighbours in slots i, i + 1 and so on.
+     * @param slacksHere  of the triangles that these neighbours open
+     * @param neighbours  their numbers
+     * @param squares     of the lengths of the edges to them
+     * @param values      their values
+     * @param held        their ceilings: only values below these count
+     */
     GEODESIC_INLINED void add(std::size_t i, const TriangleSlack* slacksHere,
       const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
       const Cost& cost)
     {
+      // Along an edge a neighbour gets the own value plus cost times length. Under a varying cost
+      // the test leaves the length out: every neighbour with a higher ceiling is a candidate.
       const Real rises = largest(held - this->Own, Real());
       this->Along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
 
-      // The triangles that end here, each opened by the neighbour before.
+      // Lane i stands for the triangle that ends with neighbour i and that the one before it opens.
+      // A crossing gives at least half of the sum of both values at the edge and cost times slack,
+      // see TriangleSlack.
       const Slacks<Real> some(slacksHere);
       const Real slacks = some.values();
       const Real costs = lanesOf<Real>(
@@ -203,6 +223,7 @@ private:
       this->LastSlacks = slacks;
     }
 
+    /** Writes what was found into the masks of row @p number. */
     void put(std::size_t number, UpdateBatch& batch) const
     {
       batch.along[number] = static_cast<Mask>(this->Along);
@@ -212,7 +233,7 @@ private:
     }
 
   private:
-    // Of the neighbours before those that are looked at.
+    // The values, ceilings and slacks of the neighbours before those that add() treats.
     Real LastValues = Real();
     Real LastHeld = Real();
     Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
@@ -225,7 +246,7 @@ private:
     unsigned IsThin = 0;
   };
 
-  /** Those that may be crossed, @p count of them. */
+  /** Mask of the first @p count triangles of a row that fronts may cross. */
   Mask openTriangles(const UpdateBatch::Row& row, std::size_t count) const
   {
     const auto firstEntry =
@@ -240,7 +261,9 @@ private:
 
   const TriangleMesh& Mesh;
   const ClosedTriangles& Closed;
-  /** Then also what opens no triangle counts as open: it has no slack, and an edge no cost. */
+  /** Whether the cost is 1 and no triangle is closed. Then all entries count as open. For those
+   * that open no triangle this does no harm: their infinite slack rules out crossings, and edges
+   * need no triangle to have a cost. */
   bool IsAllOpen;
   const Cost& TriangleCost;
   const Values& FrontValues;

@@ -9,24 +9,53 @@
 #include <limits>
 #include <type_traits>
 
+/**
+ * @file
+ * The local update of fast marching: a value for corner v of a triangle from the values at its
+ * corners a and b. The formula is in this file only. ReferenceSolver calls pointSourceUpdate() and
+ * straightFrontUpdate(); NeighbourUpdate calls the two crossings, for several triangles at once,
+ * and computes the part along the edges itself. Plugin/Documentation/algorithm.md derives the
+ * formula.
+ *
+ * A new formula must be nondecreasing in both values. These places assume more about it and must be
+ * looked at when it changes; h is the height of v over the edge, c the edge's length and w the cost
+ * (Plugin/Documentation/architecture.md, "Where to change what", says what each one assumes):
+ *
+ *  - march/UpdateBounds.h, TriangleSlack: a crossing gives at least (a + b + w (2 h - c)) / 2
+ *  - march/CandidateScan.h, Judgement::add: the same bound, and when an edge can gain anything
+ *  - march/NeighbourUpdate.h, valueAlong and edgeCost: the part along edges; crossEdges, and update
+ *    in march/ReferenceSolver.cxx: how the cost enters
+ *  - march/LabelMargin.h: how far values of a label differ at the ends of an edge, and how an error
+ *    spreads
+ *  - march/SourceFront.h, StraightLineBound: values are lengths times cost
+ *  - march/TriangleCost.h, reach: a crossing gives at least the larger of a and b, minus w c
+ *  - solve/MarchControl.h: rounding errors are below a relative gain of 1e-12
+ *  - solve/SeedFront.cxx and CostedStart.cxx: start values are straight lengths
+ *  - mesh/SurfacePoint.h, snapped: how close to an edge a source may lie
+ *  - path/PathTracer.cxx, leastOverEdge, tryEdge and seedsNear: the inverse of the update
+ *  - path/EdgePathSearch.cxx: no path along edges is shorter than the field says
+ *  - path/PathFinder.cxx, cornersOffThePath: values are comparable with straight lengths
+ */
+
 namespace geodesic
 {
 
 /**
- * A triangle as the update of its corner v over the edge from corner a to corner b sees it: by
- * products of that edge e and the side s from a to v, which take no roots.
+ * The shape of a triangle, as needed to update its corner v over the edge from corner a to corner
+ * b: products of that edge e and the side s from a to v, which take no square roots.
  * @tparam Real  double, or Pair or Quad for several triangles at once
  */
 template <class Real>
 struct FlatTriangleOf
 {
-  /** e e */
+  /** e · e: the square of the edge's length. */
   Real squaredEdge;
-  /** e s: the edge times how far along its line the foot of v is, from a. */
+  /** e · s: the edge's length times the position of v's foot on the edge's line, from a. */
   Real product;
-  /** (e x s)^2: the square of the edge times the height of v over it. */
+  /** (e x s)²: the square of the edge's length times the height of v over it. */
   Real squaredArea;
 
+  /** The lengths of the sides from a and from b to v. */
   Real lengthFromA() const { return this->length(this->product); }
   Real lengthFromB() const { return this->length(this->squaredEdge - this->product); }
 
@@ -38,7 +67,7 @@ private:
 };
 using FlatTriangle = FlatTriangleOf<double>;
 
-/** The square of a number, with its sign: grows with the number. */
+/** The square of a number, with the number's sign. It grows with the number. */
 template <class Real>
 GEODESIC_INLINED Real signedSquare(Real x)
 {
@@ -46,9 +75,10 @@ GEODESIC_INLINED Real signedSquare(Real x)
 }
 
 /**
- * The least distance at v over the inside of the edge, where the distances @p a and @p b at its
- * ends define a flat point source whose straight line to v crosses the edge, or that lies on the
- * edge; +infinity where they don't. A part of pointSourceUpdate, which see.
+ * The part of pointSourceUpdate() that crosses the inside of the edge.
+ * @param a, b  distances at the ends of the edge, for cost 1; +infinity where one has none
+ * @return the distance at v, if a and b define a flat point source that lies on the edge or whose
+ *         straight line to v crosses it; +infinity otherwise
  */
 template <class Real>
 GEODESIC_INLINED Real pointSourceCrossing(
@@ -59,16 +89,17 @@ GEODESIC_INLINED Real pointSourceCrossing(
   const Real perSquare = 1.0 / square;
   const Real sum = a + b;
   const Real rise = b - a;
-  // Above 0 where there is a source, and where it is off the edge's line.
+  // `within` is above 0 if there is a source, `beyond` if the source is off the edge's line.
   const Real within = square - rise * rise;
   const Real beyond = sum * sum - square;
-  // The squares of the source's depth below the edge and of the height of v over it; the edge times
-  // how far along its line the source is.
+  // The squares of the source's depth below the edge and of the height of v over it, and the edge's
+  // length times the source's position along its line.
   const Real depth = largest(0.25 * within * beyond, Real()) * perSquare;
   const Real height = t.squaredArea * perSquare;
   const Real source = 0.5 * (square - rise * sum);
-  // The line from the source to v meets the edge's line between its ends, where source * height +
-  // product * depth, without the squares, is above 0, and the same seen from the other end.
+  // With roots instead of squares, the line from the source to v meets the edge's line between its
+  // ends if source * height + product * depth is above 0, and so is the same from the other end.
+  // Signed squares give the same answer without roots.
   const auto isSource = within > 0.0;
   const auto crosses = both(isSource,
     both(signedSquare(source) * height + signedSquare(t.product) * depth > 0.0,
@@ -78,8 +109,8 @@ GEODESIC_INLINED Real pointSourceCrossing(
     crosses, root(run * run * perSquare + (depth + height + 2.0 * root(depth * height))), none);
   if (const auto overlap = both(isSource, beyond <= 0.0); any(overlap))
   {
-    // The discs of radius a and b round the ends meet in a point at most: the source lies on the
-    // edge, somewhere between them.
+    // The circles of radius a and b round the ends don't cross, so no point of the plane has these
+    // distances. The source counts as an interval of the edge, at distance 0.
     const Real halfWidth = 0.5 * root(largest(-within * beyond, Real()));
     const Real inside = largest(source - halfWidth, least(source + halfWidth, t.product));
     const Real off = t.product - largest(Real(), least(square, inside));
@@ -89,15 +120,17 @@ GEODESIC_INLINED Real pointSourceCrossing(
 }
 
 /**
- * Distance at v from distances @p a and @p b at the ends of the opposite edge: the minimum over the
- * points p of the edge of phi(p) + |p v|, where phi is the distance from the flat point source that
- * the two values define. A value of +infinity means that an end is not reached.
+ * The update for a round front: the distance at v from the distances at the ends of the opposite
+ * edge. It is the minimum over the points p of the edge of phi(p) + |p v|, where phi is the
+ * distance from the flat point source that the two values define. Where they define none (|b - a|
+ * >= c) the front comes along an edge.
  *
- * The update is nondecreasing in a and in b, also where its clamps act, so that the field does not
- * depend on the order of a march; it is scale free from 1e-50 to 1e50 and right for triangles of
- * zero area. Where the values define no flat source (|b - a| >= c) the front comes along an edge.
- * Flat virtual sources: S. Novotni, R. Klein, Computing geodesic distances on triangular meshes,
- * WSCG (2002); the reduction to a minimum over the edge makes it monotone.
+ * The update is nondecreasing in a and in b, also where its clamps act, so the field does not
+ * depend on the order of a march. It is scale free from 1e-50 to 1e50 and right for triangles of
+ * zero area. Flat virtual sources: S. Novotni, R. Klein, Computing geodesic distances on triangular
+ * meshes, WSCG (2002); the reduction to a minimum over the edge makes it monotone.
+ * @param a, b  distances at the ends of the edge, for cost 1; +infinity where one has none. Under a
+ *              cost w the update is w times that of a / w and b / w.
  */
 inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
 {
@@ -105,8 +138,10 @@ inline double pointSourceUpdate(const FlatTriangle& t, double a, double b)
 }
 
 /**
- * Like pointSourceCrossing for a straight front: over the inside of the edge, +infinity where none
- * of the front's straight ways to v crosses it.
+ * The part of straightFrontUpdate() that crosses the inside of the edge.
+ * @param a, b  distances at the ends of the edge; +infinity where one has none
+ * @param w     cost of a unit of length
+ * @return the distance at v; +infinity if the front's straight line to v does not cross the edge
  */
 template <class Real>
 GEODESIC_INLINED Real straightFrontCrossing(const FlatTriangleOf<Real>& t,
@@ -128,9 +163,11 @@ GEODESIC_INLINED Real straightFrontCrossing(const FlatTriangleOf<Real>& t,
 }
 
 /**
- * The update for a straight front, whose distance is linear along the edge: right beside a line of
- * sources, and nondecreasing in both values as well. @p w is the cost of a unit of length.
+ * The update for a straight front, whose distance is linear along the edge: exact beside a line of
+ * sources, and nondecreasing in both values as well.
  * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
+ * @param a, b  distances at the ends of the edge; +infinity where one has none
+ * @param w     cost of a unit of length
  */
 inline double straightFrontUpdate(const FlatTriangle& t, double a, double b, double w = 1.0)
 {

@@ -27,21 +27,22 @@ namespace geodesic
 namespace
 {
 
-/** So many vertices are swept together. They are of one bucket, so hardly any of them gains by
- * another. Meanwhile the mesh round the next ones is fetched, and where it is for those after the
- * next. */
+/** Number of vertices in a batch. They are of one bucket, so hardly any of them gains by another.
+ * While they are treated, the rings of the next batch are fetched, and the starts of the rings of
+ * the batch after that. */
 constexpr std::size_t BatchSize = 12;
 
 /**
- * Width of the queue's buckets, in heights of triangles: a front gains about as much by each
- * triangle that it passes. In wider ones more waits at a time, so that more of it is near each
- * other in memory; but more is also swept too early.
+ * Width of the queue's buckets, in heights of triangles: a front's distance grows by about one
+ * height for each triangle that it passes. In wider buckets more vertices wait at a time, and more
+ * of them are near each other in memory; but more are also taken too early, and then again.
  */
 constexpr double BucketWidthInHeights = 0.46;
 
-/** A group has at most as many vertices as it takes in a turn, so that what it goes through is near
- * the processor; of smaller groups more go too far where they meet. Where there are targets all
- * fronts are to stop as soon as these are reached, so none may go ahead of the others. */
+/** The number of groups of fronts, see FrontQueues. A group gets about as many vertices as it takes
+ * in a turn, so that its part of the mesh stays in the processor's caches; smaller groups would do
+ * more work for nothing where they meet. With targets there is one group: all fronts stop as soon
+ * as the targets are reached, so none may go ahead of the others. */
 std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
 {
   const std::size_t groups =

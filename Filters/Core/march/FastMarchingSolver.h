@@ -12,11 +12,11 @@
 
 namespace geodesic
 {
-/** Without vector extensions the reference takes the place of the batched solver. */
+/** With a compiler without vector extensions, ReferenceSolver stands in for the batched solver. */
 class FastMarchingSolver final : public ReferenceSolver
 {
 public:
-  /** The number of numbers treated at once is 1, whatever @p mayUseQuads allows. */
+  /** @param mayUseQuads has no effect: numbers are treated one at a time */
   explicit FastMarchingSolver(
     std::shared_ptr<const TriangleMesh> mesh, [[maybe_unused]] bool mayUseQuads = true)
     : ReferenceSolver(std::move(mesh))
@@ -43,27 +43,41 @@ namespace geodesic
 class MarchControl;
 
 /**
- * Geodesic distance by fast marching: a front that spreads over the triangles, each vertex updated
- * over the edges opposite to it, by pointSourceUpdate round points and straightFrontUpdate beside
- * curves and regions.
+ * Geodesic distance by fast marching, the fast tier. It computes the same field as ReferenceSolver;
+ * read ReferenceSolver.cxx first, as it has the algorithm in its plain form.
  * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
+ *
+ * Both tiers take a vertex from the queue and update its neighbours over the triangles round it, by
+ * the formulas of EikonalUpdate.h for a round front (of a point) or a straight one (beside a curve
+ * or region). This one takes a batch of vertices at a time, and computes several updates at once:
+ *
+ *  - NeighbourUpdate.h: the update of all neighbours of a batch of vertices, step by step
+ *  - UpdateBatch.h: the data of a batch, one row of slots for the ring of each vertex
+ *  - CandidateScan.h, with UpdateBounds.h: which neighbours can gain at all, by cheap bounds
+ *  - CandidateLists.h: lists of the updates to compute
+ *  - OneLabelValues.h, or LabelValues.h with SecondaryValues.h: where values are kept
+ *  - FrontQueues.h: the queues of a march
  *
  * The march is label correcting: vertices are taken in rough order of distance and again whenever
  * their value falls. As the updates are monotone the result is their greatest fixed point, the same
- * (to 1e-10) for any order, numbering or partition. Exact on developable surfaces at constant cost,
- * first order accurate in the edge length elsewhere. With several labels each keeps values of its
- * own near the border between them (SecondaryValues), so that no update mixes two sources.
+ * (to 1e-10) for any order, numbering or partition. It is exact on developable surfaces at constant
+ * cost, and first order accurate in the edge length elsewhere. With several labels each keeps
+ * values of its own near the border between them (SecondaryValues), so that no update mixes two
+ * sources.
  *
- * Time O(n) on meshes whose edges do not vary wildly, memory 24 bytes a vertex beside the mesh for
- * one label, with several 16 more and 20 for each value beyond a vertex's inPlace.
+ * Time O(n) on meshes whose edges do not vary wildly. Memory besides the mesh and its UpdateBounds:
+ * 24 bytes a vertex for one label; for several labels 16 bytes a vertex more, and 20 for each
+ * secondary value beyond the first of a vertex.
  */
 class FastMarchingSolver : public MarchingSolver
 {
 public:
-  /** @param mayUseQuads whether four numbers are treated at once where the processor can (see
-   * Lanes.h); the field is the same either way, to the bit */
+  /**
+   * @param mayUseQuads whether four numbers are treated at once if the processor can (see Lanes.h);
+   *                    the field is the same either way, to the bit
+   */
   explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads = true);
-  /** The same with bounds of the mesh that are there already. */
+  /** @param bounds bounds of this mesh; the other constructor computes them */
   FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
     std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads = true);
 

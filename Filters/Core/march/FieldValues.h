@@ -21,7 +21,7 @@
 namespace geodesic
 {
 
-/** What the values of every label have in common; see NeighbourUpdate. */
+/** What a march works on: mesh, costs, options, and its field, queues and vertex states. */
 template <class Cost>
 struct MarchContext
 {
@@ -36,8 +36,8 @@ struct MarchContext
   std::span<VertexState> states;
 };
 
-/** What it takes to look at many vertices, at hand: the best values less that of a label's seed,
- * and their states. */
+/** Reads the best values and the states of two or four vertices at once, for an update for one
+ * label: a best value is the distance in the field less the value of the label's seed. */
 class FieldReader
 {
 public:
@@ -67,7 +67,10 @@ private:
   double SeedValue;
 };
 
-/** Values of labels that the field itself holds: its distances less the values of the seeds. */
+/**
+ * The best values of vertices, which are in the field: its distances less the values of the labels'
+ * seeds. It is the common base of OneLabelValues and LabelValues.
+ */
 template <class Cost>
 class FieldValues
 {
@@ -106,16 +109,18 @@ protected:
     return { this->Distances, this->States, label };
   }
 
+  /** The best value of a vertex, less the value of the label's seed. */
   double value(const SourceFront& label, Index vertex) const
   {
     return this->Distances[vertex] - label.seedValue;
   }
 
-  /** What a value has to be below in order to count where there is @p old. */
+  /** The ceiling of a vertex: only values below it count. @param old  the value there so far, or a
+   * lower one that values must also be below */
   double ceiling(const SourceFront& label, Index vertex, double old) const
   {
     const double counts = old * this->Control.keptFraction();
-    // Until a target is reached there is no limit, and no need to look up the reach.
+    // The reach needs not be read as long as no target is reached, as there is no limit then.
     return this->MayStop && this->Context.limit.isKnown()
       ? std::min(
           counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue)
@@ -127,8 +132,10 @@ protected:
     return this->HasExcluded && this->Context.options.isExcluded(vertex);
   }
 
-  /** Lowers the value of a vertex that waits, as no excluded one does, if that counts; returns what
-   * then holds. Whether it counts is not to be guessed, so there is no branch on it. */
+  /** Gives a vertex a value of its best value's label, if that counts. A processor can't predict
+   * whether it does, so there is no branch on it.
+   * @pre the vertex is in the queue and not pinned, so it is not excluded either
+   * @return what the vertex then has */
   NeighbourValue lower(const SourceFront& label, Index vertex, double value)
   {
     const double ceiling = this->ceiling(label, vertex, this->value(label, vertex));
@@ -139,8 +146,9 @@ protected:
     return { held, held, true };
   }
 
-  /** Gives a vertex that has no value or one of the same label a value, which it takes if that
-   * counts; returns what then holds. */
+  /** Gives a vertex a value if that counts, and queues it. @pre the vertex has no value or a best
+   * one of the same label
+   * @return what the vertex then has */
   NeighbourValue offer(const SourceFront& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
@@ -153,6 +161,7 @@ protected:
     return { old, old, this->state(vertex).isQueued() };
   }
 
+  /** Stores the best value of a vertex, and queues the vertex. */
   void set(const SourceFront& label, Index vertex, double value)
   {
     if (this->state(vertex).isQueued())
@@ -167,7 +176,7 @@ protected:
     }
   }
 
-  /** @param item  a vertex, or what else stands for a value of the label */
+  /** @param item  the vertex of a best value, or the number that stands for a secondary value */
   void queue(const SourceFront& label, BucketQueue& into, Index item, double value)
   {
     into.push(item, value + label.seedValue - this->First);
@@ -175,7 +184,7 @@ protected:
 
 private:
   const MarchContext<Cost>& Context;
-  // What of it every value asks for.
+  // What every update reads, copied out of the context.
   const MarchControl& Control;
   DistanceField& Field;
   bool MayStop;

@@ -16,34 +16,39 @@
 namespace geodesic
 {
 
-/** The queues of some fronts of a march. */
+/** The queues of a group of fronts. */
 struct FrontGroup
 {
-  /** Of values that are the best of their vertices. */
+  /** For best values of vertices. */
   BucketQueue best;
-  /** Of others. */
+  /** For secondary values. */
   BucketQueue secondary;
 };
 
 /**
- * The queues of a march. Its fronts are in groups, which take turns: one goes on by a slice of
- * buckets, then the next. Many fronts together spread over more memory than the processor has near;
- * those of a group, that start beside each other, do not. Where the fronts of two groups meet, one
- * goes too far by a slice at most, which is work for nothing and no more, as the march is label
- * correcting. Where a bucket holds much, as where costs are low, that would be a lot of work: after
- * so many items a turn is over, and the others come as far.
+ * The queues of a march. Its fronts are in groups, which take turns: one group goes on by a slice
+ * of buckets, then the next one. Many fronts together use more memory than the processor's caches
+ * hold; the fronts of a group, which start near each other, do not. Where the fronts of two groups
+ * meet, one goes too far, by a slice at most. That is work for nothing but does no harm, as the
+ * march is label correcting. If buckets hold many items, as where costs are low, it would be much
+ * work. So a turn also ends after a number of items, and the other groups then go on as far as this
+ * one did.
  */
 class FrontQueues
 {
 public:
-  /** So many buckets a group goes on for at most: the more, the less often it has to be fetched;
-   * and the secondary it goes in vain. */
+  /** Largest number of buckets in a turn. The larger it is, the less often a group's memory has to
+   * be fetched into the caches, and the farther fronts go for nothing where groups meet. */
   static constexpr std::uint64_t Slice = 20;
-  /** So many items end a turn. */
+  /** Number of items after which a turn ends. */
   static constexpr std::size_t ItemsOfTurn = 1 << 15;
 
-  /** @param width, span as BucketQueue::start() has them; @param wanted number of groups, at least
-   * 1; there are fewer where together they would have too many buckets */
+  /**
+   * Empties the queues.
+   * @param width, span  see BucketQueue::start()
+   * @param wanted       number of groups, at least 1; there are fewer if they would have more than
+   *                     BucketQueue::MostBuckets buckets together
+   */
   void start(double width, double span, std::size_t wanted)
   {
     const std::size_t most = BucketQueue::MostBuckets / BucketQueue::numberOfBuckets(width, span);
@@ -59,16 +64,17 @@ public:
   std::size_t numberOfGroups() const { return this->Groups.size(); }
   FrontGroup& group(std::size_t number) { return this->Groups[number]; }
 
-  /** The bucket of a key, which may be infinite. */
+  /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const { return this->anyQueue().bucketOf(key); }
-  /** No key that waits is less; infinity where none does. */
+  /** A lower bound of the keys that wait: the least key of the first bucket in which an item waits;
+   * infinity if none waits. */
   double nextKey() const
   {
     const std::uint64_t next = this->nextBucket();
     return next < None ? this->anyQueue().keyOf(next) : std::numeric_limits<double>::infinity();
   }
 
-  /** Whether an item of a bucket before @p end waits; goes to the one whose turn it is. */
+  /** Whether an item waits in a bucket before @p end. Goes to the queue whose turn it is. */
   bool hasBefore(std::uint64_t end)
   {
     while (!this->hasInSlice(end))
@@ -83,7 +89,7 @@ public:
     return true;
   }
 
-  /** See BucketQueue::take(). @pre hasBefore */
+  /** See BucketQueue::take(). @pre hasBefore() was true */
   std::span<const Index> take(std::span<Index> room)
   {
     const std::span<const Index> taken = this->Current->take(room);
@@ -93,7 +99,7 @@ public:
   /** See BucketQueue::next(). */
   std::span<const Index> next(std::size_t most) const { return this->Current->next(most); }
 
-  /** Goes back so that a key of a group has its place again; see BucketQueue::goBackTo(). */
+  /** Goes back to the bucket of a key in the queues of a group; see BucketQueue::goBackTo(). */
   void goBackTo(FrontGroup& group, double key)
   {
     group.best.goBackTo(key);
@@ -104,7 +110,7 @@ public:
 private:
   static constexpr std::uint64_t None = std::numeric_limits<std::uint64_t>::max();
 
-  /** All of them have the same buckets. */
+  /** Any of the queues: in all of them buckets have the same numbers and keys. */
   const BucketQueue& anyQueue() const { return this->Groups.front().best; }
 
   void startSlice(std::uint64_t bucket)
@@ -120,7 +126,8 @@ private:
     this->Taken = 0;
   }
 
-  /** Goes on to what waits in buckets before @p end, of the slice. */
+  /** Whether an item waits in a bucket of the slice before @p end. Goes to its queue, and begins
+   * the next group's turn if the present one is over. */
   bool hasInSlice(std::uint64_t end)
   {
     for (; this->Turn < this->Groups.size(); ++this->Turn)
@@ -133,7 +140,7 @@ private:
           this->SliceEnd = this->Bucket + 1;
           break;
         }
-        // Best values first: what secondary ones are kept for depends on them.
+        // Best values come first: whether a vertex keeps a secondary value depends on them.
         for (BucketQueue* queue : { &group.best, &group.secondary })
         {
           if (queue->hasBefore(this->Bucket + 1))
@@ -148,7 +155,7 @@ private:
     return false;
   }
 
-  /** The first bucket in which something waits; None where nothing does. */
+  /** The number of the first bucket in which an item waits; None if none waits. */
   std::uint64_t nextBucket() const
   {
     std::uint64_t next = None;
@@ -163,10 +170,13 @@ private:
   }
 
   std::vector<FrontGroup> Groups;
+  /** The queue from which items are taken. */
   BucketQueue* Current = nullptr;
+  /** The first bucket of the slice, and the first one behind it. */
   std::uint64_t SliceStart = 0;
   std::uint64_t SliceEnd = 0;
-  /** Number of the group whose turn it is, the bucket that it is at, and what it has taken. */
+  /** The number of the group whose turn it is, the bucket that it has come to, and the number of
+   * items that it has taken. */
   std::size_t Turn = 0;
   std::uint64_t Bucket = 0;
   std::size_t Taken = 0;

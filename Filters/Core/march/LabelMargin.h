@@ -8,24 +8,28 @@
 namespace geodesic
 {
 
-/** See labelMargin(). */
+/** The factor 2.5 of labelMargin(). */
 constexpr double LabelMarginPerSpread = 2.5;
 
 /**
- * How much more than a vertex's best value a value of another label may be there to be kept, as far
- * as a triangle round the vertex asks for it; see SecondaryValues.
+ * The margin that one triangle asks for: how much a label's value at a corner of the triangle may
+ * exceed the best value there and be kept; see SecondaryValues. The margin of a vertex is the
+ * largest of the triangles round it.
  *
- * Where a seed wins at a point of an edge, its value at the ends of the edge exceeds the best one
- * there by at most twice the edge's length. More is needed, as a value beside one that was dropped
- * is too high. From update to update what is wrong comes a part of an edge nearer to where the seed
- * wins, sideways to its way: over a side of length c and a height h with a variance of up to
- * c^2 / 4 in a step of at least h. A detour over where values are wrong by e is then as rare as
- * exp(-e / (c^2 / h)), times a constant in the exponent. So the margin goes with c^2 / h. 2.5 of
- * it leave, with a part that depends on the order of the march, at most 5e-8 of a distance at
- * single points of icospheres, tori and regular grids, as 5 longest sides do for their thinner
- * triangles. Where random triangles are stretched, those 5 leave more: three times, 2e-4 at single
- * points and 2e-8 on the mean; ten times, 6e-3 and 5e-5.
+ * If a label has the best value at a point of an edge, its values at the ends of the edge exceed
+ * the best ones there by at most twice the edge's length. More is needed, because a value beside
+ * one that was dropped is too high. With each update such an error moves sideways to the front, by
+ * a part of an edge, nearer to where the label is the best: with a side of length c and a height h
+ * its place changes with a variance of up to c² / 4 in a step of at least h. A detour over places
+ * where values are wrong by e is then as rare as exp(-e / (c² / h)), with a constant factor in the
+ * exponent. So the margin is proportional to c² / h.
+ *
+ * The factor 2.5, and for thin triangles the bound of 5 longest sides, leave an error of at most
+ * 5e-8 of a distance at single points of icospheres, tori and regular grids. A part of it depends
+ * on the order of the march. On random triangles that are stretched the bound leaves more:
+ * stretched three times, 2e-4 at single points and 2e-8 in the mean; ten times, 6e-3 and 5e-5.
  * @tparam Real  double, or Pair or Quad for several triangles at once
+ * @return the margin for cost 1, in mesh length units
  */
 template <class Real>
 GEODESIC_INLINED Real labelMargin(Real longestSide, Real leastHeight)
@@ -34,7 +38,11 @@ GEODESIC_INLINED Real labelMargin(Real longestSide, Real leastHeight)
   return longestSide * least(LabelMarginPerSpread * longestSide / leastHeight, Real() + mostSides);
 }
 
-/** The least height of which labelMargin() tells; half of the longest side where it is less. */
+/**
+ * The inverse of labelMargin(): the least height of a triangle with a longest side and a margin. If
+ * the margin is the bound of 5 longest sides it returns half of the longest side, which is more
+ * than the height; 0 for a margin of 0.
+ */
 inline double heightOfMargin(double longestSide, double margin)
 {
   return margin > 0.0 ? LabelMarginPerSpread * longestSide * longestSide / margin : 0.0;

@@ -19,10 +19,11 @@ namespace geodesic
 {
 
 /**
- * The values of several labels. The field holds a vertex's best value, SecondaryValues what else
- * the vertex keeps. In the queue are vertices for their best values, and behind their numbers those
- * of secondary values. When a secondary value becomes the best, the two change places; what the
- * queue then holds of either is passed over.
+ * The values of a march of several labels. The field holds the best value of each vertex, and
+ * SecondaryValues what else the vertex keeps. The items of the queues are the vertices, for their
+ * best values, and then the number of vertices plus the numbers of secondary values. When a
+ * secondary value becomes the best one, the two change places; items that were queued for them
+ * before are ignored when they are taken.
  */
 template <class Cost>
 class LabelValues : public FieldValues<Cost>
@@ -39,15 +40,15 @@ public:
     this->Fronts.reserve(labels.size());
     for (const Label& label : labels)
     {
-      const Index bits = VertexState::bitsOf(static_cast<Index>(this->Fronts.size()));
+      const Index bits = VertexState::labelBitsOf(static_cast<Index>(this->Fronts.size()));
       this->Fronts.emplace_back(label, bits, context.cost.smallest());
     }
   }
 
   static constexpr bool hasOtherLabels = true;
 
-  /** The label of a number, which is to have a value at a vertex. Where that is first decides on
-   * its group: what is near each other on the surface is so in memory too. */
+  /** The label of a number, which is to get a value at @p vertex. Its first such vertex decides on
+   * its group (see FrontQueues): vertices near each other on the surface have near numbers. */
   const SourceFront& enter(Index number, Index vertex)
   {
     SourceFront& label = this->Fronts[number];
@@ -60,6 +61,7 @@ public:
     return label;
   }
 
+  /** Reads the best values of vertices, for an update for one label. */
   class Reader
   {
   public:
@@ -96,9 +98,9 @@ public:
   }
 
   /**
-   * What is known for a label of vertices, of which some have a best value of another one.
-   * @param areOther  which do; only of those something is told
-   * @param best      their best values, less the one of the label's seed
+   * The values of a label at vertices whose best value is of another label.
+   * @param areOther  mask of these vertices; for the others nothing is to be read in the result
+   * @param best      the best values of all, less the value of the label's seed
    */
   template <class Real>
   GEODESIC_INLINED NeighbourValues<Real> others(const Indices<Real>& vertices, unsigned areOther,
@@ -131,6 +133,8 @@ public:
     return known;
   }
 
+  /** Gives a vertex a value of a label, and queues it, if the value counts. @return what the vertex
+   * then has of the label */
   NeighbourValue propose(const SourceFront& label, Index vertex, double value)
   {
     value = label.leastOf.raised(value, this->position(vertex));
@@ -145,6 +149,7 @@ public:
     return this->offer(label, vertex, value);
   }
 
+  /** Gives a vertex a start value of a label. @param isFinal whether no update may change it */
   void start(const SourceFront& label, Index vertex, double value, bool isFinal)
   {
     if (!this->state(vertex).hasOtherLabel(label.labelBits))
@@ -158,14 +163,15 @@ public:
     this->setSecondary(label, vertex, number, value);
   }
 
+  /** The vertex of an item of the queues. */
   Index vertexOf(Index taken) const
   {
     return taken < this->NumberOfVertices ? taken
                                           : this->Sets.vertexOf(taken - this->NumberOfVertices);
   }
 
-  /** Has the processor fetch what take() of it and a look round it read. GCC drops the call unless
-   * it is inlined. */
+  /** Has the processor fetch what pop() and an update round the vertex read. GCC drops the call
+   * unless it is inlined. */
   GEODESIC_INLINED void prefetch(Index taken) const
   {
     const Index vertex = this->vertexOf(taken);
@@ -173,13 +179,14 @@ public:
     prefetchToRead(&this->state(vertex));
   }
 
+  /** The value of an item that was taken from a queue, which then is not queued any more. */
   PoppedValue pop(Index taken)
   {
     return taken < this->NumberOfVertices ? this->popBest(taken)
                                           : this->popSecondary(taken - this->NumberOfVertices);
   }
 
-  /** The values that the vertex keeps, by label. */
+  /** Calls @p visit with each label and value that the vertex keeps. */
   void visit(Index vertex, const MarchingFront::Visit& visit)
   {
     if (!this->context().field.isReached(vertex))
@@ -199,7 +206,7 @@ public:
       });
   }
 
-  /** Tells the field the nearest seeds, and forgets all values. */
+  /** Sets the nearest seeds in the field, and removes all values. */
   void finish()
   {
     DistanceField& field = this->context().field;
@@ -283,7 +290,7 @@ private:
     return { value, value, true };
   }
 
-  /** The smallest seed among those whose value equals the best one of a vertex, rounding aside.
+  /** The smallest number of a seed whose value equals the best one of a vertex, to 1e-10.
    * @param seed  that of the best one */
   Index nearestOfSecondary(Index vertex, Index seed) const
   {
@@ -307,7 +314,8 @@ private:
     this->set(label, vertex, value);
   }
 
-  /** @param number  of the label's value among the secondary ones of the vertex */
+  /** Stores a secondary value; if it is less than the best one, the two change places.
+   * @param number  of the label's secondary value */
   void setSecondary(const SourceFront& label, Index vertex, Index number, double value)
   {
     SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
@@ -341,7 +349,7 @@ private:
     const SourceFront& before = this->labelOf(state);
     secondary.value = this->value(before, vertex);
     std::swap(state, secondary.state);
-    // Wherever the queue has them, they go to it again under their new numbers.
+    // What was queued is queued again under its new number.
     if (secondary.state.isQueued())
     {
       secondary.state.setQueued(false);

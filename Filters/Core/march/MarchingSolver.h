@@ -14,7 +14,11 @@
 namespace geodesic
 {
 
-/** What both tiers of fast marching do before they march: costs, first values, margins. */
+/**
+ * The base of both tiers of fast marching: ReferenceSolver, the algorithm in its plain form, and
+ * FastMarchingSolver, its fast form. It prepares what both need, costs, start values and margins,
+ * and leaves the march to the tier. Both compute the same field with the update of EikonalUpdate.h.
+ */
 class MarchingSolver : public FrontSolver
 {
 protected:
@@ -23,19 +27,26 @@ protected:
 
   bool march(const Request& request, StopLimit& limit, DistanceField& field) final;
 
-  /** As FrontSolver::march(), from these first values. */
+  /**
+   * Marches from start values. The second form is for a cost that varies.
+   * @param starts  first values of vertices on this piece of the surface
+   * @param cost    cost of each triangle, with margins that all pieces agree on
+   * @param request, limit, field  as in FrontSolver::march()
+   * @return false when cancelled
+   */
   virtual bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
     const Request& request, StopLimit& limit, DistanceField& field) = 0;
   virtual bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
     const Request& request, StopLimit& limit, DistanceField& field) = 0;
-  /** Another solver of this kind on the mesh. */
+  /** Another solver of the same tier on the same mesh, with its own workspace. */
   virtual std::unique_ptr<FrontSolver> another() const = 0;
 
   const std::shared_ptr<const UpdateBounds>& bounds() const { return this->Bounds; }
 
 private:
   std::shared_ptr<const UpdateBounds> Bounds;
-  /** Measures the discs round seeds where the cost varies; made when first needed. */
+  /** Measures the lengths in the discs round seeds (see CostedStart.h); made at the first run with
+   * a cost. */
   std::unique_ptr<FrontSolver> DiscSolver;
 };
 

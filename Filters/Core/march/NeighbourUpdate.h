@@ -25,39 +25,50 @@ namespace geodesic
 {
 
 /**
- * Updates the neighbours of vertices over the edges round them, after their own values fell.
+ * The heart of FastMarchingSolver: updates the neighbours of the vertices in a batch, after the
+ * values of these vertices fell. ReferenceSolver does the same in updateNeighbours(), for one
+ * vertex and one update at a time. The formula is in EikonalUpdate.h.
  *
- * An update is the least of three crossings: along either edge to the neighbour, and over the
- * inside of the edge opposite to it. Along an edge the front comes when the edge's other end is
- * swept, over an edge when the last of its ends is. Few triangles of a march need their shape: most
- * corners can gain nothing by TriangleSlack.
+ * An update of a neighbour is the least of three values: along either edge to the neighbour, and by
+ * a crossing of the inside of the edge opposite to it. The part along an edge is computed when the
+ * edge's other end is taken from the queue, the crossing when the last of the edge's ends is. Few
+ * updates need the triangle's shape: TriangleSlack tells that most corners can gain nothing.
  *
- * What is worth a closer look differs from vertex to vertex, and a processor that guesses wrong
- * waits. So some vertices are swept together, step by step, and each step is one loop over all of
- * them: first the rings are looked at, several neighbours at a time; where a neighbour's best value
- * is of another label, its own of this one is looked up; what is worth more is noted in the bits of
- * masks; then fronts go along edges, and over edges several at a time, whose values are proposed
- * last. Of several labels those over edges come first.
+ * Which updates are needed differs from vertex to vertex, and a processor that predicts a branch
+ * wrongly has to wait. So a batch is treated step by step, and each step is one loop over all of
+ * it:
  *
- * @tparam Cost    of a triangle: UnitCost or VertexCost
- * @tparam Values  of the labels of the march:
- *                 vertexOf(Index), pop(Index) -> PoppedValue of what was in the queue;
- *                 prefetch(Index), some time before that;
- *                 reader(SourceFront), to look<Real>(const Indices<Real>&) at vertices ->
- *                 BestValues<Real>;
- *                 hasOtherLabels, whether any of those can be of another label, then also
- *                 others<Real>(...) -> NeighbourValues<Real> of them, see LabelValues, and
- *                 prefetchOther(Index), to be called before; if none can,
- *                 label() -> SourceFront, the only one;
- *                 propose(SourceFront, Index, double) -> NeighbourValue: to a vertex, queues it
- * with the value if that counts, and returns what then holds
+ *  1. scanAll(): the values are taken from the queue and their rings read into rows of UpdateBatch,
+ *     two or four neighbours at a time
+ *  2. readOthers(), with several labels: if the best value of a neighbour is of another label, its
+ *     value of the row's label is looked up
+ *  3. CandidateScan: neighbours that may gain are noted in masks
+ *  4. CandidateLists: the masks are turned into lists
+ *  5. updateAlongEdges(): updates along edges
+ *  6. updateAcrossEdges(): crossings, two or four at a time, whose values are proposed last
+ *
+ * With several labels step 6 comes before step 5, see finish().
+ *
+ * @tparam Cost    cost of a triangle: UnitCost or VertexCost
+ * @tparam Values  the values of the march: OneLabelValues or LabelValues. It has
+ *                 - vertexOf(Index): the vertex of an item of the queue;
+ *                 - pop(Index) -> PoppedValue: the value of an item that was taken from the queue;
+ *                 - prefetch(Index): to be called some time before pop();
+ *                 - reader(SourceFront): an object whose look<Real>(const Indices<Real>&) reads
+ *                   vertices -> BestValues<Real>;
+ *                 - propose(SourceFront, Index, double) -> NeighbourValue: gives a vertex the value
+ *                   and queues it, if the value counts; returns what the vertex then has;
+ *                 - hasOtherLabels: whether there are several labels;
+ *                 - if so, others<Real>(...) -> NeighbourValues<Real> (see LabelValues), and
+ *                   prefetchOther(Index), to be called some time before it;
+ *                 - if not, label() -> SourceFront: the only label
  */
 template <class Cost, class Values>
 class NeighbourUpdate
 {
 public:
-  /** @param mayUseQuads whether four numbers are treated at once where the processor can; the
-   * values are the same either way */
+  /** @param mayUseQuads whether four numbers are treated at once if the processor can; the values
+   * are the same either way */
   NeighbourUpdate(const TriangleMesh& mesh, const UpdateBounds& bounds,
     const ClosedTriangles& closed, const Cost& cost, Values& values, bool mayUseQuads = true)
     : Scan(mesh, closed, cost, values)
@@ -74,8 +85,11 @@ public:
     }
   }
 
-  /** Sweeps over the triangles round the vertices of @p waiting, which were in the queue; has the
-   * processor fetch what that takes for @p next, which are to be swept after them. */
+  /**
+   * Updates the neighbours of vertices over the triangles round these vertices.
+   * @param waiting  items that were taken from the queue
+   * @param next     items that are likely to come after them; the processor fetches their rings
+   */
   void update(std::span<const Index> waiting, std::span<const Index> next)
   {
     if (this->UsesQuads)
@@ -92,8 +106,9 @@ private:
   using Mask = BatchMasks::Mask;
   using Row = UpdateBatch::Row;
 
-  // Flat: what is called from these and not inlined would not be compiled for AVX2. Clang inlines
-  // only what they call themselves, so the rest on the way is marked GEODESIC_FLAT.
+  // These functions are flat, because a function that they call without inlining it would not be
+  // compiled for AVX2. Clang inlines only what they call themselves; functions further down are
+  // marked GEODESIC_FLAT.
 
   [[gnu::flatten, gnu::noinline, GEODESIC_QUADS]] void updateByFour(
     std::span<const Index> waiting, std::span<const Index> next)
@@ -108,13 +123,14 @@ private:
   }
   [[gnu::flatten, gnu::noinline]] void finishByTwo() { this->finish<Pair>(); }
 
-  /** @param updateScanned  does what was noted in all batch */
-  template <class Real, class DoNoted>
+  /** Treats all of @p waiting, batch by batch. @param updateScanned  calls finish() for a batch
+   * that was scanned */
+  template <class Real, class UpdateScanned>
   GEODESIC_FLAT void scanRings(
-    std::span<const Index> waiting, std::span<const Index> next, DoNoted updateScanned)
+    std::span<const Index> waiting, std::span<const Index> next, UpdateScanned updateScanned)
   {
-    // Where all the rings are comes first, so that less is to be kept at hand while they are looked
-    // at.
+    // All rows are added before the first is scanned, so that the scan has fewer variables to keep
+    // in the processor's registers.
     for (const Index item : waiting)
     {
       const Index vertex = this->FrontValues.vertexOf(item);
@@ -138,10 +154,11 @@ private:
     updateScanned();
   }
 
-  /** The same of one vertex, whose ring takes several batch or none. */
-  template <class Real, class DoNoted>
+  /** Treats one item whose ring needs several rows, or none. Neighbouring parts of the ring have
+   * one entry in common. @pre the batch is empty */
+  template <class Real, class UpdateScanned>
   GEODESIC_FLAT void scanRingInParts(
-    Index item, std::span<const RingEntry> ring, DoNoted updateScanned)
+    Index item, std::span<const RingEntry> ring, UpdateScanned updateScanned)
   {
     const PoppedValue taken = this->FrontValues.pop(item);
     if (taken.vertex == NoIndex)
@@ -162,20 +179,20 @@ private:
     updateScanned();
   }
 
-  /** Of the triangles that entries open. */
+  /** The slacks of the triangles that ring entries open. */
   const TriangleSlack* slacksOf(std::span<const RingEntry> entries) const
   {
     return this->Bounds.slacks() + this->Mesh.rings().numberOf(entries.data());
   }
 
-  /** Takes what the rows are of and looks at them; has the processor fetch some of @p next and
-   * returns the others. */
+  /** Takes the values of all rows and scans the rows. Has the processor fetch the rings of some of
+   * @p next. @return the rest of @p next */
   template <class Real>
   GEODESIC_FLAT std::span<const Index> scanAll(std::span<const Index> next)
   {
     for (std::size_t number = 0; number < this->Batch.Count; ++number)
     {
-      // Little by little: a processor waits when it is to fetch too much at a time.
+      // One for each row, because a processor waits if it is to fetch too much at a time.
       if (!next.empty())
       {
         this->FrontValues.prefetch(next[0]);
@@ -195,7 +212,7 @@ private:
     return next;
   }
 
-  /** Does what was noted. */
+  /** Computes and proposes the updates of a batch that was scanned, and clears it. */
   template <class Real>
   GEODESIC_FLAT void finish()
   {
@@ -213,8 +230,8 @@ private:
       {
         this->Scan.template judge<Real>(number, this->Batch);
       }
-      // A value of one of several labels has to be found before it can be lowered. So along edges
-      // goes only what is lower still than what came over edges.
+      // With several labels a value must be found before it can be lowered. So crossings come
+      // first; then a value along an edge is only proposed if it is lower still.
       this->Candidates.listCrossings(this->Batch);
       this->updateAcrossEdges<Real>();
       this->closeRows();
@@ -232,7 +249,8 @@ private:
     this->Batch.clear();
   }
 
-  /** All of them are fetched before the first is looked up, as many may be far in memory. */
+  /** Has the processor fetch what readOthers() reads. It is called for all of them before the first
+   * is read, as many may be far in memory. */
   template <class Real>
   void prefetchOthers(UpdateBatch::Others others) const
   {
@@ -242,7 +260,8 @@ private:
     }
   }
 
-  /** Looks up what a label has at neighbours whose best value is of another one. */
+  /** Reads the values of a row's label at neighbours whose best value is of another label, into the
+   * batch. */
   template <class Real>
   GEODESIC_FLAT void readOthers(UpdateBatch::Others others)
   {
@@ -261,8 +280,8 @@ private:
       static_cast<Mask>((known.areQueued & areOther) << first % UpdateBatch::Size);
   }
 
-  /** Of the first neighbours, where they come again as the last ones of their batch: what came to
-   * either came to both. */
+  /** In rings that close, the first neighbour is in the row twice: gives both slots the value that
+   * updates gave to one of them. */
   void closeRows()
   {
     for (std::size_t number = 0; number < UpdateBatch::Most; ++number)
@@ -284,7 +303,7 @@ private:
   {
     if constexpr (Values::hasOtherLabels)
     {
-      // Which of them lower a value is not to be guessed, so there is no branch on it.
+      // A processor can't predict which of them lower a value, so there is no branch on it.
       std::size_t count = this->NumberOfProposals;
       for (std::size_t i = 0; i < this->Candidates.along().size(); ++i)
       {
@@ -305,7 +324,8 @@ private:
     }
   }
 
-  /** What comes over edges next is to know of it. */
+  /** Updates the neighbour in a slot, and stores in the batch what it then has: the crossings that
+   * come next read it. */
   void updateAlongEdges(Slot slot)
   {
     const double value = this->valueAlong(slot);
@@ -320,13 +340,14 @@ private:
     }
   }
 
+  /** The value that the neighbour in a slot gets along the edge to it. */
   double valueAlong(Slot slot) const
   {
     const double length = std::sqrt(this->Batch.SquaredLengths[slot]);
     return this->Batch.OwnValues[UpdateBatch::rowOf(slot)] + this->edgeCost(slot) * length;
   }
 
-  /** Of one label's neighbours values and ceilings are the same. */
+  /** The ceilings of the neighbours. With one label they are the values. */
   auto& ceilings()
   {
     if constexpr (Values::hasOtherLabels)
@@ -339,7 +360,8 @@ private:
     }
   }
 
-  /** That of the cheaper open triangle beside the edge to the neighbour in a slot. */
+  /** The cost of the edge to the neighbour in a slot: that of the cheaper open triangle beside it.
+   */
   double edgeCost(Slot slot) const
   {
     if constexpr (Cost::isUnit)
@@ -359,13 +381,14 @@ private:
     return std::min(before, after);
   }
 
-  /** Of the triangle that the neighbour in a slot opens. */
+  /** The cost of the triangle that the neighbour in a slot opens. */
   double triangleCost(Slot slot) const
   {
     return this->TriangleCost.ofTriangle(
       this->Batch.at(slot).vertex, this->Batch.Neighbours[slot], this->Batch.Neighbours[slot + 1]);
   }
 
+  /** Computes the crossings of fronts of both shapes, and proposes their values. */
   template <class Real>
   GEODESIC_FLAT void updateAcrossEdges()
   {
@@ -374,6 +397,7 @@ private:
     this->propose();
   }
 
+  /** Computes the crossings of fronts of a shape; their values become proposals. */
   template <class Real, FrontShape Shape>
   GEODESIC_FLAT void updateAcrossEdges()
   {
@@ -387,8 +411,12 @@ private:
     this->NumberOfProposals = count;
   }
 
-  /** As many at once as a Real has numbers. Puts what lowers a value behind the first @p count
-   * proposals; returns how many there are then. */
+  /**
+   * Computes crossings, as many at once as a Real has lanes. Those below the ceilings of their
+   * targets become proposals.
+   * @param count  number of proposals so far
+   * @return the number of proposals then
+   */
   template <class Real, FrontShape Shape>
   GEODESIC_FLAT std::size_t crossEdges(const EdgeCrossing* crossings, std::size_t count)
   {
@@ -419,7 +447,7 @@ private:
     return count;
   }
 
-  /** Proposes what was found over edges. */
+  /** Proposes the values in Proposals to their vertices, and empties it. */
   [[gnu::flatten, gnu::noinline]] void propose()
   {
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
@@ -435,6 +463,7 @@ private:
     this->NumberOfProposals = 0;
   }
 
+  /** A value for the neighbour in a slot. */
   struct Proposal
   {
     double value;
@@ -448,7 +477,7 @@ private:
   const Cost& TriangleCost;
   Values& FrontValues;
   CandidateLists Candidates;
-  /** What propose() proposes. */
+  /** What propose() proposes. Places behind the last proposal are written too, a Quad's at most. */
   std::array<Proposal, 4 * UpdateBatch::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;
   bool UsesQuads;

@@ -11,31 +11,36 @@
 namespace geodesic
 {
 
-/** What a front knows of a vertex. */
+/** The value of one label at a vertex, as an update of the vertex needs it. */
 struct NeighbourValue
 {
-  /** +infinity where the front has not been. */
+  /** The distance without the value of the label's seed; +infinity if the label has none there. */
   double value;
-  /** Nothing at or above it is of interest; at most the value. */
+  /** Only new values below this one count. It is at most the value, and less if the vertex would
+   * drop a value of this label between the two (see labelMargin()). */
   double ceiling;
-  /** The vertex waits to be swept with this value. */
+  /** Whether the value waits in the queue. */
   bool isQueued;
 };
 
-/** What it sees of several at a glance, in bits 0, 1 and so on where it is a mask. */
+/**
+ * The best values of two or four vertices, which may be of different labels, read for an update for
+ * one label. In a mask, bit i belongs to vertex i.
+ */
 template <class Real>
 struct BestValues
 {
-  /** +infinity where there is none. */
+  /** The distances less the value of the seed of the update's label; +infinity if there is none. */
   Real values;
-  /** The value is of another label than the one that is swept: what that one has is to be asked
-   * for apart. */
+  /** Mask of vertices whose best value is of another label. What they have for the update's label
+   * must be looked up apart. */
   unsigned areOther;
-  /** As in NeighbourValue; not of others. */
+  /** Mask of the other vertices whose values wait in the queue. */
   unsigned areQueued;
 };
 
-/** What a front knows of several, isQueued in bits 0, 1 and so on; see NeighbourValue. */
+/** A NeighbourValue for each of two or four vertices; bit i of areQueued is isQueued of vertex i.
+ */
 template <class Real>
 struct NeighbourValues
 {
@@ -44,7 +49,7 @@ struct NeighbourValues
   unsigned areQueued;
 };
 
-/** As many vertices as a Real has numbers. */
+/** The numbers of vertices, as many as a Real has lanes. */
 template <class Real>
 using Indices = std::array<Index, lanes<Real>>;
 
@@ -53,10 +58,12 @@ struct SourceFront;
 /** A value that was taken from the queue. */
 struct PoppedValue
 {
-  /** NoIndex where it is no longer of interest. */
+  /** The vertex of the value; NoIndex if the value is out of date or not kept any more, and there
+   * is nothing to do. */
   Index vertex;
-  /** Of the value, where that is of interest. */
+  /** The label of the value, if there is a vertex. */
   const SourceFront* label;
+  /** The distance without the value of the label's seed. */
   double value;
 };
 

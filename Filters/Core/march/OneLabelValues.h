@@ -9,7 +9,8 @@
 namespace geodesic
 {
 
-/** The values of the only label: the field itself, but for the value of the seed. */
+/** The values of a march of one label: the distances in the field less the value of the seed.
+ * LabelValues explains the functions. */
 template <class Cost>
 class OneLabelValues : public FieldValues<Cost>
 {
@@ -23,9 +24,11 @@ public:
   }
 
   static constexpr bool hasOtherLabels = false;
+  /** The only label. */
   const SourceFront& label() const { return this->Only; }
   const SourceFront& enter(Index, Index) const { return this->Only; }
 
+  /** Reads the values of vertices. */
   class Reader
   {
   public:
@@ -74,7 +77,7 @@ public:
     }
   }
 
-  /** Tells the field the nearest seed, and forgets all values. */
+  /** Sets the nearest seed in the field, and removes all vertex states. */
   void finish()
   {
     this->context().field.setNearestSeed(this->Seed);

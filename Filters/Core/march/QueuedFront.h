@@ -15,13 +15,20 @@
 namespace geodesic
 {
 
-/** A march as a Partition sees it; @p Values and @p advance are the march. */
+/**
+ * The march of FastMarchingSolver as a MarchingFront, which a Partition drives.
+ * @tparam Values   as in NeighbourUpdate
+ * @tparam Advance  called with the number of a bucket; marches until nothing waits in buckets
+ * before it
+ */
 template <class Values, class Advance>
 class QueuedFront final : public MarchingFront
 {
 public:
-  /** @param meanLongestEdge as below
-   * @param firstDistance the distance of the queues' key 0 */
+  /**
+   * @param meanLongestEdge  see MarchingFront
+   * @param firstDistance    the distance of the queues' key 0
+   */
   QueuedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
     double firstDistance, Values& values, Advance advance)
     : Queues(queues)

@@ -25,7 +25,10 @@ bool hasLowerValue(const Label& a, const Label& b)
   return a.value < b.value;
 }
 
-/** The fronts of all labels, each with values of its own where it is among the first. */
+/**
+ * The march of all labels on one mesh, with the algorithm's loop in advance(). A vertex has a value
+ * for each label whose value there is within a margin of the best one.
+ */
 template <class Cost>
 class ReferenceFront final : public MarchingFront
 {
@@ -48,6 +51,7 @@ public:
     this->Queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() * cost.largest());
   }
 
+  /** Gives a vertex a start value and puts it into the queue. */
   void start(const StartValue& first)
   {
     const Index number = this->Values.findOrAdd(first.vertex, first.label);
@@ -93,7 +97,8 @@ public:
     this->propose(vertex, label, value);
   }
 
-  /** Tells the field the nearest seeds, of equally near ones the smallest. */
+  /** Sets the nearest seed of each vertex in the field; of equally near ones the smallest number.
+   */
   void finish()
   {
     constexpr double rounding = 1.0 + 1e-10;
@@ -113,6 +118,7 @@ public:
   }
 
 private:
+  /** Updates the neighbours of a vertex over all open triangles round it, for one label. */
   void updateNeighbours(const ReferenceValue& from)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(from.vertex);
@@ -137,7 +143,8 @@ private:
     const double cost = this->TriangleCost.ofTriangle(from.vertex, second, third);
     const double atSecond = this->Values.valueOf(second, from.label);
     double value = from.value + cost * norm(side);
-    // Over an edge without a length there is nothing that does not come along the side as well.
+    // The update divides by the edge's length. If that is 0, the edge is one point, and the side is
+    // the only line from it.
     if (triangle.squaredEdge > 0.0)
     {
       value = std::min(value,
@@ -149,7 +156,12 @@ private:
     this->propose(third, from.label, bound.raised(value, this->Mesh.position(third)));
   }
 
-  /** Takes a value over where it counts: lower than the label's, and not too far above the best. */
+  /**
+   * Gives a vertex a value of a label if that counts: if it is lower than the label's value there,
+   * by more than the tolerance of MarchControl, within the margin above the best value, and not
+   * beyond the limit; unless the vertex is excluded or its value final.
+   * @param value without the value of the label's seed
+   */
   void propose(Index vertex, Index label, double value)
   {
     const double seedValue = this->Labels[label].value;
@@ -169,6 +181,7 @@ private:
     }
   }
 
+  /** Stores the value of a number, lowers the field's distance to it, and queues the number. */
   void set(Index number, double value)
   {
     ReferenceValue& held = this->Values[number];
@@ -185,7 +198,8 @@ private:
     }
   }
 
-  /** The largest distance of a label that a vertex keeps beside its best; see labelMargin(). */
+  /** The largest distance of any label that a vertex keeps: its best one and the margin (see
+   * labelMargin()); infinity with only one label. */
   double keptUpTo(Index vertex) const
   {
     return this->Labels.size() == 1
@@ -193,11 +207,13 @@ private:
       : this->Field.distance(vertex) + this->TriangleCost.margin(vertex);
   }
 
+  /** A value as a distance, with the value of its seed. */
   double distance(const ReferenceValue& of) const
   {
     return of.value + this->Labels[of.label].value;
   }
 
+  /** Calls @p visit with each value of a vertex that is within its margin. */
   template <class Visit>
   void visitKept(Index vertex, const Visit& visit) const
   {
@@ -219,9 +235,9 @@ private:
   const StopLimit& Limit;
   MarchControl Control;
   DistanceField& Field;
-  /** The distance where the queue begins. */
+  /** The least value of any label. The queue's keys are distances less this one. */
   double First;
-  /** Of numbers of values, by distance. */
+  /** Holds the numbers of values (see ReferenceValues), in order of distance. */
   BucketQueue Queue;
   ReferenceValues Values;
 };

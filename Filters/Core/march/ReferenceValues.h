@@ -11,21 +11,23 @@
 namespace geodesic
 {
 
-/** What a label has at a vertex. */
+/** The value of a label at a vertex. */
 struct ReferenceValue
 {
   Index vertex;
   Index label;
-  /** Without the value of the label's seed. */
+  /** The distance without the value of the label's seed. */
   double value = DistanceField::Unreached;
-  /** Never to be updated. */
+  /** Whether updates leave the value as it is. */
   bool isFinal = false;
+  /** Whether the value waits in the queue. */
   bool isQueued = false;
-  /** The number of the next value at the same vertex. */
+  /** The number of the next value at the same vertex; NoIndex for the last one. */
   Index next = NoIndex;
 };
 
-/** The values of all labels at all vertices, numbered as they are added: a list for each vertex. */
+/** The values of all labels at all vertices: a linked list for each vertex. Values are numbered in
+ * the order in which they are added. */
 class ReferenceValues
 {
 public:
@@ -37,7 +39,7 @@ public:
   ReferenceValue& operator[](Index number) { return this->Values[number]; }
   const ReferenceValue& operator[](Index number) const { return this->Values[number]; }
 
-  /** The number of a label's value at a vertex, NoIndex where it has none. */
+  /** The number of a label's value at a vertex; NoIndex if it has none there. */
   Index find(Index vertex, Index label) const
   {
     Index number = this->FirstOfVertex[vertex];
@@ -48,6 +50,7 @@ public:
     return number;
   }
 
+  /** The same; a value of +infinity is added if the label has none there. */
   Index findOrAdd(Index vertex, Index label)
   {
     if (const Index number = this->find(vertex, label); number != NoIndex)
@@ -61,12 +64,14 @@ public:
     return this->FirstOfVertex[vertex];
   }
 
+  /** A label's value at a vertex; +infinity if it has none there. */
   double valueOf(Index vertex, Index label) const
   {
     const Index number = this->find(vertex, label);
     return number != NoIndex ? this->Values[number].value : DistanceField::Unreached;
   }
 
+  /** Calls @p visit with each value of a vertex. */
   template <class Visit>
   void visit(Index vertex, const Visit& visit) const
   {

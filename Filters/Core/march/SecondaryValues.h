@@ -15,31 +15,32 @@ namespace geodesic
 {
 
 /**
- * The values that vertices keep for several labels beside their best, as far as they are within a
- * margin of it; one a label and vertex. Mixing values of different seeds in an update would be
- * wrong on both sides of the border between them, and a switch by the nearest seed would depend on
- * the order.
+ * The secondary values of vertices: what a vertex keeps for labels other than that of its best
+ * value, at most one value for each label. A vertex keeps values within a margin above the best
+ * one; the margin is the largest labelMargin() of the triangles round the vertex. Values of
+ * different seeds in one update would give a wrong result on both sides of the border between the
+ * seeds, and a choice by the nearest seed would depend on the order of the march.
  *
- * The margin of a vertex is the largest labelMargin() of the triangles round it.
- *
- * Most vertices have one value, the best, which is the vertex's distance in the field. Near borders
- * most have two: there is a place for a inPlace value at each vertex, so that it is found without a
- * search. Behind it comes a chain of others. SecondaryValue values, those that are not the best,
- * are numbered: the inPlace ones as the vertices, the others after them.
+ * Most vertices have no secondary value: their only value, the best one, is the distance in the
+ * field. Near a border between labels most vertices have one. So each vertex has a place for its
+ * first secondary value, which is found without a search: this value is "in place". The others of
+ * the vertex are in a linked list, the chain behind it. Secondary values have numbers: one in place
+ * has the number of its vertex, the others have the numbers from there on.
  */
 class SecondaryValues
 {
 public:
-  /** A value of a vertex that is not its best. */
+  /** A value of a vertex for a label that is not its best one. */
   class SecondaryValue
   {
   public:
-    /** Without the value of the seed itself; +infinity where there is none. */
+    /** The distance without the value of the label's seed; +infinity if the place is empty. */
     double value = std::numeric_limits<double>::infinity();
-    /** Without a label where there is no value. */
+    /** The label, whether the value is queued, and whether it is pinned; no label if the place is
+     * empty. */
     VertexState state;
 
-    /** Of the next one of the same vertex. */
+    /** The number of the next one of the same vertex; NoIndex for the last one. */
     Index next() const { return this->Next; }
 
   private:
@@ -47,7 +48,8 @@ public:
     Index Next = NoIndex;
   };
 
-  /** To be called before each use. Memory 16 bytes a vertex. */
+  /** Prepares for a march; to be called before each. Memory 16 bytes a vertex, and 20 for each
+   * value that is not in place. */
   void start(Index numberOfVertices)
   {
     this->InPlace.resize(numberOfVertices);
@@ -56,7 +58,8 @@ public:
 
   /** Whether a vertex has secondary values. */
   bool hasSecondary(Index vertex) const { return this->InPlace[vertex].state.hasLabel(); }
-  /** Forgets a vertex; to be called for all that have secondary values, and finish() after. */
+  /** Removes the values of a vertex. After a march it must be called for all vertices with
+   * secondary values, and then finish(). */
   void clear(Index vertex) { this->InPlace[vertex] = {}; }
   void finish()
   {
@@ -64,21 +67,21 @@ public:
     this->VerticesOfOthers.clear();
   }
 
-  /** The secondary value that has a place at the vertex. */
+  /** The secondary value in place at a vertex; without a label if it has none. */
   const SecondaryValue& inPlace(Index vertex) const { return this->InPlace[vertex]; }
 
-  /** Has the processor fetch it, as it is soon to be read. */
+  /** Has the processor fetch what inPlace() is soon to return. */
   GEODESIC_INLINED void prefetchInPlace(Index vertex) const
   {
     prefetchToRead(&this->InPlace[vertex]);
   }
 
-  /** The secondary value of a vertex for a label, NoIndex where there is none. */
+  /** The number of a vertex's secondary value for a label; NoIndex if it has none. */
   Index find(Index vertex, Index label) const
   {
     return this->InPlace[vertex].state.label() == label ? vertex : this->findInChain(vertex, label);
   }
-  /** The same where it is not the inPlace. */
+  /** The same, among the values behind the one in place. */
   Index findInChain(Index vertex, Index label) const
   {
     Index number = this->InPlace[vertex].Next;
@@ -89,6 +92,7 @@ public:
     return number;
   }
 
+  /** The secondary value of a number, and its vertex. */
   SecondaryValue& secondary(Index number)
   {
     return number < this->FirstOther ? this->InPlace[number]
@@ -103,7 +107,8 @@ public:
     return number < this->FirstOther ? number : this->VerticesOfOthers[number - this->FirstOther];
   }
 
-  /** Makes room for a secondary value of a vertex, for a label that it has none of. */
+  /** Adds a secondary value of +infinity to a vertex. @pre the vertex has none for the label
+   * @return its number */
   Index add(Index vertex, Index label)
   {
     if (!this->hasSecondary(vertex))
@@ -119,7 +124,7 @@ public:
     this->VerticesOfOthers.push_back(vertex);
     return this->InPlace[vertex].Next;
   }
-  /** The secondary value of a vertex for a label, a new one where there is none. */
+  /** As find(), or as add() if there is none. */
   Index findOrAdd(Index vertex, Index label)
   {
     const Index number = this->find(vertex, label);
@@ -141,14 +146,15 @@ public:
   }
 
 private:
-  /** Behind a inPlace. */
+  /** A secondary value that is not in place. */
   const SecondaryValue& other(Index number) const
   {
     return this->Others[number - this->FirstOther];
   }
 
+  /** One for each vertex. */
   std::vector<SecondaryValue> InPlace;
-  /** The number of the first secondary value that is not a inPlace. */
+  /** The least number of a secondary value that is not in place: the number of vertices. */
   Index FirstOther = 0;
   std::vector<SecondaryValue> Others;
   std::vector<Index> VerticesOfOthers;

@@ -13,20 +13,22 @@ namespace geodesic
 {
 
 /**
- * No way is shorter than the straight line to where a round front starts. Holding updates to that
- * keeps them monotone, and keeps rounding from growing from update to update where triangles lie on
- * each other over the source: there the update's slope exceeds 1.
+ * A lower bound of a round front's values: no path is shorter than the straight line from the point
+ * where the front starts. Raising updates to the bound leaves them monotone. It also keeps rounding
+ * errors from growing with each update where triangles lie on each other over the source: there the
+ * update's slope exceeds 1. A straight front has the bound 0.
  */
 class StraightLineBound
 {
 public:
+  /** @param smallestCost on all pieces of the surface */
   StraightLineBound(const Label& label, double smallestCost)
     : Origin(label.position)
     , SquaredCost(label.shape == FrontShape::Round ? smallestCost * smallestCost : 0.0)
   {
   }
 
-  /** @p value, or the bound at @p position where that is more. */
+  /** The larger of @p value and the bound at @p position. */
   double raised(double value, const Vector3& position) const
   {
     const Vector3 away = position - this->Origin;
@@ -41,10 +43,10 @@ private:
 
 struct FrontGroup;
 
-/** A label as a march asks for it. */
+/** A label with what a march needs to know of it. */
 struct SourceFront
 {
-  /** @param bits as in VertexState; 0 where there is only one label */
+  /** @param bits of the label, see VertexState; 0 if it is the only one */
   SourceFront(const Label& label, Index bits, double smallestCost)
     : seedValue(label.value)
     , leastOf(label, smallestCost)
@@ -53,16 +55,17 @@ struct SourceFront
   {
   }
 
-  /** Among the labels of the march, where there are several. */
+  /** The number of the label in SeedFront::labels. @pre there are several labels */
   Index number() const { return VertexState::labelOf(this->labelBits); }
-  /** A value of the label as a distance. */
+  /** A value of the label as a distance: with the value of its seed. */
   double distance(double value) const { return value + this->seedValue; }
 
+  /** The distance at the seed. */
   double seedValue;
   StraightLineBound leastOf;
   Index labelBits;
   FrontShape shape;
-  /** That its front belongs to. */
+  /** The group of fronts that it belongs to, see FrontQueues; none before its first value. */
   FrontGroup* group = nullptr;
 };
 

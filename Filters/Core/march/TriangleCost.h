@@ -15,29 +15,34 @@
 namespace geodesic
 {
 
-/** Cost 1 everywhere: distances are lengths. */
+/** The cost 1 of every triangle: distances are lengths. */
 class UnitCost
 {
 public:
   static constexpr bool isUnit = true;
 
-  /** @param margins of the vertices, see UpdateBounds; must live as long as this */
+  /** @param margins one for each vertex, see UpdateBounds; must live as long as this object */
   UnitCost(const TriangleMesh& mesh, std::span<const float> margins, const Partition& partition)
     : LongestSides(partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides())
     , Margins(margins)
   {
   }
 
+  /** The cost of the triangle of three vertices. */
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
-  /** The most that two vertices of the triangles round a vertex can differ by. */
+  /** How far a value at a vertex can lie above values that it leads to: the longest side of the
+   * triangles round it, times the largest cost there. A value that is more above a limit leads to
+   * none below the limit. */
   double reach(Index vertex) const { return this->LongestSides[vertex]; }
-  /** See labelMargin(). */
+  /** How much a label's value at a vertex may exceed the best one there and be kept; see
+   * labelMargin(). */
   double margin(Index vertex) const { return this->Margins[vertex]; }
   /** Has the processor fetch a margin that is soon to be read. */
   GEODESIC_INLINED void prefetchMargin(Index vertex) const
   {
     prefetchToRead(&this->Margins[vertex]);
   }
+  /** The mean, the smallest and the largest cost of the vertices. */
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
@@ -47,12 +52,15 @@ private:
   std::span<const float> Margins;
 };
 
-/** A cost at each vertex; that of a triangle is the mean of its corners'. Set up in O(n). */
+/** A cost for each vertex. The cost of a triangle is the mean of its corners' costs. The functions
+ * are those of UnitCost. Construction takes time O(n). */
 class VertexCost
 {
 public:
   static constexpr bool isUnit = false;
 
+  /** @param cost, margins  one for each vertex; must live as long as this object
+   * @param partition  the pieces agree on what they share; collective */
   VertexCost(const TriangleMesh& mesh, std::span<const double> cost, std::span<const float> margins,
     Partition& partition)
     : Cost(cost)
@@ -85,17 +93,19 @@ public:
     prefetchToRead(&this->Dearest[vertex]);
     this->Length.prefetchMargin(vertex);
   }
-  /** 1 on a piece without vertices. */
+  /** The mean of the costs on this piece; 1 if it has no vertices. */
   double mean() const
   {
     return this->Cost.empty() ? 1.0 : this->Sum / static_cast<double>(this->Cost.size());
   }
-  /** On all pieces of the surface; the mean and the largest are those of this one. */
+  /** The smallest cost on all pieces of the surface. */
   double smallest() const { return this->Smallest; }
+  /** The largest cost on this piece. */
   double largest() const { return this->Largest; }
 
 private:
-  /** Takes the dearest neighbours of shared vertices, and the smallest cost, over all pieces. */
+  /** Raises Dearest at shared vertices to the largest of all pieces, and lowers Smallest to the
+   * least of all pieces. */
   void agree(Partition& partition)
   {
     std::vector<StartValue> own;

@@ -52,7 +52,7 @@ template <class Real>
 GEODESIC_INLINED void TriangleMeasurer::measureAll(
   std::span<const Triangle> triangles, std::span<const Vector3> positions)
 {
-  // More than what rounding to a float changes.
+  // These exceed the relative and the absolute error of rounding to a float.
   constexpr double relative = std::numeric_limits<float>::epsilon();
   constexpr double absolute = std::numeric_limits<float>::denorm_min();
   static_assert(Most % lanes<Real> == 0);

@@ -16,35 +16,35 @@ namespace geodesic
 /** The sizes of a triangle that bound its updates; see UpdateBounds. */
 struct TriangleMeasure
 {
-  /** TriangleSlack::isThin */
+  /** See TriangleSlack::isThin(). */
   bool isThin() const { return this->slack < -0.5f * this->longestSide; }
 
-  /** TriangleSlack::value */
+  /** See TriangleSlack::value(); rounded down. */
   float slack;
-  /** Rounded up. */
+  /** The length of the longest side, rounded up. */
   float longestSide;
   /** labelMargin(), rounded up. */
   float margin;
 };
 
-/** Measures some triangles, several at a time. */
+/** Measures up to 64 triangles, two or four at a time. */
 class TriangleMeasurer
 {
 public:
-  /** How many triangles it takes. */
+  /** Largest number of triangles. */
   static constexpr std::size_t Most = 64;
 
-  /** @param mayUseQuads whether four are measured at once where the processor can; the measures are
-   * the same either way */
+  /** @param mayUseQuads whether four triangles are measured at once if the processor can; the
+   * results are the same either way */
   explicit TriangleMeasurer(bool mayUseQuads = true)
     : UsesQuads(mayUseQuads && hasQuads())
   {
   }
 
-  /** Measures at most Most triangles with corners at some of @p positions. */
+  /** Measures @p triangles, at most Most of them. @param positions of the vertices */
   void measure(std::span<const Triangle> triangles, std::span<const Vector3> positions);
 
-  /** The measure of one of the triangles. */
+  /** The result for triangle @p i of the last measure(). */
   TriangleMeasure operator[](std::size_t i) const
   {
     return { this->Slacks[i], this->LongestSides[i], this->Margins[i] };

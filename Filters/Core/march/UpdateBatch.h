@@ -23,28 +23,31 @@ namespace geodesic
 /** The number of a slot of UpdateBatch. */
 using Slot = std::uint16_t;
 
-/** Numbers from a list, at the places that a lane's number leads to. */
+/** Numbers from an array. @param slotAt gives, for the number of a lane, the place of its number */
 template <class Real, std::size_t Size, class SlotAt>
 GEODESIC_INLINED Real gathered(const std::array<double, Size>& numbers, SlotAt slotAt)
 {
   return lanesOf<Real>([&](std::size_t lane) { return numbers[slotAt(lane)]; });
 }
 
-/** One mask for each of some rows, see UpdateBatch: treated all at once. */
+/** One mask of 16 bits for each row of an UpdateBatch. The masks of all rows are treated at once.
+ */
 class BatchMasks
 {
 public:
   /** One bit for each slot of a row, or for each triangle between a slot and the next. */
   using Mask = std::uint16_t;
-  /** Slots of a row. */
+  /** Number of slots of a row. */
   static constexpr std::size_t Size = 16;
+  /** Largest number of rows. */
   static constexpr std::size_t Most = 16;
+  /** The masks of all rows. */
   using All = Mask __attribute__((vector_size(Most * sizeof(Mask))));
-  /** Those of rows side by side, whose slots follow each other. */
+  /** The masks of four consecutive rows in one number; the first slot is its lowest bit. */
   using Some = std::uint64_t;
   static constexpr std::size_t SizeOfSome = sizeof(Some) / sizeof(Mask);
 
-  /** All bits or none. */
+  /** A mask with all bits set if @p test holds, else with none. */
   static Mask allIf(bool test) { return static_cast<Mask>(test ? ~0u : 0u); }
 
   BatchMasks() = default;
@@ -59,11 +62,12 @@ public:
     return all;
   }
   GEODESIC_INLINED void set(const All& all) { std::memcpy(this->Masks.data(), &all, sizeof all); }
-  /** Each all bits where a test holds, else none. */
+  /** The result of a comparison as masks: all bits for the rows where it holds, else none. */
   GEODESIC_INLINED static All all(const decltype(All() == All())& test)
   {
     return reinterpret_cast<const All&>(test);
   }
+  /** Whether any bit of any row is set. */
   bool hasAny() const
   {
     Some any = 0;
@@ -73,7 +77,7 @@ public:
     }
     return any != 0;
   }
-  /** Of the rows from @p first on. */
+  /** The masks of rows @p first to first + 3. */
   Some some(std::size_t first) const
   {
     if constexpr (std::endian::native == std::endian::little)
@@ -82,7 +86,7 @@ public:
       std::memcpy(&some, &this->Masks[first], sizeof some);
       return some;
     }
-    // The first slot is in the lowest bit.
+    // A big-endian processor would read the rows in the wrong order.
     Some some = 0;
     for (std::size_t i = SizeOfSome; i > 0; --i)
     {
@@ -96,35 +100,48 @@ private:
 };
 
 /**
- * Some vertices with their rings, cut into rows of a size, and what a update knows of the
- * neighbours: slot by slot in flat arrays, so that several can be treated at once, wherever they
- * are.
+ * The data of one batch: up to 12 vertices that are updated round together. The ring of each vertex
+ * has a row of 16 slots, one for each neighbour; a longer ring is cut into several rows. What an
+ * update needs to know of the neighbours is in flat arrays with a number for each slot, so that
+ * several neighbours can be treated at once. NeighbourUpdate.h says what is done with a batch.
  */
 struct UpdateBatch
 {
-  /** Slots of a row. */
+  /** Number of slots of a row. */
   static constexpr std::size_t Size = BatchMasks::Size;
+  /** Largest number of rows. */
   static constexpr std::size_t Most = 12;
+  /** Number of slots of all rows. */
   static constexpr std::size_t Slots = Size * Most;
   static_assert(Most <= BatchMasks::Most && Most % BatchMasks::SizeOfSome == 0);
 
+  /** A vertex and its ring, or a part of the ring. */
   struct Row
   {
+    /** The vertex whose neighbours are updated. */
     Index vertex;
-    /** Slots in use; 0 where there is nothing to be done. */
+    /** Number of slots in use; 0 if nothing is to be done. */
     Index size;
+    /** The ring entries of the row, one for each slot in use. */
     const RingEntry* entries;
-    /** Of the triangles that they open. */
+    /** The slacks of the triangles that these entries open. */
     const TriangleSlack* slacks;
-    /** What of the queue the vertex is swept for. */
+    /** The item of the queue that the row was made for: a value of the vertex. */
     Index item;
-    /** The slot in which the first neighbour comes again, where the row closes; else 0. */
+    /** In a ring that closes: the last slot, in which the first neighbour comes again; else 0. */
     Index last = 0;
-    /** That the vertex is swept for. */
+    /** The label of that value. */
     const SourceFront* label;
   };
 
-  /** Adds a row onto the first part of a ring, or of the rest of one. @pre Count < Most */
+  /**
+   * Adds a row for a ring.
+   * @param vertex  the vertex of the ring
+   * @param item    what was taken from the queue for it
+   * @param ring    the ring, or the rest of one; the row holds its first 16 entries at most
+   * @param slacks  of the triangles that the entries open
+   * @pre Count < Most
+   */
   void add(Index vertex, Index item, std::span<const RingEntry> ring, const TriangleSlack* slacks)
   {
     Row& row = this->Rows[this->Count++];
@@ -135,26 +152,27 @@ struct UpdateBatch
     row.size = static_cast<Index>(std::min(Size, ring.size()));
   }
 
-  /** Neighbours side by side, some of which have a best value of another label than the one that
-   * is swept. */
+  /** Two or four neighbours in consecutive slots, some of which have a best value of another label
+   * than their row. */
   class Others
   {
   public:
     Others() = default;
+    /** @param first the first slot; @param which bit i: whether slot first + i has such a value */
     Others(std::size_t first, unsigned which)
       : Both(static_cast<std::uint32_t>(first | which << Bits))
     {
     }
     Slot first() const { return static_cast<Slot>(this->Both); }
-    /** From the first on. */
     unsigned which() const { return this->Both >> Bits; }
 
   private:
     static constexpr int Bits = 16;
-    /** In one number, which is written at once. */
+    /** Both in one number, so that one instruction stores them. */
     std::uint32_t Both = 0;
   };
 
+  /** Removes all rows. */
   void clear()
   {
     this->Count = 0;
@@ -165,43 +183,53 @@ struct UpdateBatch
     }
   }
 
+  /** The number of a slot's row. */
   static std::size_t rowOf(Slot slot) { return slot / Size; }
+  /** The row of a slot. */
   Row& at(Slot slot) { return this->Rows[rowOf(slot)]; }
   const Row& at(Slot slot) const { return this->Rows[rowOf(slot)]; }
 
+  /** Number of rows in use. */
   std::size_t Count = 0;
   std::array<Row, Most> Rows;
+  /** Number of items in OthersSeen; one item more may be written behind them. */
   std::size_t OthersCount = 0;
   std::array<Others, Slots / lanes<Pair> + 1> OthersSeen;
-  /** Of the rows' vertices. */
+  /** For each row, the value of its vertex. */
   std::array<double, Most> OwnValues;
 
-  // Of the rows; of those that are not there along, first, second and isThin are 0.
+  // Masks, one for each row. Bit i belongs to the neighbour in slot i of the row, or to the
+  // triangle that this neighbour opens: that of the row's vertex and the neighbours in slots i and
+  // i + 1. In rows that are not in use along, first, second and isThin are 0.
 
   /** The last slot in use. */
   BatchMasks end;
-  /** The slot in which the first neighbour comes again, where the row closes. */
+  /** In a ring that closes, the slot in which the first neighbour comes again. */
   BatchMasks again;
-  /** Whether the front is straight: all bits or none. */
+  /** All bits if the row's label has a straight front, else none. */
   BatchMasks isStraight;
-  /** Neighbours that wait to be swept with their values. */
+  /** Neighbours that wait in the queue with their values of the row's label. */
   BatchMasks isQueued;
-  /** Triangles that may be crossed. */
+  /** Triangles that fronts may cross. */
   BatchMasks isOpen{ BatchMasks::allIf(true) };
+  /** Triangles that are thin, see TriangleSlack. */
   BatchMasks isThin;
-  /** Neighbours that may gain, along the edge to them. */
+  /** Neighbours that may gain by the edge from the row's vertex to them. */
   BatchMasks along;
-  /** Triangles in which the neighbour that opens them, or the one after it, may gain over the
-   * edge to the other. */
+  /** Triangles in which neighbour i may gain by a crossing of the edge from the row's vertex to
+   * neighbour i + 1. */
   BatchMasks first;
+  /** Triangles in which neighbour i + 1 may gain by a crossing of the edge to neighbour i. */
   BatchMasks second;
 
-  // Of the neighbours; the first one in a row comes again in the last slot, where it closes.
+  // Numbers, one for each slot. In a ring that closes, the last slot repeats the first neighbour.
+
   std::array<Index, Slots> Neighbours;
-  /** As in NeighbourValue. */
+  /** NeighbourValue::value for the row's label. */
   alignas(Quad) std::array<double, Slots> Values{};
+  /** NeighbourValue::ceiling; only in use with several labels. */
   alignas(Quad) std::array<double, Slots> Ceilings{};
-  /** From the row's vertex. */
+  /** The vector from the row's vertex to the neighbour, and the square of its length. */
   alignas(Quad) std::array<double, Slots> X;
   alignas(Quad) std::array<double, Slots> Y;
   alignas(Quad) std::array<double, Slots> Z;

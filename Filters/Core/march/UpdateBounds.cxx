@@ -14,7 +14,8 @@ namespace geodesic
 namespace
 {
 
-/** Measures the triangles round vertices, several at a time. */
+/** Measures the triangles round vertices, and stores the slacks of ring entries and the margins of
+ * vertices. */
 class RingMeasurer
 {
 public:
@@ -25,6 +26,7 @@ public:
   {
   }
 
+  /** Adds the triangles round a vertex. */
   void add(Index vertex)
   {
     this->Margins[vertex] = 0.0f;
@@ -46,7 +48,7 @@ public:
     }
   }
 
-  /** To be called after the last vertex. */
+  /** Measures what was added and not yet measured; to be called after the last vertex. */
   void finish()
   {
     this->Measurer.measure({ this->Triangles.data(), this->Count }, this->Mesh.positions());
@@ -67,7 +69,7 @@ private:
   TriangleMeasurer Measurer;
   std::size_t Count = 0;
   std::array<Triangle, TriangleMeasurer::Most> Triangles;
-  /** The ring entries that open the triangles. */
+  /** The numbers of the ring entries that open the triangles. */
   std::array<std::uint32_t, TriangleMeasurer::Most> Entries;
 };
 

@@ -11,49 +11,53 @@ namespace geodesic
 {
 
 /**
- * What a march notes of a vertex's value beside it: whose it is, where there are several labels,
- * and what is to be done with it. All in one number, so that several can be looked at at once.
+ * The state of a vertex's value: its label, if there are several, whether it waits in the queue,
+ * and whether it is pinned. All is in one number, so that the states of several vertices can be
+ * read and compared at once.
+ *
+ * The bits of a label are its number plus 1; 0 means that no label is stored.
  */
 class VertexState
 {
 public:
-  /** Whether a label is noted. */
+  /** Whether a label is stored. */
   bool hasLabel() const { return this->labelBits() != 0; }
-  /** Whether one is, but not that of @p labelBits. Without a branch in between: on a front about
-   * half of the vertices have no value. */
+  /** Whether a label other than that of @p labelBits is stored. There is no branch: near a front
+   * about half of the vertices have no value, which a processor can't predict. */
   bool hasOtherLabel(Index labelBits) const
   {
     return std::uint64_t{ this->labelBits() } * (this->labelBits() ^ labelBits) != 0;
   }
+  /** The number of the label. @pre hasLabel() */
   Index label() const { return labelOf(this->labelBits()); }
-  void setLabel(Index label) { this->Bits = (this->Bits & ~LabelBits) | bitsOf(label); }
+  void setLabel(Index label) { this->Bits = (this->Bits & ~LabelBits) | labelBitsOf(label); }
 
-  /** What labelBits() of a label are, and whose they are. */
-  static Index bitsOf(Index label) { return label + 1; }
+  /** The bits of a label's number, and the number of a label's bits. */
+  static Index labelBitsOf(Index label) { return label + 1; }
   static Index labelOf(Index labelBits) { return labelBits - 1; }
 
-  /** It waits to be swept. */
+  /** Whether the value waits in the queue. */
   bool isQueued() const { return (this->Bits & Queued) != 0; }
   void setQueued(bool isQueued)
   {
     this->Bits = isQueued ? this->Bits | Queued : this->Bits & ~Queued;
   }
-  /** It waits, for the label of @p labelBits, and is not pinned. */
+  /** Whether the value waits, is of the label of @p labelBits, and is not pinned. */
   bool isQueuedFor(Index labelBits) const { return this->Bits == (Queued | labelBits); }
-  /** The same as setQueued(true), and notes the label of @p labelBits, where no other one is. */
+  /** Does setQueued(true) and stores the label of @p labelBits. @pre no other label is stored */
   void queueFor(Index labelBits) { this->Bits |= Queued | labelBits; }
-  /** It stays, whatever is proposed. */
+  /** Whether the value is pinned: no update changes it. */
   bool isPinned() const { return (this->Bits & Pinned) != 0; }
   void setPinned(bool isPinned)
   {
     this->Bits = isPinned ? this->Bits | Pinned : this->Bits & ~Pinned;
   }
 
-  // For who reads several at once.
+  // For code that reads several states at once.
 
-  /** Of these the highest bit tells what isQueued() does. */
+  /** All bits; the highest one is isQueued(). */
   Index bits() const { return this->Bits; }
-  /** 0 without a label. */
+  /** The bits of the label; 0 if none is stored. */
   Index labelBits() const { return this->Bits & LabelBits; }
   static constexpr Index LabelBits = 0x3fffffffu;
 
