@@ -12,7 +12,8 @@
 namespace geodesic
 {
 
-/** Up to three vertices: one, the two ends of an edge, or the corners of a face. */
+/** The vertices that carry a point, those with a weight in it: one vertex, the two ends of an edge,
+ * or the three corners of a face. */
 class Carriers
 {
 public:
@@ -33,7 +34,7 @@ public:
   constexpr const Index* end() const { return this->Vertices.data() + this->Count; }
 
 private:
-  // Two faces' corners fit as well, so that a union need not be checked before it is made.
+  // There is room for the corners of two faces, so that a union needs no check.
   std::array<Index, 6> Vertices{};
   int Count = 0;
 };

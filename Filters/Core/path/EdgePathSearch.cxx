@@ -12,30 +12,32 @@ namespace geodesic
 namespace
 {
 
-/** Being shorter by less than this part is rounding. */
+/** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
 constexpr double LeastGain = 1e-12;
 
-/** A vertex on its way back to the search's start. */
+/** The shortest path found so far from the search's start to a vertex. */
 struct Visit
 {
-  /** Length from the start. */
+  /** The length of the path. */
   double length;
-  /** The vertex before, NoIndex for the start. */
+  /** The vertex before; NoIndex if the path comes straight from the start. */
   Index previous;
 };
 
+/** A vertex that waits in the search's queue. */
 struct Trial
 {
-  /** Least length of a path through the vertex. */
+  /** A lower bound of the length of a path through the vertex. */
   double bound;
+  /** The length from the start. */
   double length;
   Index vertex;
 
   friend bool operator>(const Trial& a, const Trial& b) { return a.bound > b.bound; }
 };
 
-/** Calls @p visit with each open vertex that a path along edges goes to from a point, or comes
- * from. */
+/** Calls @p visit with each vertex to which a path along edges can go from a point in one step: the
+ * point's own vertex, or the corners of the open faces in which it lies, but no excluded ones. */
 template <class Visitor>
 void visitEdgeEnds(const WeightedMesh& weighted, const PathPoint& point, Visitor&& visit)
 {
@@ -65,7 +67,8 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
   const TriangleMesh& mesh = weighted.mesh();
   const Vector3 start = to.position(mesh);
   const Vector3 end = from.position(mesh);
-  // Where the path along edges leaves the mesh's vertices for `from`.
+  // The search begins at `to`. Vertices next to `from`, with the length of the last step from
+  // there.
   std::unordered_map<Index, double> lastSteps;
   visitEdgeEnds(
     weighted, from, [&](Index vertex) { lastSteps[vertex] = norm(mesh.position(vertex) - end); });
@@ -74,14 +77,14 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
   Index last = NoIndex;
   std::unordered_map<Index, Visit> visits;
   std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;
-  const auto propose = [&](Index vertex, double way, Index previous)
+  const auto propose = [&](Index vertex, double lengthSoFar, Index previous)
   {
     const double left = std::min(field.distance(vertex), field.largestDistance());
     const auto known = visits.find(vertex);
-    if (way + left < best && (known == visits.end() || way < known->second.length))
+    if (lengthSoFar + left < best && (known == visits.end() || lengthSoFar < known->second.length))
     {
-      visits[vertex] = { way, previous };
-      queue.push({ way + left, way, vertex });
+      visits[vertex] = { lengthSoFar, previous };
+      queue.push({ lengthSoFar + left, lengthSoFar, vertex });
     }
   };
   visitEdgeEnds(weighted, to,

@@ -15,11 +15,11 @@ namespace geodesic
 namespace
 {
 
-/** The beginning of a path, as far as it is straight where its faces are laid flat. */
+/** The beginning of a path up to its first vertex: it is straight if its faces are laid flat. */
 class FirstLeg
 {
 public:
-  /** @param path not of length 0 */
+  /** @param path of a length above 0 */
   FirstLeg(const TriangleMesh& mesh, const SurfacePath& path)
   {
     const auto bend = std::find_if(path.begin() + 1, path.end() - 1, isVertex);
@@ -30,7 +30,8 @@ public:
     this->Rest = lengthOf(mesh, path) - leg;
   }
 
-  /** How long a way beside the path is from another point of the face that the path begins in. */
+  /** The length of a path beside this one, from another point of the face in which this one
+   * begins. */
   double lengthFrom(const Vector3& position) const
   {
     return norm(position - this->End) + this->Rest;
@@ -102,7 +103,7 @@ void PathFinder::addTargetsRound(const PathPoint& point)
       this->Targets.push_back({ vertex, vertex, vertex });
     }
   };
-  // A straight way from the point crosses the edges of the faces that it lies in.
+  // A straight path from the point crosses edges of the faces in which the point lies.
   const Carriers carriers = point.carriers();
   std::for_each(carriers.begin(), carriers.end(), add);
   visitFaces(this->Surface, point,
@@ -123,7 +124,7 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
   auto path = this->shortestOf(start);
   if (!path && this->Field->stopReason() == StopReason::Targets)
   {
-    // Beside long edges a path can need distances beyond those of its own ends.
+    // Beside long edges a path can need distances that are larger than those at its ends.
     path = this->solve({}) ? this->shortestOf(start) : std::nullopt;
   }
   const bool staysTraced = this->Style.order == PathOrder::Edges && !this->Style.straighten;
@@ -141,7 +142,8 @@ std::optional<SurfacePath> PathFinder::shortestOf(const PathPoint& start) const
   std::vector<Index> seeds = tracer.seedsNear(start);
   if (!this->Style.straighten && seeds.size() > 1)
   {
-    // As traced, and through varying cost, lengths do not tell which seed is the nearest.
+    // Lengths of paths that stay as traced, or run through varying cost, do not tell which seed is
+    // the nearest.
     seeds.erase(seeds.begin() + 1, seeds.end());
   }
   std::optional<SurfacePath> shortest;

@@ -27,18 +27,18 @@ struct PathStyle
 };
 
 /**
- * Finds shortest paths to the nearest of some seeds: one march that stops where the paths' other
- * ends are reached, and a trace back from each.
+ * Finds shortest paths from points to the nearest of some seeds: march() solves the field of the
+ * seeds until it reaches the points, and pathFrom() traces a path back from one of them.
  */
 class PathFinder
 {
 public:
   /**
    * @param solver  its field is overwritten; both must live as long as this
-   * @param seeds   where paths end
+   * @param seeds   points at which paths end
    * @param options cost, barriers, maximum distance, progress; targets are set here
-   * @throws std::invalid_argument where paths of varying cost, or of PathOrder::Vertices, are to be
-   * straightened
+   * @throws std::invalid_argument if @p style straightens paths of varying cost or of
+   *         PathOrder::Vertices
    */
   PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
     const SolveOptions& options, const PathStyle& style);
@@ -55,34 +55,39 @@ public:
 
   /**
    * @param point one of those given to march()
-   * @return the path from there to a seed, both among its points (one point where it is a vertex
-   * and a seed); none where there is no way. No way along edges to that seed is shorter, where the
-   * path is straightened, or goes along edges without costs itself.
+   * @return the path from the point to a seed, with both among its points (one point if the point
+   * is a vertex and a seed); nothing if there is no path. If the path is straightened, or goes
+   *         along edges without costs, no path along edges to that seed is shorter.
    * @throws std::invalid_argument for a point at an excluded vertex
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
 private:
-  /** Of the paths to the seeds that may be the nearest. */
+  /** The shortest of the paths to the seeds that may be the nearest; nothing if there is none. */
   std::optional<SurfacePath> shortestOf(const PathPoint& start) const;
+  /** Solves the field as far as @p targets, everywhere if there are none. @return false when
+   * cancelled */
   bool solve(std::span<const Triangle> targets);
-  /** Makes a traced path what the style says, and no longer than one along edges. */
+  /** Straightens a traced path if the style says so, and replaces it by a path along edges if one
+   * is shorter. */
   void shorten(SurfacePath& path, const PathPoint& start) const;
-  /** The shortest of the straightened ways, of which a traced one is the first to be tried. */
+  /** The shortest of several straightened paths: the traced one, those by the corners of
+   * cornersOffThePath(), and one along edges. */
   SurfacePath straightestOf(const SurfacePath& traced, const PathPoint& start) const;
   /**
-   * Where fronts meet within a face, its inside does not know which came from where; the corners
-   * do.
-   * @return those of the start's that are nearer to the seed than by a way beside the path. Where
-   * another front is first at the start, it was first at one of them: the points that are nearer to
-   * one of two sources than to the other are half of a plane.
+   * Finds corners by which a path of another front may be shorter. Where two fronts meet inside a
+   * face, the field tells only at the corners which of them came first.
+   * @return the carriers of the start whose distance is less than the length of a path from them
+   *         beside @p path. If another front is the first at the start, it is the first at one of
+   *         these: the points nearer to one of two sources than to the other are half of a plane.
    */
   Carriers cornersOffThePath(const SurfacePath& path, const PathPoint& start) const;
+  /** Adds the corners of the faces round a point, and its carriers, to Targets. */
   void addTargetsRound(const PathPoint& point);
   /**
-   * Adds the corners of all faces that a traced path touches: short of them the trace had no choice
-   * but to go round.
-   * @return whether there are any that the march has not reached
+   * Adds the corners of all faces that a traced path touches, as far as the march has not reached
+   * them: without values there the trace had to go round these faces.
+   * @return whether it added any
    */
   bool addTargetsAlong(const SurfacePath& path);
 
@@ -97,8 +102,8 @@ private:
 };
 
 /**
- * The shortest way from one point to another.
- * @return none where there is no way, or the march was cancelled
+ * The shortest path from one point to another.
+ * @return nothing if there is no path or the march was cancelled
  * @throws as PathFinder
  */
 std::optional<SurfacePath> shortestPath(DistanceSolver& solver, const SurfacePoint& from,

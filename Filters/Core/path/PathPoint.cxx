@@ -7,7 +7,8 @@ namespace geodesic
 namespace
 {
 
-/** The point a fraction of the way from @p a to @p b, which share a face. */
+/** The point on the segment from @p a to @p b, at a fraction of it from @p a. @pre the two share a
+ * face */
 PathPoint between(const PathPoint& a, const PathPoint& b, double fraction)
 {
   const Carriers corners = unionOf(a, b);

@@ -29,7 +29,7 @@ struct PathPoint
   {
     return { { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 } };
   }
-  /** @param fraction of the way from a to b */
+  /** @param fraction of the edge from a to the point */
   static constexpr PathPoint onEdge(Index a, Index b, double fraction)
   {
     return { { a, b, b }, { 1.0 - fraction, fraction, 0.0 } };
@@ -39,7 +39,7 @@ struct PathPoint
     return { mesh.triangle(point.triangle), point.weights };
   }
 
-  /** The vertices with a weight. */
+  /** The vertices with a weight above 0. */
   constexpr Carriers carriers() const
   {
     Carriers carriers;
@@ -69,11 +69,13 @@ inline bool liesIn(const PathPoint& point, const Triangle& face)
     [&](Index vertex) { return std::find(face.begin(), face.end(), vertex) != face.end(); });
 }
 
+/** Whether the point is a vertex. */
 inline bool isVertex(const PathPoint& point)
 {
   return point.carriers().size() == 1;
 }
 
+/** Whether both points are the same vertex. */
 inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
 {
   return isVertex(a) && isVertex(b) && a.carriers()[0] == b.carriers()[0];
@@ -82,25 +84,25 @@ inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
 /** All vertices that carry one of two points, which may share no face. */
 Carriers unionOf(const PathPoint& a, const PathPoint& b);
 
-/** The weight that a vertex has in a point. */
+/** The weight of a vertex in a point; 0 if the vertex does not carry it. */
 double weightOf(const PathPoint& point, Index vertex);
 
-/** The point on one of the triangles that it lies in. */
+/** The point as a point of one of the triangles in which it lies. */
 SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point);
 
-/** A face that two consecutive points of a path lie in. */
+/** A face in which two consecutive points of a path lie. */
 Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b);
 
 /** A polyline on the surface: consecutive points lie in one face, or on one edge. */
 using SurfacePath = std::vector<PathPoint>;
 
-/** In the mesh's length unit. */
+/** The length of a path in mesh length units. */
 double lengthOf(const TriangleMesh& mesh, const SurfacePath& path);
 
 /**
  * The beginning of a path, up to a length or a number of points, whichever comes first.
- * @param cutsEdges whether a new last point is made where the length ends; else the path ends at
- *                  its last point before that
+ * @param cutsEdges whether the result ends with a new point at exactly @p maximumLength; else it
+ * ends at the path's last point before that
  */
 SurfacePath beginningOf(const TriangleMesh& mesh, const SurfacePath& path, double maximumLength,
   std::size_t maximumPoints, bool cutsEdges);

@@ -11,7 +11,7 @@ namespace geodesic
 namespace
 {
 
-/** A new way counts when it is shorter by this part; below that is rounding. */
+/** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
 constexpr double LeastGain = 1e-14;
 
 double lengthOf(const std::vector<StraightPiece>& pieces)
@@ -24,7 +24,7 @@ double lengthOf(const std::vector<StraightPiece>& pieces)
   return length;
 }
 
-/** Whether the piece is one edge, or a part of one: no way across a face. */
+/** Whether the piece runs along one edge, or a part of it, and crosses no face. */
 bool isAlongEdge(const StraightPiece& piece)
 {
   return piece.faces.size() == 1 && unionOf(piece.start, piece.end).size() <= 2;
@@ -40,7 +40,7 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path) const
   }
   std::vector<StraightPiece> todo = this->tautPieces(path);
   std::reverse(todo.begin(), todo.end());
-  // Pieces before `todo` join without a vertex to be led round.
+  // Where the pieces in `done` join, leading the path round the vertex does not shorten it.
   std::vector<StraightPiece> done;
   while (!todo.empty())
   {

@@ -13,7 +13,7 @@ namespace geodesic
 namespace
 {
 
-/** Fractions of an edge nearer to its end than this are the end. */
+/** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
 constexpr double VertexFraction = 1e-9;
 
 double costAt(const WeightedMesh& surface, const PathPoint& point)
@@ -26,24 +26,26 @@ double costAt(const WeightedMesh& surface, const PathPoint& point)
   return cost;
 }
 
-/** The least of phi + |p q| over the points q of an edge. */
+/** The point q of an edge at which phi(q) + |p q| is least; see PathTracer. */
 struct EdgeMinimum
 {
-  /** Where q lies, from the edge's first end. */
+  /** Distance of q from the edge's first end. */
   double x;
   /** phi at q. */
   double left;
+  /** phi at q, and |p q|. */
   double total;
 };
 
 /**
+ * Finds that point.
  * @param a, b    phi at the ends, less than @p c apart
  * @param c       the edge's length
  * @param xp, hp  p's foot on the edge's line, from its first end, and its height
  */
 EdgeMinimum leastOverEdge(double a, double b, double c, double xp, double hp)
 {
-  // phi's flat source is at (sourceX, -sourceY), or where s <= 0 on the edge's line.
+  // The flat source of phi is at (sourceX, -root) if s > 0, otherwise on the edge's line.
   const double sourceX = 0.5 * (c + (a - b) * (a + b) / c);
   const double s = a + b - c;
   const double quarterSquare = (a + b + c) * std::abs(s) * (c + a - b) * (c - a + b);
@@ -109,7 +111,7 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
 
 std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, Index seed, PathOrder order)
 {
-  // On the way to its nearest seed a path stays where that one is the nearest.
+  // A shortest path stays among vertices whose nearest seed is its own.
   this->Aim = seed;
   auto path = this->traceToAim(start, order);
   if (!path)
@@ -153,13 +155,13 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
       path.push_back(step->point);
       continue;
     }
-    const std::vector<Index> way =
-      isVertex(here) ? this->wayDown(here.carriers()[0]) : std::vector<Index>{};
-    if (way.empty())
+    const std::vector<Index> descent =
+      isVertex(here) ? this->descentAlongEdges(here.carriers()[0]) : std::vector<Index>{};
+    if (descent.empty())
     {
       return std::nullopt;
     }
-    for (Index vertex : way)
+    for (Index vertex : descent)
     {
       path.push_back(PathPoint::atVertex(vertex));
     }
@@ -256,7 +258,7 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
   return best;
 }
 
-std::vector<Index> PathTracer::wayDown(Index vertex) const
+std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
 {
   const TriangleMesh& mesh = this->Surface.mesh();
   struct Visit
@@ -275,13 +277,13 @@ std::vector<Index> PathTracer::wayDown(Index vertex) const
     const bool isLower = this->Field.distance(here) < this->Field.distance(vertex);
     if (here != vertex && (isLower || this->stepToSeed(PathPoint::atVertex(here))))
     {
-      std::vector<Index> way;
+      std::vector<Index> descent;
       for (Index v = here; v != vertex; v = visits[v].previous)
       {
-        way.push_back(v);
+        descent.push_back(v);
       }
-      std::reverse(way.begin(), way.end());
-      return way;
+      std::reverse(descent.begin(), descent.end());
+      return descent;
     }
     const std::span<const RingEntry> ring = this->Surface.ring(here);
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -291,12 +293,12 @@ std::vector<Index> PathTracer::wayDown(Index vertex) const
       {
         continue;
       }
-      const double way = length + norm(mesh.position(next) - mesh.position(here));
-      const auto [known, isNew] = visits.emplace(next, Visit{ way, here });
-      if (isNew || way < known->second.length)
+      const double nextLength = length + norm(mesh.position(next) - mesh.position(here));
+      const auto [known, isNew] = visits.emplace(next, Visit{ nextLength, here });
+      if (isNew || nextLength < known->second.length)
       {
-        known->second = { way, here };
-        queue.emplace(way, next);
+        known->second = { nextLength, here };
+        queue.emplace(nextLength, next);
       }
     }
   }

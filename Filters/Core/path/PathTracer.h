@@ -14,7 +14,7 @@
 namespace geodesic
 {
 
-/** What a traced path may run through. */
+/** Which points a traced path consists of. */
 enum class PathOrder
 {
   /** Vertices, along edges. */
@@ -24,20 +24,21 @@ enum class PathOrder
 };
 
 /**
- * Traces the shortest way from a point back to the nearest seed, down a field of distances that any
+ * Traces the shortest path from a point back to the nearest seed, by a field of distances that any
  * solver made.
  *
- * Across faces each step goes to the point of a face's edges where phi + |p q| is least, phi being
- * the distance from the flat point source that the edge's two values define: the update of fast
- * marching, turned round (see EikonalUpdate.h). The value falls from step to step; where it would
- * not, the path goes along edges until it does. So a trace always ends.
+ * Across faces each step goes from p to the point q of a face's edges at which phi(q) + |p q| is
+ * least, where phi is the distance from the flat point source that the edge's two values define.
+ * That is the inverse of fast marching's update (see EikonalUpdate.h). The distance left falls from
+ * step to step; where it would not, the path goes along edges until it does. So a trace always
+ * ends.
  */
 class PathTracer
 {
 public:
   /**
-   * @param field with a distance at every vertex on the way
-   * @param seeds the points it was measured from, by the numbers of DistanceField::nearestSeed
+   * @param field distances, with one at every vertex near the path
+   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed
    */
   PathTracer(
     const WeightedMesh& weighted, const DistanceField& field, std::span<const PathPoint> seeds)
@@ -48,54 +49,58 @@ public:
   }
 
   /**
-   * The numbers of the seeds that are nearest to the corners round a point, the likeliest first:
-   * one of them is the nearest to the point, but where the places that a seed is the nearest to end
-   * in a tip inside the face. None where the field does not reach the point.
+   * The numbers of the seeds that are nearest to the corners of the faces round a point, the
+   * likeliest first. One of them is the nearest to the point, unless the area to which a seed is
+   * the nearest ends in a tip inside the face. None if the field does not reach the point.
    */
   std::vector<Index> seedsNear(const PathPoint& point) const;
 
   /**
-   * @param seed one of seedsNear; the path may end at another where no trace leads to this one
-   * @return the path from @p start to a seed, both among its points; none where the field does not
-   * reach the start
+   * @param seed one of seedsNear(); the path may end at another one if no trace leads to this one
+   * @return the path from @p start to a seed, with both among its points; nothing if the field does
+   *         not reach the start
    */
   std::optional<SurfacePath> trace(const PathPoint& start, Index seed, PathOrder order);
 
 private:
-  /** A point to go on to, and the distance to the seed by way of it. */
+  /** The next point of a path, and the distance to the seed through it. */
   struct Step
   {
     PathPoint point;
-    /** Distance left at the point. */
+    /** Distance from the point to the seed. */
     double left;
-    /** The same at where the step begins. */
+    /** The same from where the step begins. */
     double total;
   };
 
   std::optional<SurfacePath> traceToAim(const PathPoint& start, PathOrder order) const;
-  /** Whether the vertex has a distance, and from the seed that is aimed at. */
+  /** Whether the vertex has a distance, and its nearest seed is Aim or Aim is any. */
   bool leadsToAim(Index vertex) const;
-  /** A seed in a face with the point, and what is left to it. */
+  /** The step to the nearest seed that shares an open face with the point; nothing if none does. */
   std::optional<Step> stepToSeed(const PathPoint& point) const;
+  /** The step to the point with the least total on the edges of the faces round the point. */
   std::optional<Step> stepAcrossFaces(const PathPoint& point) const;
-  /** To a vertex of a lower distance. */
+  /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.
+   */
   std::optional<Step> stepAlongEdges(const PathPoint& point) const;
   /**
-   * A vertex may be nearer to the seed than all its neighbours: where the front came through the
-   * middle of an edge, or neighbours lie on it.
-   * @return the shortest way along edges to a vertex of a lower distance, or one that shares a face
-   * with a seed, without @p vertex itself
+   * The path from a vertex that has no neighbour of a lower distance. There are such vertices where
+   * the front came through the middle of an edge, or where neighbours lie at the same place.
+   * @return the shortest path along edges to a vertex that has a lower distance or shares a face
+   * with a seed, without @p vertex itself; empty if there is none
    */
-  std::vector<Index> wayDown(Index vertex) const;
+  std::vector<Index> descentAlongEdges(Index vertex) const;
+  /** Replaces @p best by the step to the best point inside an edge, if that has a lower total. */
   void tryEdge(const PathPoint& point, const Triangle& face, Index a, Index b,
     std::optional<Step>& best) const;
+  /** The same for the step to a vertex. @param cost of a unit of length of the step */
   void tryVertex(
     const PathPoint& point, Index vertex, double cost, std::optional<Step>& best) const;
 
   const WeightedMesh& Surface;
   const DistanceField& Field;
   std::span<const PathPoint> Seeds;
-  /** The number of the seed that the path is to end at; NoIndex: any. */
+  /** The number of the seed at which the path is to end; NoIndex for any seed. */
   Index Aim = NoIndex;
 };
 

@@ -32,7 +32,8 @@ bool hasCorner(const Triangle& face, Index vertex)
   return std::find(face.begin(), face.end(), vertex) != face.end();
 }
 
-/** The edge between two faces of the strip; who walks along the strip sees left and right so. */
+/** The edge between two faces of the strip. Left and right are as seen on a walk along the strip.
+ */
 struct Portal
 {
   Index left;
@@ -92,7 +93,7 @@ public:
       }
       else
       {
-        // One side stays, the other moves on to the last face's new corner.
+        // One end of the portal stays, the other one becomes the new corner of the last face.
         Portal portal = this->Portals.back();
         const bool leftStays = portal.left == edge.first || portal.left == edge.second;
         (leftStays ? portal.right : portal.left) = this->LastApex;
@@ -115,7 +116,8 @@ public:
   }
 
 private:
-  /** Where the corner beyond a portal lies; @p side is -1 for the one before it. */
+  /** The place of a face's corner opposite to a portal. @param side 1 for the face beyond the
+   * portal, -1 for the face before it */
   Flat apex(const Portal& portal, Index corner, double side) const
   {
     const Vector3 edge = this->Mesh.position(portal.right) - this->Mesh.position(portal.left);
@@ -126,7 +128,7 @@ private:
     const double flatLength = std::hypot(flatEdge.x, flatEdge.y);
     if (!(length > 0.0 && flatLength > 0.0))
     {
-      // Both ends are one point, which every way goes through: any direction will do.
+      // Both ends are one point, through which every path goes. So any direction will do.
       return { portal.flatLeft.x, portal.flatLeft.y + side * norm(toCorner) };
     }
     const Flat along{ flatEdge.x / flatLength, flatEdge.y / flatLength };
@@ -158,18 +160,18 @@ private:
   Flat Last{};
 };
 
-/** A vertex where the shortest way bends. */
+/** A vertex at which the shortest path bends. */
 struct Bend
 {
   Index vertex;
   Flat flat;
-  /** A portal that ends in the vertex. */
+  /** The number of a portal with this vertex as an end. */
   std::size_t portal;
 };
 
 /**
- * The bends of the shortest way through the portals. A vertex that the way only touches counts as a
- * bend: on its other side it may be shorter.
+ * The bends of the shortest path through the portals. A vertex that the path only touches counts as
+ * a bend, because the path may be shorter on the vertex's other side.
  */
 std::vector<Bend> bendsThrough(std::span<const Portal> portals, const Flat& start, const Flat& end)
 {
@@ -205,7 +207,7 @@ std::vector<Bend> bendsThrough(std::span<const Portal> portals, const Flat& star
   return bends;
 }
 
-/** The strip's part that a piece crosses: faces from @p first to before @p last. */
+/** The part of a strip that a piece crosses: faces first to last - 1. */
 struct Range
 {
   std::size_t first;
@@ -217,7 +219,9 @@ bool liesOnEdge(const PathPoint& point, const Triangle& face, const Triangle& ne
   return liesIn(point, face) && liesIn(point, next);
 }
 
-/** Drops faces at both ends of a strip that only touch start or end. */
+/** The range without faces at its ends in which the path has no length: those that it only touches
+ * at
+ * @p start or @p end. */
 Range trimmed(
   std::span<const Triangle> faces, Range range, const PathPoint& start, const PathPoint& end)
 {
@@ -234,7 +238,7 @@ Range trimmed(
   return range;
 }
 
-/** Fractions of an edge nearer to its end than this are the end. */
+/** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
 constexpr double VertexFraction = 1e-12;
 
 PathPoint crossingOf(const Portal& portal, const Flat& start, const Flat& end)

@@ -15,12 +15,14 @@ struct StraightPiece
 {
   PathPoint start;
   PathPoint end;
-  /** One at least; consecutive ones share an edge. */
+  /** The faces that the piece crosses, at least one; consecutive ones share an edge. */
   std::vector<Triangle> faces;
-  /** Where the piece crosses from each face to the next. */
+  /** The points at which the piece crosses from each face to the next. */
   std::vector<PathPoint> crossings;
+  /** In mesh length units. */
   double length = 0.0;
 
+  /** The point of the path after start, and the one before end. */
   const PathPoint& second() const
   {
     return this->crossings.empty() ? this->end : this->crossings.front();
@@ -31,16 +33,17 @@ struct StraightPiece
   }
 };
 
-/** Appends a face to a strip; a strip that turns back on itself becomes one that does not. */
+/** Appends a face to a strip. If it is the last face but one, the last face is removed instead, so
+ * that the strip does not turn back on itself; if it is the last face, nothing changes. */
 void appendFace(std::vector<Triangle>& faces, const Triangle& face);
 
 /**
- * The shortest way from @p start to @p end inside a strip of faces, as straight pieces that join
- * at vertices of the strip. The strip is laid flat and searched by a funnel: D. T. Lee,
- * F. P. Preparata, Euclidean shortest paths in the presence of rectilinear barriers, Networks 14
- * (1984).
- * No piece begins and ends in the same vertex; there is none where start and end are one.
- * @param faces consecutive ones share an edge; the first contains start, the last end
+ * The shortest path from @p start to @p end inside a strip of faces. The strip is laid flat and
+ * searched by a funnel: D. T. Lee, F. P. Preparata, Euclidean shortest paths in the presence of
+ * rectilinear barriers, Networks 14 (1984).
+ * @param faces the strip: consecutive faces share an edge; the first contains start, the last end
+ * @return straight pieces that join at vertices of the strip. No piece begins and ends at the same
+ *         vertex; there is no piece if start and end are the same vertex.
  * Time O(number of faces) but for contrived strips.
  */
 std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathPoint& start,

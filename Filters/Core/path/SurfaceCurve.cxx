@@ -24,12 +24,12 @@ SurfacePath joinedCurve(
       curve.push_back(next);
       continue;
     }
-    const auto way = shortestPath(solver, points[i - 1], points[i], {}, {});
-    if (!way)
+    const auto path = shortestPath(solver, points[i - 1], points[i], {}, {});
+    if (!path)
     {
       throwUnjoined(name, i);
     }
-    curve.insert(curve.end(), way->begin() + 1, way->end());
+    curve.insert(curve.end(), path->begin() + 1, path->end());
   }
   return curve;
 }

@@ -14,7 +14,8 @@ namespace geodesic
 namespace
 {
 
-/** A turn is worth its while when this much less than half a turn; its gain goes by the square. */
+/** An angle counts as below 180 degrees if it is so by more than this, in radians. The gain in
+ * length is proportional to the square of the difference. */
 constexpr double LeastTurn = 1e-7;
 
 }
@@ -115,7 +116,7 @@ std::optional<std::vector<Triangle>> VertexLink::shorterSide(
   {
     angles[source->nodes[i]] = source->angles[i];
   }
-  // Arcs follow each other round the vertex, so one sweep forwards and one back settle most links.
+  // Arcs follow each other round the vertex, so one pass forwards and one back settle most links.
   const auto relax = [&](const Arc& arc)
   {
     bool changes = false;

@@ -13,9 +13,10 @@ namespace geodesic
 {
 
 /**
- * The directions in which the faces round a vertex can be entered: a graph whose nodes are the
- * vertex's neighbours and whose arcs are its crossable faces, of their angle's length. On a smooth
- * surface it is one circle; on a boundary, a chain; with edges of more than two faces, any graph.
+ * The directions in which the faces round a vertex can be entered, as a graph. Its nodes are the
+ * vertex's neighbours. Its arcs are the vertex's crossable faces; the length of an arc is the
+ * face's angle at the vertex. The graph is one circle inside a surface and a chain on a boundary;
+ * with edges of more than two faces it can be any graph.
  */
 class VertexLink
 {
@@ -23,34 +24,41 @@ public:
   VertexLink(const WeightedMesh& weighted, Index vertex);
 
   /**
-   * A path comes to the vertex from @p from and leaves it to @p to.
-   * @return the faces to turn through on the side where the angle between the two is smallest,
-   * if it is less than half a turn: the path is shorter there than through the vertex. The faces
-   * that the two points lie in are among them, where they are not passed along an edge.
+   * The side on which a path that bends at the vertex gets shorter.
+   * @param from, to  points of the path before and after the vertex, each in a face with it
+   * @return the faces round the vertex on the side where the angle between the two points is
+   * smallest, if it is less than 180 degrees; nothing otherwise. The faces in which the points lie
+   * are among them, unless the path runs along an edge there.
    */
   std::optional<std::vector<Triangle>> shorterSide(
     const PathPoint& from, const PathPoint& to) const;
 
 private:
+  /** A face as an arc between two nodes. */
   struct Arc
   {
     std::size_t first;
     std::size_t second;
     double angle;
   };
-  /** A direction between two nodes, at an angle from each; twice the same for a node's own. */
+  /** A direction between two nodes, with its angle to each. For the direction of a node both are
+   * that node. */
   struct Direction
   {
     std::array<std::size_t, 2> nodes;
     std::array<double, 2> angles;
   };
 
+  /** The place of a neighbour in Nodes. */
   std::size_t nodeOf(Index neighbour) const;
+  /** The direction from the vertex to a point; nothing if the point's face is not crossable. */
   std::optional<Direction> directionTo(const PathPoint& point) const;
+  /** The angle between two points as seen from the vertex. */
   double angleBetween(const Vector3& a, const Vector3& b) const;
 
   const WeightedMesh& Surface;
   Index Vertex;
+  /** The neighbours, sorted by number. */
   std::vector<Index> Nodes;
   std::vector<Arc> Arcs;
 };

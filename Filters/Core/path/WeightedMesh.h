@@ -11,11 +11,12 @@
 namespace geodesic
 {
 
-/** A mesh with its costs and barriers, as a path sees it. */
+/** A mesh with the costs and barriers that paths on it must respect. */
 class WeightedMesh
 {
 public:
-  /** @param options as they were for the field; what they refer to must live as long as this */
+  /** @param options those with which the field was solved; they and the mesh must live as long as
+   * this object */
   WeightedMesh(const TriangleMesh& mesh, const SolveOptions& options)
     : Mesh(mesh)
     , Options(options)
@@ -24,7 +25,8 @@ public:
   }
 
   const TriangleMesh& mesh() const { return this->Mesh; }
-  /** The triangles round a vertex. @throws IncompleteRing */
+  /** The ring of a vertex. @throws IncompleteRing if the mesh lacks triangles of the surface there
+   */
   std::span<const RingEntry> ring(Index vertex) const
   {
     if (this->Options.isIncomplete(vertex))
@@ -39,7 +41,8 @@ public:
   bool isOpen(Index vertex, std::size_t i) const { return this->Closed.isOpen(vertex, i); }
   /** Whether a path may run along the edge to entry @p i of the ring of @p vertex. */
   bool isOpenEdge(Index vertex, std::size_t i) const { return this->Closed.isOpenEdge(vertex, i); }
-  /** The same for a path across the triangle: like a front it keeps off excluded corners. */
+  /** Whether a path may cross the triangle that entry @p i of the ring of @p vertex opens: it is
+   * open and, as for a front, no corner is excluded. */
   bool isCrossable(Index vertex, std::size_t i) const
   {
     if (!this->isOpen(vertex, i))
@@ -51,9 +54,10 @@ public:
       !this->isExcluded(ring[i + 1].neighbour());
   }
 
-  /** Whether a length may count other than once. */
+  /** Whether there are costs; without them the cost is 1. */
   bool hasCosts() const { return !this->Options.cost.empty(); }
   double costOf(Index vertex) const { return this->hasCosts() ? this->Options.cost[vertex] : 1.0; }
+  /** The cost of a face: the mean of its corners' costs. */
   double costOf(const Triangle& face) const
   {
     return this->hasCosts()
@@ -67,7 +71,7 @@ private:
   ClosedTriangles Closed;
 };
 
-/** Calls @p visit with every open face that the point lies in. */
+/** Calls @p visit with each open face in which the point lies. */
 template <class Visit>
 inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visit&& visit)
 {

@@ -9,7 +9,7 @@ namespace geodesic
 namespace
 {
 
-/** Sine of the angle below which a path runs straight through a point. */
+/** A path counts as straight at a point if the sine of its bend is not above this. */
 constexpr double StraightSine = 1e-9;
 
 bool isStraightAt(const Vector3& before, const Vector3& here, const Vector3& after)

@@ -10,15 +10,16 @@
 namespace geodesic
 {
 
-/** Where a vertex of a mesh is on the base mesh that it was split from. */
+/** Gives the place of a split mesh's vertex on the base mesh. */
 using OriginOf = std::function<PathPoint(Index vertex)>;
 
-/** A point of the split mesh, on the base mesh. */
+/** The place of a split mesh's point on the base mesh. */
 PathPoint basePoint(const PathPoint& point, const OriginOf& originOf);
 
 /**
- * A path of the split mesh on the base mesh, without the points inside faces that it runs straight
- * through.
+ * A path of the split mesh as a path on the base mesh.
+ * @param split  the split mesh
+ * @return the path without its points inside faces of the base mesh at which it does not bend
  */
 SurfacePath basePath(const TriangleMesh& split, const SurfacePath& path, const OriginOf& originOf);
 

@@ -13,7 +13,7 @@ namespace geodesic
 namespace
 {
 
-/** Places nearer to each other than this part of the face's size are one. */
+/** Two places are one if they are nearer to each other than this part of the longest side. */
 constexpr double RelativeTolerance = 1e-10;
 
 double orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
@@ -73,7 +73,8 @@ Index FaceTriangulation::addInside(const PlanePoint& point)
       return i;
     }
   }
-  // The piece that the point is deepest in: rounding may put it outside of all.
+  // The point goes into the piece in which it is deepest: by rounding it may be outside all of
+  // them.
   Index deepest = 0;
   int nearest = 0;
   double depth = -std::numeric_limits<double>::infinity();
@@ -109,15 +110,15 @@ Index FaceTriangulation::addInside(const PlanePoint& point)
 
 std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
 {
-  std::vector<Index> way{ from };
+  std::vector<Index> passed{ from };
   const auto goTo = [&](Index point)
   {
-    this->Fixed.insert(std::minmax(way.back(), point));
-    way.push_back(point);
+    this->Fixed.insert(std::minmax(passed.back(), point));
+    passed.push_back(point);
   };
-  while (way.back() != to)
+  while (passed.back() != to)
   {
-    const Index here = way.back();
+    const Index here = passed.back();
     const PlanePoint target = this->Points[to];
     const double left = distance(this->Points[here], target);
     Index next = NoIndex;
@@ -139,7 +140,7 @@ std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
           std::abs(height(this->Points[here], target, point)) <= this->Tolerance;
         next = end == to || (isAhead && next != to) ? end : next;
       }
-      // How far the way to the target lies between the two sides.
+      // How far inside the angle of the piece the target lies; negative outside.
       const double between = std::min(height(this->Points[here], this->Points[a], target),
         height(this->Points[b], this->Points[here], target));
       if (between > inside)
@@ -167,7 +168,7 @@ std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
     }
     goTo(next);
   }
-  return way;
+  return passed;
 }
 
 std::vector<Triangle> FaceTriangulation::triangles() const
@@ -223,7 +224,8 @@ void FaceTriangulation::splitPiece(Index piece, Index point)
 
 void FaceTriangulation::splitSide(Index piece, int corner, Index point)
 {
-  // The side runs from a to b as the piece sees it, from b to a as the one across does.
+  // The side runs from a to b in the order of the piece's corners, from b to a in that of the piece
+  // across.
   const Piece old = this->Pieces[piece];
   const Index apex = old.corners[corner];
   const Index a = old.corners[(corner + 1) % 3];
@@ -303,7 +305,7 @@ bool FaceTriangulation::flipImproves(Index piece, int corner) const
     return std::atan2(std::abs(orientation(apex, u, v)),
       (u.x - apex.x) * (v.x - apex.x) + (u.y - apex.y) * (v.y - apex.y));
   };
-  // Delaunay: opposite angles sum up to half a turn at most.
+  // An edge is Delaunay if the two angles opposite to it sum to at most 180 degrees.
   return angle(p, first, second) + angle(q, first, second) > std::numbers::pi + 1e-9;
 }
 
@@ -319,7 +321,7 @@ void FaceTriangulation::flip(Index piece, int corner)
   const Index q = oldAcross.corners[opposite];
   const Index beyondA = old.neighbours[(corner + 2) % 3];
   const Index beyondB = old.neighbours[(corner + 1) % 3];
-  // Across sees the side from b to a.
+  // In the piece across, the side runs from b to a.
   const Index acrossBeyondA = oldAcross.neighbours[(opposite + 1) % 3];
   const Index acrossBeyondB = oldAcross.neighbours[(opposite + 2) % 3];
   this->Pieces[piece] = { { p, a, q }, { acrossBeyondA, across, beyondA } };

@@ -21,29 +21,30 @@ struct PlanePoint
 };
 
 /**
- * One face cut up along segments: a constrained Delaunay triangulation of a triangle, with points
- * on its border and inside. Where a segment crosses another, or an edge in its way, a point is
- * added. Border points are placed by their order on the border, not by their coordinates, so that
- * the faces on both sides of an edge are always cut alike. Made for tens of points, not thousands:
- * O(n^2).
+ * One face cut into pieces along segments: a constrained Delaunay triangulation of a triangle, with
+ * points on its border and inside. Where a segment crosses another segment or an edge between
+ * pieces, a point is added. Border points are placed by their order on the border, not by their
+ * coordinates, so the faces on both sides of an edge are always cut alike there. Made for tens of
+ * points, not thousands: time O(n^2) for n points.
  */
 class FaceTriangulation
 {
 public:
-  /** Corners are points 0, 1 and 2, counterclockwise. */
+  /** @param corners counterclockwise; they become points 0, 1 and 2 */
   explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
 
   /**
-   * Adds a point on the border between two neighbours on it.
+   * Adds a point on the border between two points that are neighbours on it.
    * @return its number
+   * @throws std::logic_error if they are no neighbours on the border
    */
   Index addOnBorder(Index before, Index after, const PlanePoint& point);
-  /** Adds a point inside. @return its number, or that of a point at the same place */
+  /** Adds a point inside. @return its number, or that of a point that is already at this place */
   Index addInside(const PlanePoint& point);
   /**
-   * Makes the straight way from one point to another run along edges.
-   * @return the points along it, both ends among them; more may come between them with later
-   * segments, so ask again (an added segment changes nothing) when all are there
+   * Makes the straight segment from one point to another run along edges.
+   * @return the points along it, with both ends. Later segments may add points between them: call
+   * it again when all segments are there, which changes nothing but returns all points.
    */
   std::vector<Index> addSegment(Index from, Index to);
 
@@ -51,30 +52,39 @@ public:
   std::vector<Triangle> triangles() const;
 
 private:
-  /** Neighbour i is over the side opposite to corner i; NoIndex at the border. */
+  /** A triangle of the triangulation. Neighbour i is the piece over the side opposite to corner i;
+   * NoIndex at the border. */
   struct Piece
   {
     Triangle corners;
     std::array<Index, 3> neighbours;
   };
 
+  /** Whether the edge between two points is a part of a segment, which no flip removes. */
   bool isFixed(Index a, Index b) const;
+  /** The number, 0 to 2, of the corner of a piece that is opposite to a neighbouring piece. */
   int cornerOpposite(Index piece, Index neighbour) const;
+  /** The number of the corner of a piece that is a point; 3 if none is. */
   int cornerAt(Index piece, Index point) const;
+  /** Replaces neighbour @p from of a piece by @p to. Does nothing for NoIndex. */
   void relink(Index piece, Index from, Index to);
-  /** Cuts a piece in three. */
+  /** Cuts a piece into three at a point inside it. */
   void splitPiece(Index piece, Index point);
-  /** Cuts the side opposite to a corner, and so one piece or two in two each. */
+  /** Cuts the side opposite to a corner at a point, and so each piece beside it into two. */
   void splitSide(Index piece, int corner, Index point);
-  /** Flips sides opposite to @p point until they are Delaunay. */
+  /** Flips the sides opposite to @p point in @p pieces, and in those that flips make, until they
+   * are Delaunay. */
   void legalize(std::vector<Index> pieces, Index point);
+  /** Whether the side opposite to a corner may be flipped and is not Delaunay. */
   bool flipImproves(Index piece, int corner) const;
+  /** Replaces the side opposite to a corner by the other diagonal of its two pieces. */
   void flip(Index piece, int corner);
 
   std::vector<PlanePoint> Points;
   std::vector<Piece> Pieces;
+  /** The edges that are parts of segments, smaller point first. */
   std::set<std::pair<Index, Index>> Fixed;
-  /** Length below which two places are one. */
+  /** Two places are one if they are not farther apart than this. */
   double Tolerance;
 };
 

@@ -12,22 +12,22 @@ namespace geodesic
 namespace
 {
 
-/** Places nearer to each other than this part of an edge, or of a face, are one. */
+/** Two places are one if their weights in an edge or a face differ by no more than this. */
 constexpr double Tolerance = 1e-9;
 
-/** The point with weights below the tolerance set to 0. */
+/** A point whose weights below the tolerance are set to 0. */
 PathPoint snappedPoint(const PathPoint& point)
 {
   const SurfacePoint snappedWeights = snapped({ 0, point.weights }, Tolerance);
   return { point.corners, snappedWeights.weights };
 }
 
-/** Below this height over the longest side a triangle is drawn with another shape. */
+/** A triangle whose height is below this part of its longest side is laid flat in another shape. */
 constexpr double ThinHeight = 1e-6;
 
 /**
- * A triangle of a mesh laid in the plane; one without a height, to speak of, as an equilateral one.
- * Straight lines stay straight, and points that are apart stay so.
+ * The corners of a mesh's triangle in the plane. A triangle with almost no height becomes an
+ * equilateral one: straight lines stay straight, and different points stay different.
  */
 std::array<PlanePoint, 3> laidFlat(const TriangleMesh& mesh, const Triangle& corners)
 {
@@ -43,6 +43,7 @@ std::array<PlanePoint, 3> laidFlat(const TriangleMesh& mesh, const Triangle& cor
   return { { {}, { length, 0.0 }, { dot(other, side) / length, doubleArea / length } } };
 }
 
+/** The place in the plane of a point on a triangle that was laid flat. */
 PlanePoint placed(
   const PathPoint& point, const Triangle& corners, const std::array<PlanePoint, 3>& flat)
 {
@@ -56,7 +57,7 @@ PlanePoint placed(
   return place;
 }
 
-/** The other way round. */
+/** The inverse of placed(): the point of the triangle at a place in the plane. */
 PathPoint originOf(
   const PlanePoint& place, const Triangle& corners, const std::array<PlanePoint, 3>& flat)
 {
@@ -222,7 +223,7 @@ void MeshSplitter::splitTriangle(Index triangle)
     {
       continue;
     }
-    // From the smaller vertex on, as the points are sorted.
+    // The points are sorted by their fraction of the edge from its smaller vertex.
     Index before = numbers[onEdge->first.first];
     const Index end = numbers[onEdge->first.second];
     for (const auto& [fraction, point] : onEdge->second)
@@ -252,11 +253,11 @@ void MeshSplitter::splitTriangle(Index triangle)
     }
     for (const Edge& segment : segments->second)
     {
-      std::vector<Index>& way = this->Ways[segment];
-      way.clear();
+      std::vector<Index>& along = this->PiecesOfSegment[segment];
+      along.clear();
       for (Index number : pieces.addSegment(numbers[segment.first], numbers[segment.second]))
       {
-        way.push_back(points[number]);
+        along.push_back(points[number]);
       }
     }
   }
@@ -270,7 +271,7 @@ void MeshSplitter::splitTriangle(Index triangle)
 std::vector<Index> MeshSplitter::alongEdge(Index a, Index b) const
 {
   const Carriers ends = unionOf(this->Origins[a], this->Origins[b]);
-  std::vector<Index> way{ a };
+  std::vector<Index> points{ a };
   const auto onEdge =
     ends.size() == 2 ? this->EdgePoints.find(edgeOf(ends[0], ends[1])) : this->EdgePoints.end();
   if (onEdge != this->EdgePoints.end())
@@ -282,16 +283,16 @@ std::vector<Index> MeshSplitter::alongEdge(Index a, Index b) const
     {
       if (fraction > std::min(from, to) && fraction < std::max(from, to))
       {
-        way.push_back(point);
+        points.push_back(point);
       }
     }
     if (from > to)
     {
-      std::reverse(way.begin() + 1, way.end());
+      std::reverse(points.begin() + 1, points.end());
     }
   }
-  way.push_back(b);
-  return way;
+  points.push_back(b);
+  return points;
 }
 
 std::vector<Index> MeshSplitter::curve(std::size_t number) const
@@ -301,14 +302,15 @@ std::vector<Index> MeshSplitter::curve(std::size_t number) const
   for (std::size_t i = 1; i < points.size(); ++i)
   {
     const Edge segment = edgeOf(points[i - 1], points[i]);
-    const auto inFace = this->Ways.find(segment);
-    std::vector<Index> way =
-      inFace == this->Ways.end() ? this->alongEdge(points[i - 1], points[i]) : inFace->second;
-    if (inFace != this->Ways.end() && points[i - 1] != segment.first)
+    const auto inFace = this->PiecesOfSegment.find(segment);
+    std::vector<Index> along = inFace == this->PiecesOfSegment.end()
+      ? this->alongEdge(points[i - 1], points[i])
+      : inFace->second;
+    if (inFace != this->PiecesOfSegment.end() && points[i - 1] != segment.first)
     {
-      std::reverse(way.begin(), way.end());
+      std::reverse(along.begin(), along.end());
     }
-    all.insert(all.end(), way.begin() + 1, way.end());
+    all.insert(all.end(), along.begin() + 1, along.end());
   }
   return all;
 }
@@ -357,7 +359,8 @@ void MeshSplitter::cutAlong(std::span<const std::size_t> curves)
 void MeshSplitter::openAt(
   Index point, const std::vector<Index>& triangles, const std::vector<Triangle>& uncut)
 {
-  // Triangles round the point that hang together over edges that are no cuts are one side.
+  // A side of the cuts consists of triangles round the point that are connected over edges which
+  // are no cuts.
   std::vector<Index> todo = triangles;
   for (bool isFirst = true; !todo.empty(); isFirst = false)
   {

@@ -15,30 +15,35 @@
 namespace geodesic
 {
 
-/** Splits the triangles of a mesh along curves; what SplitMesh is made by. */
+/**
+ * Splits the triangles of a mesh along curves, for SplitMesh. Calls come in this order: add() for
+ * each curve, split(), curve(), cutAlong(); results last.
+ *
+ * Points are numbered: first the vertices of the base mesh, then new points.
+ */
 class MeshSplitter
 {
 public:
   explicit MeshSplitter(const TriangleMesh& base);
 
   /**
-   * A curve to run along edges. All curves must be given before the first is asked for.
-   * @return its number
+   * Adds a curve that is to run along edges. @pre split() was not called
+   * @return the number of the curve
    * @throws std::invalid_argument for consecutive points that share no face
    */
   std::size_t add(const SurfacePath& curve);
-  /** Splits the triangles along the curves. */
+  /** Splits the triangles along all curves that were added. */
   void split();
-  /** Cuts the split triangles open along a curve. */
+  /** Cuts the split triangles open along curves. @param curves their numbers */
   void cutAlong(std::span<const std::size_t> curves);
 
-  // Points are numbered: the base mesh's vertices first.
-
+  /** The place of each point on the base mesh. */
   const std::vector<PathPoint>& origins() const { return this->Origins; }
+  /** The triangles, of the numbers of points. */
   const std::vector<Triangle>& triangles() const { return this->Triangles; }
-  /** By the numbers of triangles. */
+  /** For each triangle the triangle of the base mesh of which it is a part. */
   const std::vector<Index>& baseTriangles() const { return this->BaseTriangles; }
-  /** The points along a curve. */
+  /** The points along the curve of a number. @pre split() was called */
   std::vector<Index> curve(std::size_t number) const;
   /** Edges along which the mesh is cut, smaller point first. */
   const std::set<std::pair<Index, Index>>& cutEdges() const { return this->CutEdges; }
@@ -48,27 +53,34 @@ public:
 private:
   using Edge = std::pair<Index, Index>;
 
+  /** The point at a place on the base mesh; a new one if there is none yet. */
   Index pointAt(const PathPoint& place);
   Index addPoint(const PathPoint& origin);
+  /** Adds the pieces of a triangle of the base mesh. */
   void splitTriangle(Index triangle);
-  /** The points from a to b, which lie on one edge of the base mesh. */
+  /** The points from a to b, with both. @pre a and b lie on one edge of the base mesh */
   std::vector<Index> alongEdge(Index a, Index b) const;
+  /** Cuts the mesh open at a point on cuts: each side of the cuts but one gets a new point there.
+   * @param triangles  those round the point
+   * @param uncut      all triangles before any point was replaced */
   void openAt(Index point, const std::vector<Index>& triangles, const std::vector<Triangle>& uncut);
 
   const TriangleMesh& Base;
   std::vector<PathPoint> Origins;
   std::vector<Triangle> Triangles;
   std::vector<Index> BaseTriangles;
-  /** Points on an edge of the base mesh, by the fraction of the way from its smaller vertex. */
+  /** The points on each edge of the base mesh, by the fraction of the edge from its smaller vertex
+   * to them. */
   std::map<Edge, std::map<double, Index>> EdgePoints;
+  /** The points inside each face of the base mesh, and the segments of curves across it. */
   std::map<Index, std::vector<Index>> FacePoints;
   std::map<Index, std::vector<Edge>> FaceSegments;
-  /** What became of a segment inside a face. */
-  std::map<Edge, std::vector<Index>> Ways;
+  /** For each segment inside a face, the points along it: the ends of its pieces after split(). */
+  std::map<Edge, std::vector<Index>> PiecesOfSegment;
   std::vector<std::vector<Index>> Curves;
   std::set<Edge> CutEdges;
   std::set<Index> OnCut;
-  /** Where the triangles of split ones begin. */
+  /** The number of the first triangle that is a piece of a split one. */
   std::size_t FirstPiece = 0;
 };
 

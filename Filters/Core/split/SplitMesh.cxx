@@ -11,12 +11,18 @@ namespace geodesic
 namespace
 {
 
-/** Weights of a point of a triangle with respect to another one in it; some are negative outside.
+/**
+ * The weights of a point of a triangle with respect to a smaller triangle inside it.
+ * @param inner    corners of the smaller triangle
+ * @param outer    corners of the larger one
+ * @param weights  of the point in the larger one
+ * @return some of them are negative if the point is outside the smaller one; -1 each if that has no
+ *         area
  */
 std::array<double, 3> weightsIn(const std::array<PathPoint, 3>& inner, const Triangle& outer,
   const std::array<double, 3>& weights)
 {
-  // Barycentric weights are affine coordinates, of which two suffice.
+  // Two of the barycentric weights are affine coordinates in the triangle.
   const auto x = [&](int i) { return weightOf(inner[i], outer[1]); };
   const auto y = [&](int i) { return weightOf(inner[i], outer[2]); };
   const double determinant = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));

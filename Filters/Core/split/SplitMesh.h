@@ -18,71 +18,76 @@ namespace geodesic
 {
 
 /**
- * A copy of a mesh whose triangles are split so that curves run along edges, and which is cut open
- * along some of them: the vertices made for a cut are there once for each side of it. So nothing
- * that goes over faces or edges passes a cut, but round its ends.
+ * A copy of a mesh, the base mesh, whose triangles are split so that curves run along edges. The
+ * copy is cut open along some of the curves: each vertex made for a cut exists once for each side
+ * of it. So fronts and paths over faces and edges pass a cut only round its ends.
  *
- * Where a cut goes through a vertex of the base mesh, that one vertex stays, and is on no side; it
- * is to be excluded (see excluded()).
+ * A vertex of the base mesh on a cut stays a single vertex, on no side of the cut. It must be
+ * excluded (see excluded()).
  */
 class SplitMesh
 {
 public:
   /**
-   * @param base   is shared
-   * @param curves to run along edges
-   * @param cuts   the same, and to be cut open
+   * @param base   the mesh to split; the object keeps it
+   * @param curves curves that are to run along edges
+   * @param cuts   curves that are to run along edges, and to be cut open
+   * @throws std::invalid_argument for a curve with consecutive points that share no face
    * Time and memory O(size of the mesh); O(k^2) for k pieces of curves in one face.
    */
   SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const SurfacePath> curves,
     std::span<const SurfacePath> cuts);
 
-  /** Whether a path leaves the mesh's vertices and edges, so that it splits faces. */
+  /** Whether a path has a point that is no vertex, so that it splits faces. */
   static bool splits(const SurfacePath& path);
 
   const TriangleMesh& base() const { return *this->Base; }
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
 
-  /** The vertex that stands for a vertex of the base mesh. */
+  /** The vertex of the split mesh for a vertex of the base mesh. */
   Index vertexOf(Index baseVertex) const { return this->Mesh->vertexOfPoint(baseVertex); }
-  /** Where a vertex is on the base mesh. */
+  /** The place of a vertex on the base mesh. */
   const PathPoint& origin(Index vertex) const
   {
     return this->Origins[this->Mesh->pointOfVertex(vertex)];
   }
+  /** The triangle of the base mesh of which a triangle is a part. */
   Index baseTriangleOf(Index triangle) const
   {
     return this->BaseTriangles[this->Mesh->sourceOfTriangle(triangle)];
   }
-  /** A point of the base mesh. */
+  /** The point of the split mesh for a point of the base mesh. */
   SurfacePoint pointOf(const SurfacePoint& basePoint) const;
-  /** The points of curve @p number, at vertices. */
+  /** The points of the curve of a number in `curves`, all at vertices. */
   std::vector<SurfacePoint> curve(std::size_t number) const;
 
-  /** Whether a point of this mesh lies on a cut. */
+  /** Whether a point of the split mesh lies on a cut. */
   bool isOnCut(const SurfacePoint& point) const;
-  /** Per vertex: whether it stands for an excluded vertex of the base mesh, or one on a cut. */
+  /** For each vertex 1 if it stands for a vertex of the base mesh that is excluded or on a cut,
+   * else 0. @param baseExcluded such flags for the base mesh; empty for none */
   std::vector<std::uint8_t> excluded(std::span<const std::uint8_t> baseExcluded) const;
-  /** The same, and all other vertices on cuts, for ways along edges. */
+  /** The same, with 1 also for all other vertices on cuts; for paths along edges. */
   std::vector<std::uint8_t> excludedForEdges(std::span<const std::uint8_t> baseExcluded) const;
-  /** Per vertex, interpolated. */
+  /** The cost of each vertex, interpolated from those of the base mesh. */
   std::vector<double> cost(std::span<const double> baseCost) const;
-  /** Per triangle: whether it is part of a closed one. */
+  /** For each triangle the flag of the base mesh's triangle of which it is a part: 1 if closed. */
   std::vector<std::uint8_t> closed(std::span<const std::uint8_t> baseClosed) const;
-  /** The region with all vertices in faces and on edges that lie within it. */
+  /** A region's vertices: those of the base mesh in @p baseVertices, and new ones on edges and in
+   * faces whose corners are all among these. */
   std::vector<Index> region(const std::vector<Index>& baseVertices) const;
 
 private:
   std::shared_ptr<const TriangleMesh> Base;
   std::shared_ptr<const TriangleMesh> Mesh;
-  // By the number of a point given to the mesh: first the base mesh's vertices, then the new ones.
+  // Indexed by the number of a point given to the mesh: first the base mesh's vertices, then new
+  // ones.
   std::vector<PathPoint> Origins;
   std::vector<std::uint8_t> OnCut;
   std::vector<std::vector<Index>> Curves;
   std::set<std::pair<Index, Index>> CutEdges;
-  /** By the number of a triangle given to the mesh. */
+  /** Indexed by the number of a triangle given to the mesh. */
   std::vector<Index> BaseTriangles;
-  /** Split triangles of the base mesh, in order, each with the triangles in it. */
+  /** Pairs of a split triangle of the base mesh and a triangle in it, sorted. */
   std::vector<std::pair<Index, Index>> PiecesOfSplit;
 };
 
