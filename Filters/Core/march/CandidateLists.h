@@ -137,11 +137,11 @@ public:
   {
     const Masks again = batch.again.all();
     // The first neighbour's bit is also needed in the slot where it comes again.
-    const auto closed = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
+    const auto withRepeated = [&](const Masks& masks) { return masks | (again & -(masks & 1)); };
     const Masks isOpen = openTriangles(batch);
     const Masks isThin = batch.isThin.all();
-    const Masks isSettled = ~closed(batch.isQueued.all());
-    const Masks along = closed(batch.along.all());
+    const Masks isSettled = ~withRepeated(batch.isQueued.all());
+    const Masks along = withRepeated(batch.along.all());
     // If the other end of an edge waits in the queue, the edge is crossed when that end is taken.
     // In a thin triangle it is crossed at once: what lies behind the edge may have a lower value
     // than the end that waits, and be taken first.

@@ -25,7 +25,7 @@ namespace geodesic
  * field. Near a border between labels most vertices have one. So each vertex has a place for its
  * first secondary value, which is found without a search: this value is "in place". The others of
  * the vertex are in a linked list, the chain behind it. Secondary values have numbers: one in place
- * has the number of its vertex, the others have the numbers from there on.
+ * has the number of its vertex, the others have numbers behind those.
  */
 class SecondaryValues
 {
