@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/StripFunnel.h"
 
+#include "base/PlanePoint.h"
+
 #include <cmath>
 #include <span>
 
@@ -10,19 +12,7 @@ namespace geodesic
 namespace
 {
 
-/** A point of the strip laid flat. */
-struct Flat
-{
-  double x;
-  double y;
-};
-
-double orientation(const Flat& a, const Flat& b, const Flat& c)
-{
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool isSame(const Flat& a, const Flat& b)
+bool isSame(const PlanePoint& a, const PlanePoint& b)
 {
   return a.x == b.x && a.y == b.y;
 }
@@ -38,8 +28,8 @@ struct Portal
 {
   Index left;
   Index right;
-  Flat flatLeft;
-  Flat flatRight;
+  PlanePoint flatLeft;
+  PlanePoint flatRight;
 };
 
 /** The two corners that consecutive faces share, and the other corner of each. */
@@ -106,11 +96,11 @@ public:
   }
 
   std::span<const Portal> portals() const { return this->Portals; }
-  Flat start(const PathPoint& point) const
+  PlanePoint start(const PathPoint& point) const
   {
     return this->place(point, this->Portals.front(), this->FirstApex, this->First);
   }
-  Flat end(const PathPoint& point) const
+  PlanePoint end(const PathPoint& point) const
   {
     return this->place(point, this->Portals.back(), this->LastApex, this->Last);
   }
@@ -118,12 +108,12 @@ public:
 private:
   /** The place of a face's corner opposite to a portal. @param side 1 for the face beyond the
    * portal, -1 for the face before it */
-  Flat apex(const Portal& portal, Index corner, double side) const
+  PlanePoint apex(const Portal& portal, Index corner, double side) const
   {
     const Vector3 edge = this->Mesh.position(portal.right) - this->Mesh.position(portal.left);
     const Vector3 toCorner = this->Mesh.position(corner) - this->Mesh.position(portal.left);
     const double length = norm(edge);
-    const Flat flatEdge{ portal.flatRight.x - portal.flatLeft.x,
+    const PlanePoint flatEdge{ portal.flatRight.x - portal.flatLeft.x,
       portal.flatRight.y - portal.flatLeft.y };
     const double flatLength = std::hypot(flatEdge.x, flatEdge.y);
     if (!(length > 0.0 && flatLength > 0.0))
@@ -131,21 +121,22 @@ private:
       // Both ends are one point, through which every path goes. So any direction will do.
       return { portal.flatLeft.x, portal.flatLeft.y + side * norm(toCorner) };
     }
-    const Flat along{ flatEdge.x / flatLength, flatEdge.y / flatLength };
+    const PlanePoint along{ flatEdge.x / flatLength, flatEdge.y / flatLength };
     const double x = dot(toCorner, edge) / length;
     const double h = side * norm(cross(toCorner, edge)) / length;
     return { portal.flatLeft.x + x * along.x - h * along.y,
       portal.flatLeft.y + x * along.y + h * along.x };
   }
 
-  static Flat place(const PathPoint& point, const Portal& portal, Index apex, const Flat& flatApex)
+  static PlanePoint place(
+    const PathPoint& point, const Portal& portal, Index apex, const PlanePoint& flatApex)
   {
-    Flat flat{ 0.0, 0.0 };
+    PlanePoint flat{ 0.0, 0.0 };
     for (int i = 0; i < 3; ++i)
     {
-      const Flat& corner = point.corners[i] == apex ? flatApex
-        : point.corners[i] == portal.left           ? portal.flatLeft
-                                                    : portal.flatRight;
+      const PlanePoint& corner = point.corners[i] == apex ? flatApex
+        : point.corners[i] == portal.left                 ? portal.flatLeft
+                                                          : portal.flatRight;
       flat.x += point.weights[i] * corner.x;
       flat.y += point.weights[i] * corner.y;
     }
@@ -156,15 +147,15 @@ private:
   std::vector<Portal> Portals;
   Index FirstApex = NoIndex;
   Index LastApex = NoIndex;
-  Flat First{};
-  Flat Last{};
+  PlanePoint First{};
+  PlanePoint Last{};
 };
 
 /** A vertex at which the shortest path bends. */
 struct Bend
 {
   Index vertex;
-  Flat flat;
+  PlanePoint flat;
   /** The number of a portal with this vertex as an end. */
   std::size_t portal;
 };
@@ -173,10 +164,11 @@ struct Bend
  * The bends of the shortest path through the portals. A vertex that the path only touches counts as
  * a bend, because the path may be shorter on the vertex's other side.
  */
-std::vector<Bend> bendsThrough(std::span<const Portal> portals, const Flat& start, const Flat& end)
+std::vector<Bend> bendsThrough(
+  std::span<const Portal> portals, const PlanePoint& start, const PlanePoint& end)
 {
   std::vector<Bend> bends;
-  Flat apex = start;
+  PlanePoint apex = start;
   Bend left{ NoIndex, start, 0 };
   Bend right = left;
   for (std::size_t i = 0; i <= portals.size(); ++i)
@@ -241,7 +233,7 @@ Range trimmed(
 /** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
 constexpr double VertexFraction = 1e-12;
 
-PathPoint crossingOf(const Portal& portal, const Flat& start, const Flat& end)
+PathPoint crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
 {
   const double left = orientation(start, end, portal.flatLeft);
   const double right = orientation(start, end, portal.flatRight);
@@ -290,14 +282,14 @@ std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathP
   }
   const Unfolding unfolding(mesh, strip);
   const std::span<const Portal> portals = unfolding.portals();
-  const Flat flatStart = unfolding.start(start);
-  const Flat flatEnd = unfolding.end(end);
+  const PlanePoint flatStart = unfolding.start(start);
+  const PlanePoint flatEnd = unfolding.end(end);
 
   std::vector<StraightPiece> pieces;
   PathPoint from = start;
-  Flat flatFrom = flatStart;
+  PlanePoint flatFrom = flatStart;
   std::size_t firstFace = 0;
-  const auto addPiece = [&](const PathPoint& to, const Flat& flatTo, std::size_t lastFace)
+  const auto addPiece = [&](const PathPoint& to, const PlanePoint& flatTo, std::size_t lastFace)
   {
     if (isSameVertex(from, to))
     {

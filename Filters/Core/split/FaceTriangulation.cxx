@@ -16,11 +16,6 @@ namespace
 /** Two places are one if they are nearer to each other than this part of the longest side. */
 constexpr double RelativeTolerance = 1e-10;
 
-double orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
-{
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 double distance(const PlanePoint& a, const PlanePoint& b)
 {
   return std::hypot(b.x - a.x, b.y - a.y);

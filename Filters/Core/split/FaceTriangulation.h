@@ -4,6 +4,7 @@
 #define geodesic_FaceTriangulation_h
 
 #include "base/Index.h"
+#include "base/PlanePoint.h"
 
 #include <array>
 #include <set>
@@ -12,13 +13,6 @@
 
 namespace geodesic
 {
-
-/** A point in the plane of a face. */
-struct PlanePoint
-{
-  double x = 0.0;
-  double y = 0.0;
-};
 
 /**
  * One face cut into pieces along segments: a constrained Delaunay triangulation of a triangle, with
