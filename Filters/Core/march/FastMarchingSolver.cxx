@@ -52,7 +52,8 @@ std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const Sol
 
 }
 
-FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads)
+FastMarchingSolver::FastMarchingSolver(
+  const std::shared_ptr<const TriangleMesh>& mesh, bool mayUseQuads)
   : FastMarchingSolver(mesh, std::make_shared<UpdateBounds>(*mesh), mayUseQuads)
 {
 }

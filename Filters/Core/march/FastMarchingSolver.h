@@ -8,8 +8,6 @@
 #if !GEODESIC_HAS_LANES
 #include "march/ReferenceSolver.h"
 
-#include <utility>
-
 namespace geodesic
 {
 /** With a compiler without vector extensions, ReferenceSolver stands in for the batched solver. */
@@ -18,8 +16,8 @@ class FastMarchingSolver final : public ReferenceSolver
 public:
   /** @param mayUseQuads has no effect: numbers are treated one at a time */
   explicit FastMarchingSolver(
-    std::shared_ptr<const TriangleMesh> mesh, [[maybe_unused]] bool mayUseQuads = true)
-    : ReferenceSolver(std::move(mesh))
+    const std::shared_ptr<const TriangleMesh>& mesh, [[maybe_unused]] bool mayUseQuads = true)
+    : ReferenceSolver(mesh)
   {
   }
 };
@@ -76,7 +74,8 @@ public:
    * @param mayUseQuads whether four numbers are treated at once if the processor can (see Lanes.h);
    *                    the field is the same either way, to the bit
    */
-  explicit FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh, bool mayUseQuads = true);
+  explicit FastMarchingSolver(
+    const std::shared_ptr<const TriangleMesh>& mesh, bool mayUseQuads = true);
   /** @param bounds bounds of this mesh; the other constructor computes them */
   FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
     std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads = true);

@@ -244,7 +244,7 @@ private:
 
 }
 
-ReferenceSolver::ReferenceSolver(std::shared_ptr<const TriangleMesh> mesh)
+ReferenceSolver::ReferenceSolver(const std::shared_ptr<const TriangleMesh>& mesh)
   : ReferenceSolver(mesh, std::make_shared<UpdateBounds>(*mesh))
 {
 }

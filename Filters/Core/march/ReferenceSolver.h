@@ -27,7 +27,7 @@ namespace geodesic
 class ReferenceSolver : public MarchingSolver
 {
 public:
-  explicit ReferenceSolver(std::shared_ptr<const TriangleMesh> mesh);
+  explicit ReferenceSolver(const std::shared_ptr<const TriangleMesh>& mesh);
   /** @param bounds bounds of this mesh; the other constructor computes them */
   ReferenceSolver(
     std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds);
