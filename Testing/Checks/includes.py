@@ -20,9 +20,9 @@ FOLDERS = {
 LAYERS = {
     "Filters/Bridge": ["Filters/Core"],
     "Filters/Distributed": ["Filters/Core", "Filters/Bridge"],
-    "Filters/Geodesics": ["Filters/Core", "Filters/Bridge", "Filters/Distributed"],
-    "Filters/Surface": ["Filters/Core", "Filters/Bridge", "Filters/Distributed", "Filters/Geodesics"],
-    "Widgets/Tracing": ["Filters/Core", "Filters/Bridge", "Filters/Distributed", "Filters/Geodesics"],
+    "Filters/Geodesics": ["Filters/Core", "Filters/Bridge"],
+    "Filters/Surface": ["Filters/Core", "Filters/Bridge", "Filters/Distributed"],
+    "Widgets/Tracing": ["Filters/Core", "Filters/Bridge", "Filters/Geodesics"],
     "Widgets/Seeds": [],
     "Widgets/Lines": [],
 }

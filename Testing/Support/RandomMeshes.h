@@ -18,7 +18,8 @@
 namespace geodesic::testing
 {
 
-/** What kind of surface a random mesh is. Later kinds go to the end, so that seeds keep theirs. */
+/** What kind of surface a random mesh is. A new kind goes to the end, and also into meshKinds(),
+ * nameOf() and randomSurface(). It changes which kind a seed of randomCase() has. */
 enum class MeshKind
 {
   /** A closed blob. */

@@ -12,19 +12,22 @@
 /**
  * @file
  * The local update of fast marching: a value for corner v of a triangle from the values at its
- * corners a and b. The formula is in this file only. ReferenceSolver calls pointSourceUpdate() and
- * straightFrontUpdate(); NeighbourUpdate calls the two crossings, for several triangles at once,
- * and computes the part along the edges itself. Plugin/Documentation/algorithm.md derives the
- * formula.
+ * corners a and b. Crossings are computed in this file only. ReferenceSolver calls
+ * pointSourceUpdate() and straightFrontUpdate(); NeighbourUpdate calls the two crossings, for
+ * several triangles at once, and computes the part along the edges itself.
+ * Plugin/Documentation/algorithm.md derives the formula.
  *
  * A new formula must be nondecreasing in both values. These places assume more about it and must be
  * looked at when it changes; h is the height of v over the edge, c the edge's length and w the cost
  * (Plugin/Documentation/architecture.md, "Where to change what", says what each one assumes):
  *
- *  - march/UpdateBounds.h, TriangleSlack: a crossing gives at least (a + b + w (2 h - c)) / 2
+ *  - march/UpdateBounds.h, TriangleSlack, computed in march/TriangleMeasure.cxx: a crossing gives
+ * at least (a + b + w (2 h - c)) / 2
  *  - march/CandidateScan.h, Judgement::add: the same bound, and when an edge can gain anything
- *  - march/NeighbourUpdate.h, valueAlong and edgeCost: the part along edges; crossEdges, and update
- *    in march/ReferenceSolver.cxx: how the cost enters
+ *  - march/NeighbourUpdate.h, valueAlong and edgeCost, and update in march/ReferenceSolver.cxx: the
+ *    part along edges; crossEdges, and the same update: how the cost enters
+ *  - march/NeighbourUpdate.h, crossEdges: a crossing is +infinity where the edge has no length or
+ * an end has no value
  *  - march/LabelMargin.h: how far values of a label differ at the ends of an edge, and how an error
  *    spreads
  *  - march/SourceFront.h, StraightLineBound: values are lengths times cost
@@ -32,7 +35,8 @@
  *  - solve/MarchControl.h: rounding errors are below a relative gain of 1e-12
  *  - solve/SeedFront.cxx and CostedStart.cxx: start values are straight lengths
  *  - mesh/SurfacePoint.h, snapped: how close to an edge a source may lie
- *  - path/PathTracer.cxx, leastOverEdge, tryEdge and seedsNear: the inverse of the update
+ *  - path/PathTracer.cxx, leastOverEdge and tryEdge: the inverse of the crossing; tryVertex and
+ *    seedsNear: that of the part along edges
  *  - path/EdgePathSearch.cxx: no path along edges is shorter than the field says
  *  - path/PathFinder.cxx, cornersOffThePath: values are comparable with straight lengths
  */

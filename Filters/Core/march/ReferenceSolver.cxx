@@ -47,6 +47,7 @@ public:
     , First(std::min_element(labels.begin(), labels.end(), hasLowerValue)->value)
     , Values(mesh.numberOfVertices())
   {
+    // Any width gives the same field.
     const double width = 0.25 * this->meanLongestEdge();
     this->Queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() * cost.largest());
   }
@@ -62,14 +63,17 @@ public:
   void advance(double limit) override
   {
     const std::uint64_t end = this->Queue.bucketOf(limit - this->First);
+    // The queue hands out several at a time; one is taken here.
     std::array<Index, 1> room;
     while (this->Queue.hasBefore(end) && this->Control.mayGoOn())
     {
-      ReferenceValue& least = this->Values[this->Queue.take(room)[0]];
-      least.isQueued = false;
-      if (this->distance(least) <= this->keptUpTo(least.vertex))
+      ReferenceValue& taken = this->Values[this->Queue.take(room)[0]];
+      taken.isQueued = false;
+      // It is dropped where another label has come so much nearer that it is beyond the margin.
+      if (this->distance(taken) <= this->keptUpTo(taken.vertex))
       {
-        this->updateNeighbours(ReferenceValue(least));
+        // A copy, as values may be added, and so moved, meanwhile.
+        this->updateNeighbours(ReferenceValue(taken));
       }
     }
   }
@@ -237,7 +241,7 @@ private:
   DistanceField& Field;
   /** The least value of any label. The queue's keys are distances less this one. */
   double First;
-  /** Holds the numbers of values (see ReferenceValues), in order of distance. */
+  /** Holds the numbers of values (see ReferenceValues), roughly in order of distance. */
   BucketQueue Queue;
   ReferenceValues Values;
 };

@@ -21,7 +21,7 @@ namespace geodesic
  * sixth of the time. Tests compare it with this solver. This one also takes its place if the
  * compiler has no vector extensions.
  *
- * Memory besides the mesh and its bounds: 4 bytes a vertex, and 32 for each value of a label at a
+ * Memory besides the mesh and its bounds: 4 bytes a vertex, and 24 for each value of a label at a
  * vertex.
  */
 class ReferenceSolver : public MarchingSolver

@@ -18,7 +18,7 @@ struct ReferenceValue
   Index label;
   /** The distance without the value of the label's seed. */
   double value = DistanceField::Unreached;
-  /** Whether updates leave the value as it is. */
+  /** Whether no update may change the value. */
   bool isFinal = false;
   /** Whether the value waits in the queue. */
   bool isQueued = false;

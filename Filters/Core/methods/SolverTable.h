@@ -51,7 +51,8 @@ struct SolverTraits
   std::unique_ptr<DistanceSolver> (*make)(std::shared_ptr<const TriangleMesh> mesh);
 };
 
-/** All solvers, sorted by number. A new solver is registered here and nowhere else. */
+/** All solvers, by number. A new solver is registered here; its entries in the XML follow, as
+ * architecture.md says. */
 std::span<const SolverTraits> solverTable();
 
 /** The solver of a number. @throws std::invalid_argument with a list of the numbers there are */

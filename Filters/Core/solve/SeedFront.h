@@ -65,7 +65,7 @@ struct SeedFront
 
 /**
  * @throws std::invalid_argument with the number of the first invalid seed: one without points, with
- * a triangle or vertex that does not exist, with weights that are negative or have not the sum 1,
+ * a triangle or vertex that does not exist, with weights that are negative or do not sum to 1,
  * or with a value that is negative or not finite
  */
 void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition);
