@@ -136,7 +136,7 @@ SetUp setUp(const Surface& surface, unsigned threads)
 {
   const ThreadTeam team(threads);
   const auto mesh = std::make_shared<const TriangleMesh>(
-    surface.points, surface.triangles, CoincidentPoints::Separate, team);
+    surface.points, surface.triangles, CoincidentPoints::Separate, team, &updateMeasurer());
   return { mesh, std::make_shared<const UpdateBounds>(*mesh, team) };
 }
 

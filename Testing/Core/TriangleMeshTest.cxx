@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mesh keeps of its input.
 
+#include "RandomMeshes.h"
 #include "Solving.h"
 #include "march/LabelMargin.h"
 #include "march/UpdateBounds.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -192,14 +194,26 @@ TEST(TriangleMesh, MarginTellsOfTheHeight)
 namespace
 {
 
+void expectSameBounds(const UpdateBounds& some, const UpdateBounds& other, std::size_t entries)
+{
+  EXPECT_EQ(some.meanMargin(), other.meanMargin());
+  ASSERT_TRUE(std::ranges::equal(some.margins(), other.margins()));
+  // As bits: the slack of an entry that opens no triangle is infinite.
+  ASSERT_EQ(std::memcmp(some.slacks(), other.slacks(), entries * sizeof(float)), 0);
+}
+
 /** On any number of threads the same: 2, 3 and 9, which is more than count triangles. */
 void expectThreadsChangeNothing(const Surface& surface, CoincidentPoints coincident)
 {
-  const TriangleMesh one(surface.points, surface.triangles, coincident, ThreadTeam(1));
+  const TriangleMesh one(
+    surface.points, surface.triangles, coincident, ThreadTeam(1), &updateMeasurer());
+  const TriangleMesh plain(surface.points, surface.triangles, coincident, ThreadTeam(1));
+  const UpdateBounds ofOne(one, ThreadTeam(1));
   for (unsigned threads : { 2u, 3u, 9u })
   {
     ASSERT_EQ(ThreadTeam(threads).numberOfRanges(one.numberOfVertices()), threads);
-    const TriangleMesh other(surface.points, surface.triangles, coincident, ThreadTeam(threads));
+    const TriangleMesh other(
+      surface.points, surface.triangles, coincident, ThreadTeam(threads), &updateMeasurer());
     ASSERT_EQ(other.numberOfVertices(), one.numberOfVertices());
     ASSERT_EQ(other.numberOfTriangles(), one.numberOfTriangles());
     EXPECT_EQ(other.meanLongestEdge(), one.meanLongestEdge());
@@ -220,14 +234,9 @@ void expectThreadsChangeNothing(const Surface& surface, CoincidentPoints coincid
       ASSERT_EQ(other.longestEdgeAround(v), one.longestEdgeAround(v));
       ASSERT_TRUE(std::ranges::equal(other.ring(v), one.ring(v)));
     }
-    const UpdateBounds ofOne(one, ThreadTeam(1));
-    const UpdateBounds ofOther(one, ThreadTeam(threads));
-    EXPECT_EQ(ofOther.meanMargin(), ofOne.meanMargin());
-    ASSERT_TRUE(std::ranges::equal(ofOther.margins(), ofOne.margins()));
-    for (std::size_t i = 0; i < one.rings().numberOfEntries(); ++i)
-    {
-      ASSERT_EQ(ofOther.slacks()[i].value(), ofOne.slacks()[i].value());
-    }
+    expectSameBounds(UpdateBounds(other), ofOne, one.rings().numberOfEntries());
+    const UpdateBounds ofPlain(plain, ThreadTeam(threads));
+    expectSameBounds(ofPlain, UpdateBounds(plain, ThreadTeam(1)), one.rings().numberOfEntries());
   }
 }
 
@@ -244,6 +253,38 @@ TEST(TriangleMesh, ThreadsChangeNothing)
   for (CoincidentPoints coincident : { CoincidentPoints::Separate, CoincidentPoints::Merge })
   {
     expectThreadsChangeNothing(surface, coincident);
+  }
+}
+
+// Rings of one fan, of several, of more than 255 triangles and of none that closes.
+TEST(TriangleMesh, NumbersMadeAlongWithRingsAreThoseOfAPass)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    const std::span<const MeshKind> kinds = meshKinds();
+    const Surface surface = randomSurface(kinds[seed % kinds.size()], seed);
+    const TriangleMesh along(surface.points, surface.triangles, CoincidentPoints::Merge,
+      ThreadTeam(1 + seed % 3), &updateMeasurer());
+    const TriangleMesh plain(surface.points, surface.triangles, CoincidentPoints::Merge);
+    const UpdateBounds some(along);
+    const UpdateBounds other(plain);
+    ASSERT_EQ(along.rings().numberOfEntries(), plain.rings().numberOfEntries());
+    ASSERT_NEAR(some.meanMargin(), other.meanMargin(), 1e-6 * other.meanMargin());
+    for (Index v = 0; v < plain.numberOfVertices(); ++v)
+    {
+      ASSERT_NEAR(some.margins()[v], other.margins()[v], 1e-5 * other.margins()[v]);
+    }
+    for (std::size_t i = 0; i < plain.rings().numberOfEntries() + VertexRings::Overrun; ++i)
+    {
+      const float slack = other.slacks()[i];
+      if (std::isinf(slack))
+      {
+        ASSERT_TRUE(std::isinf(some.slacks()[i]));
+        continue;
+      }
+      // From another corner, a height is rounded in another way.
+      ASSERT_NEAR(some.slacks()[i], slack, 1e-6 * plain.longestEdgeLength());
+    }
   }
 }
 

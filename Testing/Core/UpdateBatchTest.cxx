@@ -3,6 +3,7 @@
 // What rings are stored and worked on in: entries, masks of batch, lists of their bits.
 
 #include "march/CandidateLists.h"
+#include "march/TriangleSlack.h"
 #include "mesh/VertexRings.h"
 
 #include <gtest/gtest.h>

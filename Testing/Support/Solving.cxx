@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solving.h"
 
+#include "march/UpdateBounds.h"
 #include "search/ClosestPointTree.h"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ namespace geodesic::testing
 
 std::shared_ptr<const TriangleMesh> meshOf(const Surface& surface, CoincidentPoints coincident)
 {
-  return std::make_shared<const TriangleMesh>(surface.points, surface.triangles, coincident);
+  return std::make_shared<const TriangleMesh>(
+    surface.points, surface.triangles, coincident, ThreadTeam(), &updateMeasurer());
 }
 
 Seed seedAt(const TriangleMesh& mesh, Index point)

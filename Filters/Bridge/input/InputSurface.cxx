@@ -5,6 +5,7 @@
 #include "input/ObjectVersion.h"
 #include "input/PolyDataTriangles.h"
 #include "input/VersionCache.h"
+#include "march/UpdateBounds.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -72,10 +73,11 @@ std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const Poin
   if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
   {
     return std::make_shared<const TriangleMesh>(points, triangles,
-      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team);
+      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team,
+      &updateMeasurer());
   }
   return std::make_shared<const TriangleMesh>(
-    points, triangles, kindsOfPoints(blocks, identity, points), team);
+    points, triangles, kindsOfPoints(blocks, identity, points), team, &updateMeasurer());
 }
 
 void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)

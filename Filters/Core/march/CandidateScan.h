@@ -5,6 +5,7 @@
 
 #include "base/Lanes.h"
 #include "march/NeighbourValues.h"
+#include "march/TriangleSlack.h"
 #include "march/UpdateBatch.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
@@ -151,9 +152,8 @@ private:
   class Slacks
   {
   public:
-    GEODESIC_INLINED explicit Slacks(const TriangleSlack* slacks)
+    GEODESIC_INLINED explicit Slacks(const float* slacks)
     {
-      static_assert(sizeof(TriangleSlack) == sizeof(float));
       std::memcpy(&this->Bits, slacks, sizeof this->Bits);
     }
     GEODESIC_INLINED Real values() const
@@ -193,7 +193,7 @@ private:
      * @param values      their values
      * @param held        their ceilings: only values below these count
      */
-    GEODESIC_INLINED void add(std::size_t i, const TriangleSlack* slacksHere,
+    GEODESIC_INLINED void add(std::size_t i, const float* slacksHere,
       const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
       const Cost& cost)
     {

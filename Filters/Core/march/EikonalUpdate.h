@@ -21,7 +21,7 @@
  * looked at when it changes; h is the height of v over the edge, c the edge's length and w the cost
  * (Plugin/Documentation/architecture.md, "Where to change what", says what each one assumes):
  *
- *  - march/UpdateBounds.h, TriangleSlack, computed in march/TriangleMeasure.cxx: a crossing gives
+ *  - march/TriangleSlack.h, computed in march/TriangleMeasure.cxx: a crossing gives
  * at least (a + b + w (2 h - c)) / 2
  *  - march/CandidateScan.h, Judgement::add: the same bound, and when an edge can gain anything
  *  - march/NeighbourUpdate.h, valueAlong and edgeCost, and update in march/ReferenceSolver.cxx: the

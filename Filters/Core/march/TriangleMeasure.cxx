@@ -6,56 +6,23 @@
 #include "march/LabelMargin.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace geodesic
 {
 
-#if GEODESIC_HAS_LANES
-
-void TriangleMeasurer::measure(
-  std::span<const Triangle> triangles, std::span<const Vector3> positions)
+namespace
 {
-  if (this->UsesQuads)
-  {
-    this->measureByFour(triangles, positions);
-  }
-  else
-  {
-    this->measureByTwo(triangles, positions);
-  }
-}
-
-[[gnu::flatten, GEODESIC_QUADS]] void TriangleMeasurer::measureByFour(
-  std::span<const Triangle> triangles, std::span<const Vector3> positions)
-{
-  this->measureAll<Quad>(triangles, positions);
-}
-
-[[gnu::flatten]] void TriangleMeasurer::measureByTwo(
-  std::span<const Triangle> triangles, std::span<const Vector3> positions)
-{
-  this->measureAll<Pair>(triangles, positions);
-}
-
-#else
-
-void TriangleMeasurer::measure(
-  std::span<const Triangle> triangles, std::span<const Vector3> positions)
-{
-  this->measureAll<double>(triangles, positions);
-}
-
-#endif
 
 template <class Real>
-GEODESIC_INLINED void TriangleMeasurer::measureAll(
-  std::span<const Triangle> triangles, std::span<const Vector3> positions)
+GEODESIC_INLINED void measureAll(
+  std::span<const Triangle> triangles, std::span<const Vector3> positions, TriangleNumbers& numbers)
 {
   // These exceed the relative and the absolute error of rounding to a float.
   constexpr double relative = std::numeric_limits<float>::epsilon();
   constexpr double absolute = std::numeric_limits<float>::denorm_min();
-  static_assert(Most % lanes<Real> == 0);
+  static_assert(TriangleNumbers::Most % lanes<Real> == 0);
 
   const auto measureSome = [&](const Triangle* some, std::size_t i)
   {
@@ -79,9 +46,10 @@ GEODESIC_INLINED void TriangleMeasurer::measureAll(
       doubleArea / largest(longest, Real() + std::numeric_limits<double>::min());
     // A height near 0 is off by up to 3e-8 of the side, by the rounding of the squares.
     const Real slack = 2.0 * leastHeight - longest * (1.0 + 1.5 * relative) - absolute;
-    storeFloats(least(slack, Real() + std::numeric_limits<float>::max()), &this->Slacks[i]);
-    storeFloats(longest * (1.0 + relative) + absolute, &this->LongestSides[i]);
-    storeFloats(labelMargin(longest, leastHeight) * (1.0 + relative) + absolute, &this->Margins[i]);
+    storeFloats(least(slack, Real() + std::numeric_limits<float>::max()), &numbers.ofEntries[i]);
+    storeFloats(longest * (1.0 + relative) + absolute, &numbers.longestSides[i]);
+    storeFloats(
+      labelMargin(longest, leastHeight) * (1.0 + relative) + absolute, &numbers.ofVertices[i]);
   };
   std::size_t i = 0;
   for (; i + lanes<Real> <= triangles.size(); i += lanes<Real>)
@@ -95,6 +63,41 @@ GEODESIC_INLINED void TriangleMeasurer::measureAll(
     std::copy(triangles.begin() + i, triangles.end(), last.begin());
     measureSome(last.data(), i);
   }
+  // For all of the arrays, whose size is known, so that the compiler can treat several at a time.
+  for (std::size_t t = 0; t < TriangleNumbers::Most; ++t)
+  {
+    const float slack = numbers.ofEntries[t];
+    const bool isThin = slack < -0.5f * numbers.longestSides[t];
+    numbers.ofEntries[t] = TriangleSlack(slack, isThin).stored();
+  }
+}
+
+#if GEODESIC_HAS_LANES
+
+[[gnu::flatten, GEODESIC_QUADS]] void measureByFour(
+  std::span<const Triangle> triangles, std::span<const Vector3> positions, TriangleNumbers& numbers)
+{
+  measureAll<Quad>(triangles, positions, numbers);
+}
+
+[[gnu::flatten]] void measureByTwo(
+  std::span<const Triangle> triangles, std::span<const Vector3> positions, TriangleNumbers& numbers)
+{
+  measureAll<Pair>(triangles, positions, numbers);
+}
+
+#endif
+
+}
+
+void TriangleMeasurer::measure(std::span<const Triangle> triangles,
+  std::span<const Vector3> positions, TriangleNumbers& numbers) const
+{
+#if GEODESIC_HAS_LANES
+  (this->UsesQuads ? measureByFour : measureByTwo)(triangles, positions, numbers);
+#else
+  measureAll<double>(triangles, positions, numbers);
+#endif
 }
 
 }

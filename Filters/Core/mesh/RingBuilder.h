@@ -4,12 +4,14 @@
 #define geodesic_RingBuilder_h
 
 #include "base/Index.h"
+#include "base/Platform.h"
 #include "mesh/VertexRings.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <utility>
@@ -23,6 +25,46 @@ struct OppositeSide
 {
   Index first;
   Index second;
+  /** A number by which the caller knows the triangle. */
+  Index triangle;
+};
+
+/** The second end of an opposite side, and the number of its triangle's ring entry, which is only
+ * passed on. The two are written and read as one, which is faster. */
+struct SideEnd
+{
+  Index second;
+  float number;
+};
+
+/** Workspace for the ends of many sides. */
+class SideEnds
+{
+public:
+  /** Numbers of workspace that each end takes. */
+  static constexpr std::size_t RoomOfEach = 2;
+
+  explicit SideEnds(Index* room)
+    : Room(room)
+  {
+  }
+
+  SideEnd operator[](std::size_t i) const
+  {
+    SideEnd end;
+    std::memcpy(&end, this->Room + RoomOfEach * i, sizeof end);
+    return end;
+  }
+  void set(std::size_t i, SideEnd end) const
+  {
+    static_assert(sizeof end == RoomOfEach * sizeof(Index));
+    std::memcpy(this->Room + RoomOfEach * i, &end, sizeof end);
+  }
+  void prefetch(std::size_t i) const { prefetchToWrite(this->Room + RoomOfEach * i); }
+  SideEnds from(std::size_t i) const { return SideEnds(this->Room + RoomOfEach * i); }
+
+private:
+  Index* Room;
 };
 
 /**
@@ -34,10 +76,12 @@ class RingBuilder
 public:
   /**
    * Appends the fans of one vertex to @p entries.
-   * @param sides  the sides opposite to the vertex, in any order; their order is lost
+   * @param sides      the sides opposite to the vertex, in any order; their order is lost
+   * @param triangles  gets for each entry the triangle that it opens, NoIndex if it opens none
    * Time O(k log k) for k sides.
    */
-  void chain(std::span<OppositeSide> sides, std::vector<RingEntry>& entries)
+  void chain(
+    std::span<OppositeSide> sides, std::vector<RingEntry>& entries, std::vector<Index>& triangles)
   {
     this->Sides = sides;
     this->Left = sides.size();
@@ -46,6 +90,7 @@ public:
       this->indexSides();
     }
     this->Fan.resize(2 * sides.size() + 2);
+    this->FanTriangles.resize(this->Fan.size());
     while (this->Left > 0)
     {
       // The fan starts in the middle of Fan. It grows at its back, then, unless closed, at its
@@ -54,6 +99,7 @@ public:
       std::size_t back = front + 1;
       const OppositeSide side = this->takeAny();
       this->Fan[front] = RingEntry(side.first, true);
+      this->FanTriangles[front] = side.triangle;
       this->Fan[back] = RingEntry(side.second);
       bool isClosed = false;
       while (!isClosed)
@@ -67,6 +113,7 @@ public:
         const OppositeSide next = this->take(place);
         const Index other = otherEnd(next, end);
         this->Fan[back] = RingEntry(end, true);
+        this->FanTriangles[back] = next.triangle;
         this->Fan[++back] = RingEntry(other);
         isClosed = other == this->Fan[front].neighbour();
       }
@@ -80,9 +127,13 @@ public:
         }
         const OppositeSide next = this->take(place);
         this->Fan[--front] = RingEntry(otherEnd(next, end), true);
+        this->FanTriangles[front] = next.triangle;
         isClosed = this->Fan[front].neighbour() == this->Fan[back].neighbour();
       }
+      this->FanTriangles[back] = NoIndex;
       entries.insert(entries.end(), this->Fan.begin() + front, this->Fan.begin() + back + 1);
+      triangles.insert(
+        triangles.end(), this->FanTriangles.begin() + front, this->FanTriangles.begin() + back + 1);
     }
   }
 
@@ -185,6 +236,7 @@ private:
   std::span<OppositeSide> Sides;
   std::size_t Left = 0;
   std::vector<RingEntry> Fan;
+  std::vector<Index> FanTriangles;
   std::vector<std::pair<Index, std::size_t>> Ends;
   std::vector<std::size_t> Cursors;
   std::vector<std::uint8_t> Taken;
@@ -206,33 +258,41 @@ public:
   /**
    * Brings sides into the order of a closed fan, where each side begins at the end of the one
    * before.
-   * @param seconds  the second end of each side
+   * @param size     the number of sides
+   * @param ends     the second end of each side
    * @param fan      the entry that opens each side's triangle, with the side's first end as
    *                 neighbour, and room for one more entry, which repeats the first neighbour
+   * @param numbers  if @p HasNumbers, gets the number of each entry that opens a triangle
    * @return false, with the entries as they were, where the sides are not one such fan or more than
    *         255
    */
-  bool chain(std::span<const Index> seconds, std::span<RingEntry> fan)
+  template <bool HasNumbers>
+  bool chain(std::size_t size, SideEnds ends, std::span<RingEntry> fan, float* numbers)
   {
-    const std::size_t size = seconds.size();
     if (size == 0 || size > std::numeric_limits<Place>::max())
     {
       return false;
     }
+    // Read once: a Place that is written could, by its type, change where the places are.
+    Place* const placeOf = this->PlaceOf.data();
     for (std::size_t i = 0; i < size; ++i)
     {
       const RingEntry side = fan[i];
       this->Sides[i] = side;
-      this->PlaceOf[side.neighbour()] = static_cast<Place>(i);
+      placeOf[side.neighbour()] = static_cast<Place>(i);
     }
     std::size_t place = 0;
     std::size_t chained = 0;
     bool isFound = false;
     do
     {
+      const auto [end, number] = ends[place];
+      if constexpr (HasNumbers)
+      {
+        numbers[chained] = number;
+      }
       fan[chained++] = this->Sides[place];
-      const Index end = seconds[place];
-      place = this->PlaceOf[end];
+      place = placeOf[end];
       // Where no side begins at a vertex, its place is left over from another ring: hence the test.
       isFound = place < size && this->Sides[place].neighbour() == end;
     } while (isFound && place != 0 && chained < size);

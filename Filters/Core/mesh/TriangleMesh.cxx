@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/TriangleMesh.h"
 
+#include "base/Mean.h"
 #include "base/Platform.h"
 #include "base/SortUnique.h"
 #include "mesh/SpatialOrder.h"
@@ -65,15 +66,15 @@ bool repeatsCorner(const Triangle& t)
 }
 
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-  CoincidentPoints coincident, const ThreadTeam& team)
+  CoincidentPoints coincident, const ThreadTeam& team, const RingMeasurer* measurer)
 {
   checkNumber(points.size());
   this->numberVertices(points, usedPoints(points.size(), triangles, team), coincident, team);
-  this->build(triangles, team);
+  this->build(triangles, team, measurer);
 }
 
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-  std::span<const Index> kinds, const ThreadTeam& team)
+  std::span<const Index> kinds, const ThreadTeam& team, const RingMeasurer* measurer)
 {
   checkNumber(points.size());
   const std::vector<std::uint8_t> used = usedPoints(points.size(), triangles, team);
@@ -99,15 +100,22 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
       this->VertexOfPoint[i] = this->VertexOfPoint[firstOfKind[kinds[i]]];
     }
   }
-  this->build(triangles, team);
+  this->build(triangles, team, measurer);
 }
 
-void TriangleMesh::build(std::span<const Triangle> triangles, const ThreadTeam& team)
+void TriangleMesh::build(
+  std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer)
 {
   // The first access to memory is the most expensive one, so two steps share this workspace.
-  BulkVector<Index> room(3 * triangles.size());
+  BulkVector<Index> room(VertexRings::RoomOfTriangle * triangles.size());
   this->orderTriangles(triangles, room, team);
-  this->Rings = VertexRings(this->Triangles, this->Positions, room, team);
+  const auto numbers = measurer ? std::make_shared<RingNumbers>() : nullptr;
+  if (numbers)
+  {
+    numbers->measurer = measurer;
+  }
+  this->Rings = VertexRings(this->Triangles, this->Positions, room, team, numbers.get());
+  this->Numbers = numbers;
   this->measureEdges();
   if (this->Triangles.size() < triangles.size())
   {
@@ -268,15 +276,8 @@ void TriangleMesh::forgetBareVertices()
 void TriangleMesh::measureEdges()
 {
   const std::span<const float> longestSides = this->Rings.longestSides();
-  double sum = 0.0;
-  float longest = 0.0f;
-  for (const float side : longestSides)
-  {
-    sum += side;
-    longest = std::max(longest, side);
-  }
-  this->MeanLongestEdge = sum / std::max(1.0, static_cast<double>(longestSides.size()));
-  this->LongestEdgeLength = longest;
+  this->MeanLongestEdge = meanOf(longestSides);
+  this->LongestEdgeLength = largestOf(longestSides);
 }
 
 SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const

@@ -12,6 +12,7 @@
 #include "mesh/VertexRings.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,9 @@ enum class CoincidentPoints
  * orientation, edges with more than two triangles, triangles of zero area. A triangle that repeats
  * a corner has no area and no interior and is left out.
  *
- * Holds about 130 bytes a vertex. Lengths are computed from the coordinates where they are used:
- * on current machines that is cheaper than reading them from memory.
+ * Holds about 130 bytes a vertex, and 32 more for the numbers of a measurer. Lengths are computed
+ * from the coordinates where they are used: on current machines that is cheaper than reading them
+ * from memory.
  */
 class TriangleMesh
 {
@@ -46,21 +48,24 @@ public:
    * @param triangles   point ids
    * @param coincident  whether points of equal coordinates become one vertex
    * @param team        threads to build it on; the mesh does not depend on their number
+   * @param measurer    of numbers to make along with the rings, see RingNumbers.h; null for none.
+   *                    It must outlive the mesh.
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
    *         coordinates are not finite
    * @throws std::length_error for more than 2^30 - 1 vertices or 700 million triangles
    * Time O(n).
    */
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    CoincidentPoints coincident = CoincidentPoints::Separate,
-    const ThreadTeam& team = ThreadTeam());
+    CoincidentPoints coincident = CoincidentPoints::Separate, const ThreadTeam& team = ThreadTeam(),
+    const RingMeasurer* measurer = nullptr);
   /**
    * Builds the mesh with points merged by the caller's choice instead of by coordinates.
    * @param kinds  a number below points.size() for each point: points of the same kind are one
    *               vertex, at the position of the lowest of them that a triangle uses
    */
   TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
-    std::span<const Index> kinds, const ThreadTeam& team = ThreadTeam());
+    std::span<const Index> kinds, const ThreadTeam& team = ThreadTeam(),
+    const RingMeasurer* measurer = nullptr);
 
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
@@ -80,6 +85,11 @@ public:
   /** The triangles round a vertex; see VertexRings. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
   const VertexRings& rings() const { return this->Rings; }
+  /** The numbers that were made along with the rings; null if none were. See ringNumbers(). */
+  const std::shared_ptr<const RingNumbers>& numbers() const { return this->Numbers; }
+  /** The measurer of these numbers, for meshes that are made from this one; null if there is none.
+   */
+  const RingMeasurer* measurer() const { return this->Numbers ? this->Numbers->measurer : nullptr; }
   /** Asks the processor to fetch a vertex's position and ring, which will soon be read. This reads
    * where the ring begins, so call prefetchRingStart() some time before. */
   GEODESIC_INLINED void prefetch(Index vertex) const
@@ -106,7 +116,8 @@ public:
 private:
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
-  void build(std::span<const Triangle> triangles, const ThreadTeam& team);
+  void build(
+    std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer);
   /** @param corners workspace, three numbers for each triangle */
   void orderTriangles(
     std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
@@ -119,6 +130,7 @@ private:
   BulkVector<Triangle> Triangles;
   BulkVector<Index> SourceOfTriangle;
   VertexRings Rings;
+  std::shared_ptr<const RingNumbers> Numbers;
   BulkVector<Index> VertexOfPoint;
   BulkVector<Index> PointOfVertex;
   double MeanLongestEdge = 0.0;

@@ -35,6 +35,16 @@ float longestSideOf(const Triangle& t, const Vector3* positions)
   return static_cast<float>(longest * (1.0 + relative) + absolute);
 }
 
+/** Computes the longest sides of triangles where no measurer does. */
+void measureSides(
+  std::span<const Triangle> triangles, const Vector3* positions, TriangleNumbers& numbers)
+{
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    numbers.longestSides[i] = longestSideOf(triangles[i], positions);
+  }
+}
+
 /** Consecutive numbers, from first() to before last(). */
 class IndexRange
 {
@@ -46,6 +56,7 @@ public:
   }
   Index first() const { return this->First; }
   Index last() const { return this->First + this->Size; }
+  Index size() const { return this->Size; }
   bool has(Index i) const { return i - this->First < this->Size; }
 
 private:
@@ -111,23 +122,25 @@ private:
  * corner, an entry to the place where the corner's ring will be. As soon as all triangles of a
  * vertex have come, its entries are put into the order of fans, while they are still in the cache.
  */
+template <bool HasNumbers>
 class VertexRings::Filling
 {
 public:
   /**
    * @param rings      gets the rings; its Starts hold the number of triangles at each vertex
    * @param start      index of the first entry of the range's first vertex
-   * @param seconds    workspace: for each triangle at each vertex, the second end of the side
-   *                   opposite to the vertex
+   * @param room       workspace, SideEnds::RoomOfEach numbers for each triangle at each vertex
+   * @param numbers    to make along with the rings, if @p HasNumbers
    */
   Filling(VertexRings& rings, const Range& range, std::size_t start,
-    std::span<const Vector3> positions, std::span<Index> seconds)
+    std::span<const Vector3> positions, std::span<Index> room, RingNumbers* numbers)
     : OfRange(range)
-    , Positions(positions.data())
-    , Starts(rings.Starts.data())
-    , Entries(rings.Entries.data())
-    , LongestSides(rings.LongestSides.data())
-    , Seconds(seconds.data())
+    , Positions(positions)
+    , Measurer(numbers ? numbers->measurer : nullptr)
+    , OfEntries(numbers ? numbers->ofEntries.data() : nullptr)
+    , OfNoTriangle(numbers ? numbers->measurer->ofNoTriangle() : 0.0f)
+    , AllRings{ rings.Starts.data(), rings.Entries.data(), SideEnds(room.data()),
+      rings.LongestSides.data(), numbers ? numbers->ofVertices.data() : nullptr }
     , NextVertex(range.vertices().first())
     , NextStart(start)
     , ClosedFan(static_cast<Index>(positions.size()))
@@ -142,8 +155,12 @@ public:
     std::size_t start = this->NextStart;
     for (Index v = vertices.first(); v < vertices.last(); ++v)
     {
-      start += std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) + 1;
-      this->LongestSides[v] = 0.0f;
+      start += std::exchange(this->AllRings.starts[v], static_cast<std::uint32_t>(start)) + 1;
+      this->AllRings.longestSides[v] = 0.0f;
+    }
+    if constexpr (HasNumbers)
+    {
+      std::fill_n(this->AllRings.ofVertices + vertices.first(), vertices.size(), 0.0f);
     }
     this->OfRange.withVertices(
       [&](const auto& ours)
@@ -156,50 +173,94 @@ public:
   }
 
 private:
+  /** The rings of all vertices while triangles are added to them. */
+  struct Rings
+  {
+    /** @param i the number of the triangle among those measured last */
+    template <class Vertices>
+    GEODESIC_INLINED void put(
+      const Triangle& t, const TriangleNumbers& measured, std::size_t i, const Vertices& ours) const
+    {
+      const float longestSide = measured.longestSides[i];
+      const float ofEntry = HasNumbers ? measured.ofEntries[i] : 0.0f;
+      const float ofVertex = HasNumbers ? measured.ofVertices[i] : 0.0f;
+      for (int c = 0; c < 3; ++c)
+      {
+        const Index v = t[c];
+        if (ours.has(v))
+        {
+          // While entries are added, starts holds the end of the ring; chainBefore() restores it.
+          const std::uint32_t place = this->starts[v]++;
+          this->entries[place] = RingEntry(t[(c + 1) % 3], true);
+          this->ends.set(place - v, { t[(c + 2) % 3], ofEntry });
+          this->longestSides[v] = std::max(this->longestSides[v], longestSide);
+          if constexpr (HasNumbers)
+          {
+            this->ofVertices[v] = std::max(this->ofVertices[v], ofVertex);
+          }
+        }
+      }
+    }
+
+    /** Asks the processor to fetch the place in the ring of the highest corner, the one least
+     * likely to be in the cache. GCC drops the call unless it is inlined. */
+    template <class Vertices>
+    GEODESIC_INLINED void prefetch(const Triangle& t, const Vertices& ours) const
+    {
+      const Index v = highestCorner(t);
+      if (ours.has(v))
+      {
+        const std::uint32_t place = this->starts[v];
+        prefetchToWrite(&this->entries[place]);
+        this->ends.prefetch(place - v);
+        prefetchToWrite(&this->longestSides[v]);
+        if constexpr (HasNumbers)
+        {
+          prefetchToWrite(&this->ofVertices[v]);
+        }
+      }
+    }
+
+    std::uint32_t* starts;
+    RingEntry* entries;
+    /** Of the side opposite to the vertex, for each triangle at each vertex. */
+    SideEnds ends;
+    float* longestSides;
+    float* ofVertices;
+  };
+
   /** Adds triangles, sorted by their lowest corners, to the rings of their corners. */
   template <class Vertices>
   void put(std::span<const Triangle> triangles, const Vertices& ours)
   {
-    for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t first = 0; first < triangles.size(); first += TriangleNumbers::Most)
     {
+      const std::span<const Triangle> rest = triangles.subspan(first);
+      const std::span<const Triangle> some =
+        rest.first(std::min(TriangleNumbers::Most, rest.size()));
       // Triangles still to come have no lower corner, so the rings of lower vertices are complete.
-      this->chainBefore(lowestCorner(triangles[t]));
-      constexpr std::size_t ahead = 32;
-      this->prefetchRing(triangles[std::min(t + ahead, triangles.size() - 1)], ours);
-      this->put(triangles[t], ours);
-    }
-  }
-
-  template <class Vertices>
-  void put(const Triangle& t, const Vertices& ours)
-  {
-    const float longestSide = longestSideOf(t, this->Positions);
-    for (int c = 0; c < 3; ++c)
-    {
-      const Index v = t[c];
-      if (ours.has(v))
+      this->chainBefore(lowestCorner(some.front()));
+      this->measure(some);
+      // A copy, so that the compiler knows that what is written does not change the pointers.
+      const Rings rings = this->AllRings;
+      for (std::size_t i = 0; i < some.size(); ++i)
       {
-        // While entries are added, Starts holds the end of the ring; chainBefore() restores it.
-        const std::uint32_t place = this->Starts[v]++;
-        this->Entries[place] = RingEntry(t[(c + 1) % 3], true);
-        this->Seconds[place - v] = t[(c + 2) % 3];
-        this->LongestSides[v] = std::max(this->LongestSides[v], longestSide);
+        constexpr std::size_t ahead = 32;
+        rings.prefetch(rest[std::min(i + ahead, rest.size() - 1)], ours);
+        rings.put(some[i], this->Measured, i, ours);
       }
     }
   }
 
-  /** Asks the processor to fetch the place in the ring of the highest corner, the one least likely
-   * to be in the cache. GCC drops the call unless it is inlined. */
-  template <class Vertices>
-  GEODESIC_INLINED void prefetchRing(const Triangle& t, const Vertices& ours) const
+  void measure(std::span<const Triangle> triangles)
   {
-    const Index v = highestCorner(t);
-    if (ours.has(v))
+    if constexpr (HasNumbers)
     {
-      const std::uint32_t place = this->Starts[v];
-      prefetchToWrite(&this->Entries[place]);
-      prefetchToWrite(&this->Seconds[place - v]);
-      prefetchToWrite(&this->LongestSides[v]);
+      this->Measurer->measure(triangles, this->Positions, this->Measured);
+    }
+    else
+    {
+      measureSides(triangles, this->Positions.data(), this->Measured);
     }
   }
 
@@ -212,55 +273,70 @@ private:
       const Index v = this->NextVertex;
       const std::size_t start = this->NextStart;
       const std::size_t size =
-        std::exchange(this->Starts[v], static_cast<std::uint32_t>(start)) - start;
-      const std::span<RingEntry> ring{ this->Entries + start, size + 1 };
-      const std::span<const Index> ends{ this->Seconds + (start - v), size };
-      if (!this->ClosedFan.chain(ends, ring))
+        std::exchange(this->AllRings.starts[v], static_cast<std::uint32_t>(start)) - start;
+      const std::span<RingEntry> ring{ this->AllRings.entries + start, size + 1 };
+      const SideEnds ends = this->AllRings.ends.from(start - v);
+      float* const numbers = HasNumbers ? this->OfEntries + start : nullptr;
+      if (!this->ClosedFan.template chain<HasNumbers>(size, ends, ring, numbers))
       {
-        this->chainAny(v, ends, ring);
+        this->chainAny(v, size, ends, ring, numbers);
+      }
+      else if constexpr (HasNumbers)
+      {
+        numbers[size] = this->OfNoTriangle;
       }
       this->NextStart += ring.size();
     }
   }
 
-  void chainAny(Index v, std::span<const Index> ends, std::span<RingEntry> ring)
+  /** @param numbersHere get the numbers of the ring's entries */
+  void chainAny(
+    Index v, std::size_t size, SideEnds ends, std::span<RingEntry> ring, float* numbersHere)
   {
     this->Sides.clear();
-    for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
-      this->Sides.push_back({ ring[i].neighbour(), ends[i] });
+      this->Sides.push_back({ ring[i].neighbour(), ends[i].second, static_cast<Index>(i) });
     }
     this->Fans.clear();
-    this->AnyFans.chain(this->Sides, this->Fans);
+    this->FanTriangles.clear();
+    this->AnyFans.chain(this->Sides, this->Fans, this->FanTriangles);
+    std::vector<float> numbers(HasNumbers ? this->Fans.size() : 0);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      const Index triangle = this->FanTriangles[i];
+      numbers[i] = triangle == NoIndex ? this->OfNoTriangle : ends[triangle].number;
+    }
     if (this->Fans.size() == ring.size())
     {
       std::copy(this->Fans.begin(), this->Fans.end(), ring.begin());
+      std::copy(numbers.begin(), numbers.end(), numbersHere);
     }
     else
     {
-      this->Others.push_back({ v, this->Fans });
+      this->Others.push_back({ v, this->Fans, std::move(numbers) });
     }
   }
 
   const Range& OfRange;
-  // Plain pointers: through the vectors the compiler would reload them after every write, which
-  // could, by its type, change them.
-  const Vector3* Positions;
-  std::uint32_t* Starts;
-  RingEntry* Entries;
-  float* LongestSides;
-  Index* Seconds;
+  std::span<const Vector3> Positions;
+  const RingMeasurer* Measurer;
+  float* OfEntries;
+  float OfNoTriangle;
+  TriangleNumbers Measured;
+  Rings AllRings;
   Index NextVertex;
   std::size_t NextStart;
   ClosedRingBuilder ClosedFan;
   RingBuilder AnyFans;
   std::vector<OppositeSide> Sides;
   std::vector<RingEntry> Fans;
+  std::vector<Index> FanTriangles;
   std::vector<Ring> Others;
 };
 
 VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
-  std::span<Index> room, const ThreadTeam& team)
+  std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers)
   : Starts(positions.size() + 1)
   , LongestSides(positions.size())
 {
@@ -284,12 +360,25 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
   this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
   this->Entries.resize(this->Starts.back() + Overrun);
   std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
+  if (numbers)
+  {
+    numbers->ofVertices.resize(vertices);
+    numbers->ofEntries.resize(this->Entries.size());
+    std::fill(numbers->ofEntries.end() - Overrun, numbers->ofEntries.end(),
+      numbers->measurer->ofNoTriangle());
+  }
   std::vector<std::vector<Ring>> others(ranges.size());
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t)
     {
-      Filling filling(*this, *ranges[range], starts[range] + first, positions, room);
-      others[range] = filling.fill();
+      const auto fill = [&]<bool HasNumbers>()
+      {
+        return Filling<HasNumbers>(
+          *this, *ranges[range], starts[range] + first, positions, room, numbers)
+          .fill();
+      };
+      others[range] =
+        numbers ? fill.template operator()<true>() : fill.template operator()<false>();
     });
   for (std::size_t range = 1; range < others.size(); ++range)
   {
@@ -297,7 +386,7 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
   }
   if (!others[0].empty())
   {
-    this->replace(others[0]);
+    this->replace(others[0], numbers);
   }
 }
 
@@ -326,21 +415,35 @@ std::size_t VertexRings::countCorners(const Range& range)
   return sum;
 }
 
-void VertexRings::replace(std::span<const Ring> others)
+void VertexRings::replace(std::span<const Ring> others, RingNumbers* numbers)
 {
   BulkVector<RingEntry> entries;
+  BulkVector<float> ofEntries;
   entries.reserve(this->Entries.size());
+  ofEntries.reserve(numbers ? this->Entries.size() : 0);
   auto other = others.begin();
   for (Index v = 0; v + 1 < this->Starts.size(); ++v)
   {
     const bool isOther = other != others.end() && other->vertex == v;
-    const std::span<const RingEntry> ring = isOther ? (other++)->entries : (*this)[v];
+    const std::span<const RingEntry> ring = isOther ? other->entries : (*this)[v];
+    if (numbers)
+    {
+      const float* const ofRing =
+        isOther ? other->numbers.data() : numbers->ofEntries.data() + this->Starts[v];
+      ofEntries.insert(ofEntries.end(), ofRing, ofRing + ring.size());
+    }
+    other += isOther;
     this->Starts[v] = static_cast<std::uint32_t>(entries.size());
     entries.insert(entries.end(), ring.begin(), ring.end());
   }
   this->Starts.back() = static_cast<std::uint32_t>(entries.size());
   entries.insert(entries.end(), Overrun, RingEntry(0));
   this->Entries = std::move(entries);
+  if (numbers)
+  {
+    ofEntries.insert(ofEntries.end(), Overrun, numbers->measurer->ofNoTriangle());
+    numbers->ofEntries = std::move(ofEntries);
+  }
 }
 
 }

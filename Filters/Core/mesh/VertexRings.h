@@ -8,6 +8,7 @@
 #include "base/Platform.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
+#include "mesh/RingNumbers.h"
 
 #include <cstdint>
 #include <span>
@@ -55,14 +56,17 @@ public:
   /**
    * @param triangles  three different vertices each, sorted by the lowest of them
    * @param positions  of the vertices
-   * @param room       workspace, three numbers for each triangle
+   * @param room       workspace, RoomOfTriangle numbers for each triangle
    * @param team       threads to work on; the rings do not depend on their number
+   * @param numbers    numbers to make along with the rings by their measurer; null for none
    * @throws std::length_error for more than about 700 million triangles
    * Time O(n).
    */
   VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
-    std::span<Index> room, const ThreadTeam& team);
+    std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers = nullptr);
 
+  /** Numbers of workspace that each triangle takes while the rings are made. */
+  static constexpr std::size_t RoomOfTriangle = 6;
   /** The number of entries that may be read past the end of a ring, so that code can read several
    * at once. */
   static constexpr std::size_t Overrun = 3;
@@ -102,14 +106,18 @@ private:
   {
     Index vertex;
     std::vector<RingEntry> entries;
+    /** The number of each entry; empty if no numbers are made. */
+    std::vector<float> numbers;
   };
   class Range;
+  template <bool HasNumbers>
   class Filling;
 
   /** Counts the triangles at each vertex of a range in Starts; returns the sum of the counts. */
   std::size_t countCorners(const Range& range);
-  /** Replaces the rings of some vertices by @p others, sorted by vertex, which may be longer. */
-  void replace(std::span<const Ring> others);
+  /** Replaces the rings of some vertices by @p others, sorted by vertex, which may be longer, and
+   * the numbers of their entries, if there are any. */
+  void replace(std::span<const Ring> others, RingNumbers* numbers);
 
   std::vector<std::uint32_t> Starts;
   /** The entries of all rings, one ring after the other, and Overrun more. */

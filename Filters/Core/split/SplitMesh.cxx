@@ -70,7 +70,8 @@ SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const S
     positions.push_back(this->Origins[point].position(*this->Base));
     this->OnCut.push_back(splitter.isOnCut(point) ? 1 : 0);
   }
-  this->Mesh = std::make_shared<const TriangleMesh>(positions, splitter.triangles());
+  this->Mesh = std::make_shared<const TriangleMesh>(positions, splitter.triangles(),
+    CoincidentPoints::Separate, ThreadTeam(), this->Base->measurer());
 
   std::vector<Index> pieces(this->Base->numberOfTriangles(), 0);
   for (Index triangle : this->BaseTriangles)

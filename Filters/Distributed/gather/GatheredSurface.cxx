@@ -149,7 +149,8 @@ void GatheredSurface::takeIn(const Corridor& moved, const bridge::Barriers& barr
     triangles.push_back(corners);
     closed.push_back(triangle.isClosed ? 1 : 0);
   }
-  this->Mesh = std::make_shared<const TriangleMesh>(points, triangles, kinds);
+  this->Mesh =
+    std::make_shared<const TriangleMesh>(points, triangles, kinds, ThreadTeam(), piece.measurer());
 
   this->Barriers.closed.clear();
   for (Index t = 0; t < this->Mesh->numberOfTriangles(); ++t)

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/RingNumbers.h"
+
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace geodesic
+{
+namespace
+{
+
+/** Measures the triangles round vertices, TriangleNumbers::Most at a time. */
+class RingPass
+{
+public:
+  RingPass(const TriangleMesh& mesh, RingNumbers& numbers)
+    : Mesh(mesh)
+    , Numbers(numbers)
+  {
+  }
+
+  /** Adds the triangles round a vertex. */
+  void add(Index vertex)
+  {
+    this->Numbers.ofVertices[vertex] = 0.0f;
+    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+    const std::uint32_t first = this->Mesh.rings().firstEntry(vertex);
+    for (std::uint32_t i = 0; i < ring.size(); ++i)
+    {
+      if (!ring[i].opensTriangle())
+      {
+        this->Numbers.ofEntries[first + i] = this->Numbers.measurer->ofNoTriangle();
+        continue;
+      }
+      this->Triangles[this->Count] = { vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
+      this->Entries[this->Count] = first + i;
+      if (++this->Count == TriangleNumbers::Most)
+      {
+        this->finish();
+      }
+    }
+  }
+
+  /** Measures what was added and not yet measured; to be called after the last vertex. */
+  void finish()
+  {
+    this->Numbers.measurer->measure(
+      { this->Triangles.data(), this->Count }, this->Mesh.positions(), this->Measured);
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      this->Numbers.ofEntries[this->Entries[i]] = this->Measured.ofEntries[i];
+      float& ofVertex = this->Numbers.ofVertices[this->Triangles[i][0]];
+      ofVertex = std::max(ofVertex, this->Measured.ofVertices[i]);
+    }
+    this->Count = 0;
+  }
+
+private:
+  const TriangleMesh& Mesh;
+  RingNumbers& Numbers;
+  TriangleNumbers Measured;
+  std::size_t Count = 0;
+  std::array<Triangle, TriangleNumbers::Most> Triangles;
+  /** The numbers of the ring entries that open the triangles. */
+  std::array<std::uint32_t, TriangleNumbers::Most> Entries;
+};
+
+}
+
+std::shared_ptr<const RingNumbers> ringNumbers(
+  const TriangleMesh& mesh, const RingMeasurer& measurer, const ThreadTeam& team)
+{
+  if (mesh.measurer() == &measurer)
+  {
+    return mesh.numbers();
+  }
+  const auto numbers = std::make_shared<RingNumbers>();
+  numbers->measurer = &measurer;
+  numbers->ofEntries.resize(mesh.rings().numberOfEntries() + VertexRings::Overrun);
+  numbers->ofVertices.resize(mesh.numberOfVertices());
+  team.run(mesh.numberOfVertices(),
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      RingPass pass(mesh, *numbers);
+      for (std::size_t v = first; v < last; ++v)
+      {
+        pass.add(static_cast<Index>(v));
+      }
+      pass.finish();
+    });
+  std::fill(numbers->ofEntries.end() - VertexRings::Overrun, numbers->ofEntries.end(),
+    measurer.ofNoTriangle());
+  return numbers;
+}
+
+}
