@@ -101,7 +101,13 @@ int vtkSurfaceGeodesicDistance::GetNumberOfSeedCoordinates()
 //------------------------------------------------------------------------------
 double vtkSurfaceGeodesicDistance::GetSeedCoordinate(int index)
 {
-  return this->SeedCoordinates.at(index);
+  if (index < 0 || index >= this->GetNumberOfSeedCoordinates())
+  {
+    vtkErrorMacro(<< "There is no seed coordinate " << index << "; there are "
+                  << this->GetNumberOfSeedCoordinates() << ", numbered from 0.");
+    return 0.0;
+  }
+  return this->SeedCoordinates[index];
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,7 @@ public:
   void AddSeedPosition(double x, double y, double z);
   void AddSeedCoordinate(double coordinate);
   int GetNumberOfSeedCoordinates();
+  /** A coordinate; 0 and an error where there is no such index. */
   double GetSeedCoordinate(int index);
   ///@}
 

@@ -177,7 +177,9 @@ void vtkSurfaceGeodesicPath::DescribeRequest(std::vector<double>& numbers)
   }
   numbers.insert(numbers.end(),
     { static_cast<double>(this->Closed), static_cast<double>(this->PathMode),
-      static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten) });
+      static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten),
+      static_cast<double>(this->UseMaximumPathLength), this->MaximumPathLength,
+      this->HeightOffset });
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +194,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   vtkDataObject* output)
 {
   this->TotalLength = 0.0;
-  this->CheckRequest();
+  ranks.together([this] { this->CheckRequest(); });
   Internals& internal = *this->Internal;
   internal.Surface = this->FindSurface(ranks, blocks);
   const Run run{ ranks, inputVector,
@@ -346,8 +348,14 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
       }
       segments.back().Path = internal.onInput(std::move(path));
       this->MostPointsOnARank = std::max(this->MostPointsOnARank, finder.mostPointsOnARank());
+      if (this->IsAborted(run))
+      {
+        // It tells nothing about whether there is a path, so it must not be found by a later run.
+        segments.pop_back();
+        break;
+      }
     }
-    if (!segments.back().Path && !this->IsAborted(run))
+    if (!segments.back().Path)
     {
       missing += (missing.empty() ? "" : ", or ") + std::string("from waypoint ") +
         std::to_string(i) + " to waypoint " + std::to_string(next);
@@ -356,6 +364,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   this->ReportMissing(missing);
   return segments;
 }
+
 //------------------------------------------------------------------------------
 std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNearest(
   const Run& run, const Points& waypoints, const Points& starts)
@@ -384,6 +393,10 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
   for (std::size_t i = 0; i < starts.size() && !this->IsAborted(run); ++i)
   {
     auto path = internal.onInput(finder.pathFrom(points[i]));
+    if (this->IsAborted(run))
+    {
+      break;
+    }
     if (path)
     {
       const geodesic::Index end = path->end;

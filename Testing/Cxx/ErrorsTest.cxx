@@ -3,6 +3,7 @@
 // Each mistake is one message that names it, and leaves an empty output, never a stale one.
 
 #include "Inputs.h"
+#include "Observer.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -344,4 +345,19 @@ TEST_F(SurfaceFilterErrors, ANegativeMaximumDistanceIsNamed)
       this->Filter->SetMaximumDistance(-2.0);
     },
     [&] { this->Filter->UseMaximumDistanceOff(); }, "-2");
+}
+
+TEST(Errors, SeedCoordinateThatIsNotThere)
+{
+  vtkNew<vtkSurfaceGeodesicDistance> filter;
+  filter->AddSeedPosition(1.0, 2.0, 3.0);
+  EXPECT_EQ(filter->GetSeedCoordinate(2), 3.0);
+  for (const int index : { -1, 3, 99 })
+  {
+    int errors = 0;
+    Observer observer(filter, vtkCommand::ErrorEvent, [&] { ++errors; });
+    EXPECT_EQ(filter->GetSeedCoordinate(index), 0.0);
+    EXPECT_EQ(errors, 1);
+    filter->RemoveAllObservers();
+  }
 }

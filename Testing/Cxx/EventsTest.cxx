@@ -8,6 +8,7 @@
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
+#include "vtkSurfaceGeodesicPath.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,44 @@ TEST_F(Events, AbortLeavesAnEmptyOutputAndTheNextRunIsWhole)
     filter->Update();
     EXPECT_EQ(output->GetNumberOfPoints(), this->Input->GetNumberOfPoints());
     EXPECT_NEAR(output->GetPointData()->GetScalars()->GetRange()[1], 60.0 * std::sqrt(2.0), 1e-9);
+  }
+}
+
+// That an aborted run found no path does not mean that there is none.
+TEST_F(Events, AbortedPathIsFoundByTheNextRunWhateverChanged)
+{
+  for (const int mode :
+    { vtkSurfaceGeodesicPath::THROUGH_WAYPOINTS, vtkSurfaceGeodesicPath::TO_NEAREST_SEED })
+  {
+    vtkNew<vtkSurfaceGeodesicPath> path;
+    path->SetInputDataObject(this->Input);
+    path->SetPathMode(mode);
+    for (const double coordinate : { 0.0, 0.0, 0.0, 60.0, 60.0, 0.0 })
+    {
+      path->AddWaypointCoordinate(coordinate);
+    }
+    for (const double coordinate : { 30.0, 20.0, 0.0 })
+    {
+      path->AddStartCoordinate(coordinate);
+    }
+    int errors = 0;
+    Observer errorObserver(path, vtkCommand::ErrorEvent, [&] { ++errors; });
+    {
+      Observer observer(
+        path, vtkCommand::ProgressEvent, [&] { path->SetAbortExecute(path->GetProgress() > 0.3); });
+      path->Update();
+      path->RemoveObservers(vtkCommand::ProgressEvent);
+    }
+    EXPECT_EQ(path->GetTotalLength(), 0.0);
+    path->SetAbortExecute(0);
+    path->SetHeightOffset(0.5);
+    path->Update();
+    EXPECT_EQ(errors, 0);
+    EXPECT_NEAR(path->GetTotalLength(),
+      mode == vtkSurfaceGeodesicPath::THROUGH_WAYPOINTS ? 60.0 * std::sqrt(2.0)
+                                                        : 10.0 * std::sqrt(13.0),
+      1e-6);
+    path->RemoveAllObservers();
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "mesh/TriangleMesh.h"
 #include "pieces/PointKeys.h"
+#include "ranks/RankCache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,12 @@ std::vector<Key> keysOf(const bridge::InputSurface& surface, const bridge::Input
   return keys;
 }
 
+/** A surface that was built before, and the piece that it was built for. */
 struct Known
 {
+  bool isExpired() const { return this->surface.expired(); }
+
   std::weak_ptr<const bridge::InputSurface> piece;
-  /** See RankGroup::newNumber. */
-  double number;
   std::weak_ptr<const DistributedSurface> surface;
 };
 
@@ -42,19 +44,19 @@ struct Known
 std::shared_ptr<const DistributedSurface> DistributedSurface::of(
   RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity)
 {
-  static std::vector<Known> known;
+  static RankCache<Known> cache;
   std::shared_ptr<const bridge::InputSurface> piece;
   const ThreadTeam team(ranks.threadsOfThisRank());
   ranks.together([&] { piece = bridge::InputSurface::of(blocks, identity, team); });
-  std::erase_if(known, [](const Known& k) { return k.surface.expired(); });
-  const auto found = std::find_if(
-    known.begin(), known.end(), [&](const Known& k) { return k.piece.lock() == piece; });
-  if (ranks.haveSame(found == known.end() ? 0.0 : found->number))
+  const auto found = cache.find(ranks, [&](const Known& k) { return k.piece.lock() == piece; });
+  // Meanwhile another filter may have let go of it.
+  auto surface = found ? found->surface.lock() : nullptr;
+  if (!ranks.isAny(!surface))
   {
-    return found->surface.lock();
+    return surface;
   }
   auto built = std::make_shared<const DistributedSurface>(ranks, piece, blocks, identity);
-  known.push_back({ piece, ranks.newNumber(), built });
+  cache.add(ranks, { piece, built });
   return built;
 }
 

@@ -5,6 +5,7 @@
 #include "input/ArrayValues.h"
 #include "pieces/PointKeys.h"
 #include "ranks/KeyMatches.h"
+#include "ranks/RankCache.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -231,14 +232,20 @@ Surfaces openedSurfaces(
   return opened;
 }
 
+bool isAnyGone(const std::vector<std::weak_ptr<vtkPolyData>>& surfaces)
+{
+  return std::any_of(
+    surfaces.begin(), surfaces.end(), [](const auto& surface) { return surface.expired(); });
+}
+
 /** The result of an earlier run. */
 struct Known
 {
+  bool isExpired() const { return isAnyGone(this->surfaces) || isAnyGone(this->opened); }
+
   bridge::PointIdentity identity;
   std::vector<std::weak_ptr<vtkPolyData>> surfaces;
   std::vector<std::weak_ptr<vtkPolyData>> opened;
-  /** See RankGroup::newNumber. */
-  double number;
 };
 
 Surfaces locked(const std::vector<std::weak_ptr<vtkPolyData>>& surfaces)
@@ -251,40 +258,28 @@ Surfaces locked(const std::vector<std::weak_ptr<vtkPolyData>>& surfaces)
   return result;
 }
 
-bool isExpired(const Known& known)
-{
-  const auto isGone = [](const auto& surface) { return surface.expired(); };
-  return std::any_of(known.surfaces.begin(), known.surfaces.end(), isGone) ||
-    std::any_of(known.opened.begin(), known.opened.end(), isGone);
-}
-
 }
 
 void hideInnerFaces(
   RankGroup& ranks, bridge::InputBlocks& blocks, const bridge::PointIdentity& identity)
 {
-  static std::vector<Known> all;
+  static RankCache<Known> cache;
   const Surfaces surfaces = surfacesOf(blocks);
   const bool mayHaveSome = ranks.size() > 1 ? !surfaces.empty() : hasCutBlock(blocks);
   if (identity.by == bridge::PointIdentity::By::Nothing || !ranks.isAny(mayHaveSome))
   {
     return;
   }
-  std::erase_if(all, isExpired);
-  const auto isOfThese = [&](const Known& known)
-  { return known.identity == identity && locked(known.surfaces) == surfaces; };
-  const auto found = std::find_if(all.begin(), all.end(), isOfThese);
-  Surfaces opened;
-  if (ranks.haveSame(found == all.end() ? 0.0 : found->number))
-  {
-    opened = locked(found->opened);
-  }
-  else
+  const auto found = cache.find(ranks,
+    [&](const Known& known)
+    { return known.identity == identity && locked(known.surfaces) == surfaces; });
+  Surfaces opened = found ? locked(found->opened) : Surfaces();
+  const bool isWhole = found && std::find(opened.begin(), opened.end(), nullptr) == opened.end();
+  if (ranks.isAny(!isWhole))
   {
     opened = openedSurfaces(ranks, blocks, identity);
-    std::erase_if(all, isOfThese);
-    all.push_back({ identity, { surfaces.begin(), surfaces.end() },
-      { opened.begin(), opened.end() }, ranks.newNumber() });
+    cache.add(
+      ranks, { identity, { surfaces.begin(), surfaces.end() }, { opened.begin(), opened.end() } });
   }
   blocks.setOuterSurfaces(opened);
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -134,17 +135,26 @@ std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
 
 double RankGroup::newNumber()
 {
+  // Without this lock, two filters in two threads of the only rank could get the same number.
+  static std::mutex mutex;
   static double last = 0.0;
+  const std::lock_guard lock(mutex);
   const std::vector<double> lasts = this->gather({ &last, 1 });
   last = *std::max_element(lasts.begin(), lasts.end()) + 1.0;
   return last;
 }
 
-bool RankGroup::haveSame(double number)
+double RankGroup::largestCommon(std::span<const double> numbers)
 {
-  const std::vector<double> all = this->gather({ &number, 1 });
-  return number > 0.0 &&
-    std::all_of(all.begin(), all.end(), [number](double other) { return other == number; });
+  const auto byRank = this->gatherByRank(numbers);
+  double largest = 0.0;
+  for (const double number : numbers)
+  {
+    const bool isCommon = std::all_of(byRank.begin(), byRank.end(),
+      [&](const auto& of) { return std::find(of.begin(), of.end(), number) != of.end(); });
+    largest = isCommon ? std::max(largest, number) : largest;
+  }
+  return largest;
 }
 
 unsigned RankGroup::threadsOfThisRank()

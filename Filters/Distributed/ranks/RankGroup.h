@@ -58,8 +58,8 @@ public:
    * identifies what the ranks make together.
    */
   double newNumber();
-  /** Returns whether all ranks pass the same number of newNumber(). 0 stands for none. */
-  bool haveSame(double number);
+  /** Returns the largest of those numbers that all ranks pass; 0 if there is none. */
+  double largestCommon(std::span<const double> numbers);
   /** Returns this rank's share of the processors of its machine, at least 1. */
   unsigned threadsOfThisRank();
 
