@@ -163,6 +163,11 @@ Surface cylinder(Index around, Index along, double radius, double height)
   return surface;
 }
 
+Surface disc(Index around)
+{
+  return cone(around, 1, 1.0, 1.0);
+}
+
 Surface cone(Index around, Index along, double radius, double slope)
 {
   Surface surface;

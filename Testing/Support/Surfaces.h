@@ -32,6 +32,8 @@ Surface icosphere(int levels);
 Surface torus(Index around, Index across, double majorRadius, double minorRadius);
 /** Open cylinder round the z axis without a double seam; its cells touch the true surface. */
 Surface cylinder(Index around, Index along, double radius, double height);
+/** Unit disc of triangles round one point, point 0. */
+Surface disc(Index around);
 /** Open cone with its apex (point 0) at the origin; @p slope is the side's length. */
 Surface cone(Index around, Index along, double radius, double slope);
 /** Adds the cells between rings of points; the last point of a ring is followed by its first. */

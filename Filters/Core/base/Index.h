@@ -27,6 +27,11 @@ inline Index highestCorner(const Triangle& t)
 {
   return std::max(std::max(t[0], t[1]), t[2]);
 }
+inline Triangle sortedCorners(Triangle t)
+{
+  std::sort(t.begin(), t.end());
+  return t;
+}
 
 }
 

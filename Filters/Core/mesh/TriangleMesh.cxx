@@ -4,7 +4,6 @@
 
 #include "base/Mean.h"
 #include "base/Platform.h"
-#include "base/SortUnique.h"
 #include "mesh/SpatialOrder.h"
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -210,15 +210,21 @@ void TriangleMesh::orderTriangles(
   const std::size_t total = startsOf(starts);
   this->Triangles.resize(total);
   this->SourceOfTriangle.resize(total);
+  std::vector<std::vector<TriangleRange>> toSort(starts.size());
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       Index next = static_cast<Index>(starts[range]);
       for (std::size_t v = first; v < last; ++v)
       {
+        const Index begin = next;
         for (std::vector<Index>& counts : places)
         {
           next += std::exchange(counts[v], next);
+        }
+        if (next - begin > MostUnsorted)
+        {
+          toSort[range].push_back({ begin, next });
         }
       }
     });
@@ -263,6 +269,39 @@ void TriangleMesh::orderTriangles(
         put(t);
       }
     });
+  for (const std::vector<TriangleRange>& ranges : toSort)
+  {
+    std::for_each(ranges.begin(), ranges.end(),
+      [&](const TriangleRange& range) { this->sortByCorners(range); });
+  }
+}
+
+void TriangleMesh::sortByCorners(const TriangleRange& range)
+{
+  struct Item
+  {
+    Triangle sorted;
+    Triangle corners;
+    Index source;
+    bool operator<(const Item& other) const
+    {
+      return std::tie(this->sorted, this->source) < std::tie(other.sorted, other.source);
+    }
+  };
+  std::vector<Item> items;
+  items.reserve(range.last - range.first);
+  for (Index t = range.first; t < range.last; ++t)
+  {
+    items.push_back(
+      { sortedCorners(this->Triangles[t]), this->Triangles[t], this->SourceOfTriangle[t] });
+  }
+  std::sort(items.begin(), items.end());
+  for (Index t = range.first; const Item& item : items)
+  {
+    this->Triangles[t] = item.corners;
+    this->SourceOfTriangle[t] = item.source;
+    ++t;
+  }
 }
 
 void TriangleMesh::forgetBareVertices()
@@ -278,56 +317,6 @@ void TriangleMesh::measureEdges()
   const std::span<const float> longestSides = this->Rings.longestSides();
   this->MeanLongestEdge = meanOf(longestSides);
   this->LongestEdgeLength = largestOf(longestSides);
-}
-
-SurfacePoint TriangleMesh::pointAtVertex(Index vertex) const
-{
-  SurfacePoint point;
-  point.triangle = this->trianglesWith({ &vertex, 1 }).front();
-  for (int c = 0; c < 3; ++c)
-  {
-    point.weights[c] = this->Triangles[point.triangle][c] == vertex ? 1.0 : 0.0;
-  }
-  return point;
-}
-
-std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) const
-{
-  const auto hasAll = [&](const Triangle& t)
-  {
-    return std::all_of(corners.begin(), corners.end(),
-      [&](Index corner) { return std::find(t.begin(), t.end(), corner) != t.end(); });
-  };
-  const auto isBefore = [](const Triangle& t, Index lowest) { return lowestCorner(t) < lowest; };
-  std::vector<Index> found;
-  const std::span<const RingEntry> ring = this->ring(corners[0]);
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    const Index next = ring[i].opensTriangle() ? ring[i + 1].neighbour() : ring[i].neighbour();
-    const Triangle wanted{ corners[0], ring[i].neighbour(), next };
-    if (!ring[i].opensTriangle() || !hasAll(wanted))
-    {
-      continue;
-    }
-    const Index lowest = lowestCorner(wanted);
-    auto t = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), lowest, isBefore);
-    for (; t != this->Triangles.end() && lowestCorner(*t) == lowest; ++t)
-    {
-      if (std::is_permutation(t->begin(), t->end(), wanted.begin()))
-      {
-        found.push_back(static_cast<Index>(t - this->Triangles.begin()));
-      }
-    }
-  }
-  sortUnique(found);
-  return found;
-}
-
-Vector3 TriangleMesh::positionOf(const SurfacePoint& point) const
-{
-  const Triangle& corners = this->Triangles[point.triangle];
-  return point.weights[0] * this->Positions[corners[0]] +
-    point.weights[1] * this->Positions[corners[1]] + point.weights[2] * this->Positions[corners[2]];
 }
 
 }

@@ -11,6 +11,7 @@
 #include "mesh/SurfacePoint.h"
 #include "mesh/VertexRings.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -32,9 +33,10 @@ enum class CoincidentPoints
  * Its *vertices* are the input's *points* that at least one triangle uses, renumbered along a
  * space-filling curve (see spatialOrder). With CoincidentPoints::Merge, points of equal coordinates
  * are one vertex; with the constructor that takes kinds, points of the same kind are. Triangles are
- * sorted by their lowest vertex. Any surface is allowed: boundaries, several parts, mixed
- * orientation, edges with more than two triangles, triangles of zero area. A triangle that repeats
- * a corner has no area and no interior and is left out.
+ * sorted by their lowest vertex, and by the other two where one vertex is the lowest of many. Any
+ * surface is allowed: boundaries, several parts, mixed orientation, edges with more than two
+ * triangles, triangles of zero area. A triangle that repeats a corner has no area and no interior
+ * and is left out.
  *
  * Holds about 130 bytes a vertex, and 32 more for the numbers of a measurer. Lengths are computed
  * from the coordinates where they are used: on current machines that is cheaper than reading them
@@ -101,7 +103,8 @@ public:
 
   /** The vertex as a point of the surface. @pre a triangle uses it. Time O(log n). */
   SurfacePoint pointAtVertex(Index vertex) const;
-  /** The triangles that have all of some vertices as corners; time O(log n). */
+  /** The triangles that have all of some vertices as corners, sorted by number. Time O(log n) for
+   * each triangle round the one of these vertices that has the fewest. */
   std::vector<Index> trianglesWith(std::span<const Index> corners) const;
   /** The position in space of a point of the surface. */
   Vector3 positionOf(const SurfacePoint& point) const;
@@ -114,6 +117,17 @@ public:
   double longestEdgeAround(Index vertex) const { return this->Rings.longestSides()[vertex]; }
 
 private:
+  /** The triangles @p first to @p last - 1. */
+  struct TriangleRange
+  {
+    Index first;
+    Index last;
+  };
+
+  /** A vertex that is the lowest corner of more triangles has these sorted by their other corners.
+   */
+  static constexpr std::ptrdiff_t MostUnsorted = 32;
+
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
   void build(
@@ -121,6 +135,11 @@ private:
   /** @param corners workspace, three numbers for each triangle */
   void orderTriangles(
     std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
+  /** Sorts triangles of one lowest corner by their other corners. */
+  void sortByCorners(const TriangleRange& range);
+  /** The triangles with these three corners, sorted by number. Time O(log n), and the same again
+   * for each of them. */
+  std::vector<Index> trianglesOf(const Triangle& corners) const;
   /** Sets NoIndex as the vertex of points that only left-out triangles use: they aren't on the
    * surface. */
   void forgetBareVertices();

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Work grows with the input, also where a vertex has many triangles, and paths have many bends:
+// steps are counted on an input of n and one of 4 n. Linear work grows 4 times, and n log n a
+// little more; quadratic work grows 16 times.
+
+#include "Solving.h"
+#include "base/WorkCount.h"
+
+#include <gtest/gtest.h>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+constexpr double MostGrowth = 5.5;
+
+/** @param work  called with a size */
+template <class Work>
+void expectLinear(Index size, const Work& work)
+{
+  const auto stepsOf = [&](Index n)
+  {
+    const std::size_t before = WorkCount::steps();
+    work(n);
+    return static_cast<double>(WorkCount::steps() - before);
+  };
+  const double steps = stepsOf(size);
+  EXPECT_GT(steps, 0.0);
+  EXPECT_LT(stepsOf(4 * size) / steps, MostGrowth);
+}
+
+}
+
+// The centre is a corner of all triangles.
+TEST(Growth, TrianglesOfADisc)
+{
+  expectLinear(1000,
+    [](Index around)
+    {
+      const auto mesh = meshOf(disc(around));
+      const Index centre = mesh->vertexOfPoint(0);
+      EXPECT_EQ(mesh->trianglesWith({ &centre, 1 }).size(), around);
+      for (Index t = 0; t < mesh->numberOfTriangles(); ++t)
+      {
+        const Triangle& corners = mesh->triangle(t);
+        EXPECT_EQ(mesh->trianglesWith(corners), std::vector{ t });
+        EXPECT_EQ(mesh->trianglesWith(std::span(corners).first(2)).size(), 2);
+        EXPECT_EQ(mesh->positionOf(mesh->pointAtVertex(corners[1])), mesh->position(corners[1]));
+      }
+    });
+}
