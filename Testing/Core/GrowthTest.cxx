@@ -4,8 +4,11 @@
 // steps are counted on an input of n and one of 4 n. Linear work grows 4 times, and n log n a
 // little more; quadratic work grows 16 times.
 
+#include "PathStyles.h"
 #include "Solving.h"
 #include "base/WorkCount.h"
+#include "march/FastMarchingSolver.h"
+#include "path/PathFinder.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +35,15 @@ void expectLinear(Index size, const Work& work)
   EXPECT_LT(stepsOf(4 * size) / steps, MostGrowth);
 }
 
+/** The path between two points of the input. */
+SurfacePath pathBetween(const Surface& surface, Index from, Index to)
+{
+  const auto mesh = meshOf(surface);
+  const auto at = [&](Index point) { return mesh->pointAtVertex(mesh->vertexOfPoint(point)); };
+  FastMarchingSolver solver(mesh);
+  return shortestPath(solver, at(from), at(to), {}, Straight).value();
+}
+
 }
 
 // The centre is a corner of all triangles.
@@ -50,5 +62,25 @@ TEST(Growth, TrianglesOfADisc)
         EXPECT_EQ(mesh->trianglesWith(std::span(corners).first(2)).size(), 2);
         EXPECT_EQ(mesh->positionOf(mesh->pointAtVertex(corners[1])), mesh->position(corners[1]));
       }
+    });
+}
+
+// The path crosses edges from the centre to the rim.
+TEST(Growth, PathAcrossADisc)
+{
+  expectLinear(1000,
+    [](Index around)
+    { EXPECT_GT(pathBetween(disc(around), 1, 1 + around / 3).size(), around / 4); });
+}
+
+// A trace follows the strip's borders, with many bends, each of which can be shortened. Up to a
+// limit the straightener works off one after the other, so that a strip must not be short.
+TEST(Growth, PathAlongAStrip)
+{
+  expectLinear(40000,
+    [](Index cells)
+    {
+      const Surface strip = planeGrid(cells, 1, cells, 1.0);
+      EXPECT_GT(pathBetween(strip, 0, 2 * cells + 1).size(), cells);
     });
 }

@@ -3,6 +3,7 @@
 #include "path/StripFunnel.h"
 
 #include "base/PlanePoint.h"
+#include "base/WorkCount.h"
 
 #include <cmath>
 #include <span>
@@ -19,7 +20,7 @@ bool isSame(const PlanePoint& a, const PlanePoint& b)
 
 bool hasCorner(const Triangle& face, Index vertex)
 {
-  return std::find(face.begin(), face.end(), vertex) != face.end();
+  return face[0] == vertex || face[1] == vertex || face[2] == vertex;
 }
 
 /** The edge between two faces of the strip. Left and right are as seen on a walk along the strip.
@@ -115,7 +116,7 @@ private:
     const double length = norm(edge);
     const PlanePoint flatEdge{ portal.flatRight.x - portal.flatLeft.x,
       portal.flatRight.y - portal.flatLeft.y };
-    const double flatLength = std::hypot(flatEdge.x, flatEdge.y);
+    const double flatLength = std::sqrt(flatEdge.x * flatEdge.x + flatEdge.y * flatEdge.y);
     if (!(length > 0.0 && flatLength > 0.0))
     {
       // Both ends are one point, through which every path goes. So any direction will do.
@@ -254,7 +255,7 @@ PathPoint crossingOf(const Portal& portal, const PlanePoint& start, const PlaneP
 void appendFace(std::vector<Triangle>& faces, const Triangle& face)
 {
   const auto isFace = [&](const Triangle& other)
-  { return std::is_permutation(other.begin(), other.end(), face.begin()); };
+  { return hasCorner(other, face[0]) && hasCorner(other, face[1]) && hasCorner(other, face[2]); };
   if (!faces.empty() && isFace(faces.back()))
   {
     return;
@@ -272,6 +273,7 @@ std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathP
 {
   const Range whole = trimmed(faces, { 0, faces.size() }, start, end);
   const std::span<const Triangle> strip(faces.data() + whole.first, whole.last - whole.first);
+  WorkCount::add(strip.size());
   if (strip.size() == 1)
   {
     if (isSameVertex(start, end))

@@ -3,11 +3,14 @@
 #include "path/VertexLink.h"
 
 #include "base/SortUnique.h"
+#include "base/WorkCount.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <queue>
+#include <utility>
 
 namespace geodesic
 {
@@ -31,6 +34,7 @@ VertexLink::VertexLink(const WeightedMesh& weighted, Index vertex)
     this->Nodes.push_back(entry.neighbour());
   }
   sortUnique(this->Nodes);
+  WorkCount::add(ring.size());
   this->Arcs.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
@@ -88,8 +92,92 @@ std::optional<VertexLink::Direction> VertexLink::directionTo(const PathPoint& po
       this->angleBetween(position, this->Surface.mesh().position(others[1])) } };
 }
 
+VertexLink::Sweep VertexLink::sweepFrom(const Direction& source) const
+{
+  Sweep sweep{ std::vector<double>(this->Nodes.size(), std::numeric_limits<double>::infinity()),
+    std::vector<std::size_t>(this->Nodes.size(), None) };
+  for (int i = 0; i < 2; ++i)
+  {
+    sweep.angles[source.nodes[i]] = source.angles[i];
+  }
+  const auto relax = [&](const Arc& arc)
+  {
+    bool changes = false;
+    for (const auto& [a, b] :
+      { std::pair{ arc.first, arc.second }, std::pair{ arc.second, arc.first } })
+    {
+      if (sweep.angles[a] + arc.angle < sweep.angles[b])
+      {
+        sweep.angles[b] = sweep.angles[a] + arc.angle;
+        sweep.previous[b] = a;
+        changes = true;
+      }
+    }
+    return changes;
+  };
+  // Arcs of a fan follow each other round the vertex, so one pass forwards and one back settle a
+  // fan, and a few more passes most links of several fans.
+  constexpr int mostPasses = 4;
+  bool changes = true;
+  for (int pass = 0; pass < mostPasses && changes; ++pass)
+  {
+    WorkCount::add(2 * this->Arcs.size());
+    changes = false;
+    for (auto arc = this->Arcs.begin(); arc != this->Arcs.end(); ++arc)
+    {
+      changes = relax(*arc) || changes;
+    }
+    for (auto arc = this->Arcs.rbegin(); arc != this->Arcs.rend(); ++arc)
+    {
+      changes = relax(*arc) || changes;
+    }
+  }
+  if (changes)
+  {
+    this->settle(sweep);
+  }
+  return sweep;
+}
+
+void VertexLink::settle(Sweep& sweep) const
+{
+  std::vector<std::vector<std::size_t>> arcsOf(this->Nodes.size());
+  for (std::size_t i = 0; i < this->Arcs.size(); ++i)
+  {
+    arcsOf[this->Arcs[i].first].push_back(i);
+    arcsOf[this->Arcs[i].second].push_back(i);
+  }
+  using Trial = std::pair<double, std::size_t>;
+  std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;
+  for (std::size_t node = 0; node < this->Nodes.size(); ++node)
+  {
+    queue.emplace(sweep.angles[node], node);
+  }
+  while (!queue.empty())
+  {
+    const auto [angle, node] = queue.top();
+    queue.pop();
+    if (angle > sweep.angles[node])
+    {
+      continue;
+    }
+    WorkCount::add(arcsOf[node].size());
+    for (const std::size_t number : arcsOf[node])
+    {
+      const Arc& arc = this->Arcs[number];
+      const std::size_t next = arc.first == node ? arc.second : arc.first;
+      if (angle + arc.angle < sweep.angles[next])
+      {
+        sweep.angles[next] = angle + arc.angle;
+        sweep.previous[next] = node;
+        queue.emplace(sweep.angles[next], next);
+      }
+    }
+  }
+}
+
 std::optional<std::vector<Triangle>> VertexLink::shorterSide(
-  const PathPoint& from, const PathPoint& to) const
+  const PathPoint& from, const PathPoint& to, Bend bend) const
 {
   const std::optional<Direction> source = this->directionTo(from);
   const std::optional<Direction> target = this->directionTo(to);
@@ -108,46 +196,11 @@ std::optional<std::vector<Triangle>> VertexLink::shorterSide(
     return std::vector<Triangle>{ face(source->nodes[0], source->nodes[1]) };
   }
 
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<double> angles(this->Nodes.size(), unknown);
-  std::vector<std::size_t> previous(this->Nodes.size(), none);
-  for (int i = 0; i < 2; ++i)
-  {
-    angles[source->nodes[i]] = source->angles[i];
-  }
-  // Arcs follow each other round the vertex, so one pass forwards and one back settle most links.
-  const auto relax = [&](const Arc& arc)
-  {
-    bool changes = false;
-    for (const auto& [a, b] :
-      { std::pair{ arc.first, arc.second }, std::pair{ arc.second, arc.first } })
-    {
-      if (angles[a] + arc.angle < angles[b])
-      {
-        angles[b] = angles[a] + arc.angle;
-        previous[b] = a;
-        changes = true;
-      }
-    }
-    return changes;
-  };
-  for (bool changes = true; changes;)
-  {
-    changes = false;
-    for (auto arc = this->Arcs.begin(); arc != this->Arcs.end(); ++arc)
-    {
-      changes = relax(*arc) || changes;
-    }
-    for (auto arc = this->Arcs.rbegin(); arc != this->Arcs.rend(); ++arc)
-    {
-      changes = relax(*arc) || changes;
-    }
-  }
-
+  const auto [angles, previous] = this->sweepFrom(*source);
   const double first = angles[target->nodes[0]] + target->angles[0];
   const double second = angles[target->nodes[1]] + target->angles[1];
-  if (!(std::min(first, second) < std::numbers::pi - LeastTurn))
+  const double most = std::numbers::pi + (bend == Bend::Real ? -LeastTurn : LeastTurn);
+  if (!(std::min(first, second) < most))
   {
     return std::nullopt;
   }
@@ -157,7 +210,7 @@ std::optional<std::vector<Triangle>> VertexLink::shorterSide(
     faces.push_back(face(target->nodes[0], target->nodes[1]));
   }
   std::size_t node = target->nodes[first <= second ? 0 : 1];
-  for (; previous[node] != none; node = previous[node])
+  for (; previous[node] != None; node = previous[node])
   {
     faces.push_back(face(previous[node], node));
   }

@@ -6,6 +6,9 @@
 #include "path/StripFunnel.h"
 #include "path/WeightedMesh.h"
 
+#include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,17 +24,25 @@ namespace geodesic
 class VertexLink
 {
 public:
+  /** What shorterSide() takes for a bend: an angle of less than 180 degrees, or also one of 180. */
+  enum class Bend
+  {
+    Real,
+    OrStraight
+  };
+
   VertexLink(const WeightedMesh& weighted, Index vertex);
 
   /**
    * The side on which a path that bends at the vertex gets shorter.
    * @param from, to  points of the path before and after the vertex, each in a face with it
+   * @param bend      whether a path that runs straight through the vertex counts as well
    * @return the faces round the vertex on the side where the angle between the two points is
-   * smallest, if it is less than 180 degrees; nothing otherwise. The faces in which the points lie
-   * are among them, unless the path runs along an edge there.
+   * smallest, if it is less than 180 degrees or as @p bend says; nothing otherwise. The faces in
+   * which the points lie are among them, unless the path runs along an edge there.
    */
   std::optional<std::vector<Triangle>> shorterSide(
-    const PathPoint& from, const PathPoint& to) const;
+    const PathPoint& from, const PathPoint& to, Bend bend = Bend::Real) const;
 
 private:
   /** A face as an arc between two nodes. */
@@ -49,6 +60,19 @@ private:
     std::array<double, 2> angles;
   };
 
+  /** Stands for no node. */
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  /** For each node the smallest angle to a direction, infinite where there is none, and the node
+   * before on the way there. */
+  struct Sweep
+  {
+    std::vector<double> angles;
+    std::vector<std::size_t> previous;
+  };
+
+  Sweep sweepFrom(const Direction& source) const;
+  /** Makes final the angles of a sweep that are not, by Dijkstra's algorithm. */
+  void settle(Sweep& sweep) const;
   /** The place of a neighbour in Nodes. */
   std::size_t nodeOf(Index neighbour) const;
   /** The direction from the vertex to a point; nothing if the point's face is not crossable. */

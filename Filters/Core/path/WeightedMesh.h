@@ -3,10 +3,14 @@
 #ifndef geodesic_WeightedMesh_h
 #define geodesic_WeightedMesh_h
 
+#include "base/WorkCount.h"
 #include "mesh/TriangleMesh.h"
 #include "path/PathPoint.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/SolveOptions.h"
+
+#include <algorithm>
+#include <cstddef>
 
 namespace geodesic
 {
@@ -71,13 +75,24 @@ private:
   ClosedTriangles Closed;
 };
 
+/** The carrier of a point round which the faces of the point are sought: the first one, or where
+ * that has many faces, the one with the shortest ring. */
+inline Index centreOf(const WeightedMesh& surface, const Carriers& carriers)
+{
+  constexpr std::size_t many = 64;
+  const auto sizeOf = [&](Index carrier) { return surface.mesh().ring(carrier).size(); };
+  return sizeOf(carriers[0]) <= many ? carriers[0]
+                                     : *std::min_element(carriers.begin(), carriers.end(),
+                                         [&](Index a, Index b) { return sizeOf(a) < sizeOf(b); });
+}
+
 /** Calls @p visit with each open face in which the point lies. */
 template <class Visit>
 inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visit&& visit)
 {
-  const Carriers carriers = point.carriers();
-  const Index centre = carriers[0];
+  const Index centre = centreOf(surface, point.carriers());
   const std::span<const RingEntry> ring = surface.ring(centre);
+  WorkCount::add(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (surface.isOpen(centre, i))
