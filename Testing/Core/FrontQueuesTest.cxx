@@ -175,3 +175,20 @@ TEST(FrontQueues, ManyBucketsLeaveRoomForFewerGroups)
   queues.start(1.0, 1e9, 1000);
   EXPECT_EQ(queues.numberOfGroups(), 1u);
 }
+
+// Keys of one bucket, in any order, and an item that is queued again with a lower key.
+TEST(FrontQueues, ByValueTheLeastKeyComesFirst)
+{
+  FrontQueues queues;
+  queues.start(1.0, Span, 1, QueueOrder::ByValue);
+  FrontGroup& group = queues.group(0);
+  group.best.push(1, 0.7);
+  group.best.push(2, 0.3);
+  group.best.push(3, 0.5);
+  group.best.push(1, 0.1);
+  group.best.push(4, 3.5);
+  EXPECT_EQ(emptied(queues, 3), (Items{ 1, 2, 3, 1 }));
+  EXPECT_EQ(queues.nextKey(), 3.0);
+  EXPECT_EQ(emptied(queues), (Items{ 4 }));
+  EXPECT_EQ(queues.nextKey(), std::numeric_limits<double>::infinity());
+}

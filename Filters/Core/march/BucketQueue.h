@@ -15,11 +15,21 @@
 namespace geodesic
 {
 
+/** In which order a queue hands out items: roughly by increasing key, or strictly. */
+enum class QueueOrder
+{
+  ByBucket,
+  ByValue
+};
+
 /**
  * A queue that hands out items roughly by increasing key. It goes from bucket to bucket, which are
  * of equal width; within a bucket, items come in the order in which they were pushed. That is
  * enough for a label correcting march, whose result does not depend on the order. Time is constant
  * for an item. R. Dial, Algorithm 360, CACM 12 (1969).
+ *
+ * Where keys differ by orders of magnitude, nearly all of them share one bucket. For these the
+ * order can be that of the keys; buckets are then only numbers, and an item takes time O(log n).
  */
 class BucketQueue
 {
@@ -39,8 +49,10 @@ public:
    * @param width  of a bucket, more than 0
    * @param span   the most by which a pushed key exceeds the last one taken
    */
-  void start(double width, double span)
+  void start(double width, double span, QueueOrder order = QueueOrder::ByBucket)
   {
+    this->IsByValue = order == QueueOrder::ByValue;
+    this->Heap.clear();
     const std::size_t buckets = numberOfBuckets(width, span);
     for (std::vector<Index>& bucket : this->Buckets)
     {
@@ -58,17 +70,25 @@ public:
   }
 
   bool isEmpty() const { return this->Count == 0; }
+  /** Whether items come strictly by key. An item whose key falls should then be pushed again. */
+  bool isByValue() const { return this->IsByValue; }
 
   /** Adds an item. With a key beyond the last bucket it goes into the last one, with a key before
    * the current bucket into the current one. */
   void push(Index item, double key)
   {
+    ++this->Count;
+    if (this->IsByValue)
+    {
+      this->Heap.push_back({ key, item });
+      std::push_heap(this->Heap.begin(), this->Heap.end());
+      return;
+    }
     const double number = key * this->PerWidth;
     const std::int64_t bucket = number < this->LastNumber
       ? std::max(static_cast<std::int64_t>(number), static_cast<std::int64_t>(this->Current))
       : static_cast<std::int64_t>(this->Current + this->LastIndex);
     this->bucket(static_cast<std::uint64_t>(bucket)).push_back(item);
-    ++this->Count;
   }
 
   /** The number of a key's bucket; the key may be infinite. */
@@ -82,6 +102,10 @@ public:
    * @p end. */
   bool hasBefore(std::uint64_t end)
   {
+    if (this->IsByValue)
+    {
+      return !this->isEmpty() && this->nextBucket() < end;
+    }
     if (this->isEmpty())
     {
       this->bucket(this->Current).clear();
@@ -106,7 +130,7 @@ public:
   void goBackTo(double key)
   {
     const std::uint64_t target = this->bucketOf(key);
-    if (target >= this->Current)
+    if (this->IsByValue || target >= this->Current)
     {
       return;
     }
@@ -139,6 +163,10 @@ public:
   /** The number of the first bucket in which an item waits. @pre !isEmpty() */
   std::uint64_t nextBucket() const
   {
+    if (this->IsByValue)
+    {
+      return this->bucketOf(this->Heap.front().key);
+    }
     std::uint64_t number = this->Current;
     std::size_t taken = this->Next;
     while (taken == this->Buckets[this->indexOf(number)].size())
@@ -153,12 +181,24 @@ public:
 
   /**
    * Takes items from the current bucket.
-   * @param room  for the items; as many are taken as fit, or all of the bucket
+   * @param room  for the items; as many are taken as fit, or all of the bucket; by value, a few
    * @return the part of @p room that holds them, at least one
    * @pre hasBefore() was true
    */
   std::span<const Index> take(std::span<Index> room)
   {
+    if (this->IsByValue)
+    {
+      std::size_t taken = 0;
+      for (; taken < std::min(room.size(), MostByValue) && !this->Heap.empty(); ++taken)
+      {
+        std::pop_heap(this->Heap.begin(), this->Heap.end());
+        room[taken] = this->Heap.back().item;
+        this->Heap.pop_back();
+      }
+      this->Count -= taken;
+      return room.first(taken);
+    }
     const std::span<const Index> taken = this->next(room.size());
     std::copy(taken.begin(), taken.end(), room.begin());
     this->Next += taken.size();
@@ -167,14 +207,30 @@ public:
   }
 
   /** The next items of the current bucket, without taking them: @p most of them, or all if they are
-   * fewer. Valid until the next push. */
+   * fewer. None if items come by value. Valid until the next push. */
   std::span<const Index> next(std::size_t most) const
   {
+    if (this->IsByValue)
+    {
+      return {};
+    }
     const std::span<const Index> items = this->Buckets[this->indexOf(this->Current)];
     return items.subspan(this->Next, std::min(most, items.size() - this->Next));
   }
 
 private:
+  /** How many items are taken at a time by value: of more, later ones would often gain by the first
+   * ones. */
+  static constexpr std::size_t MostByValue = 2;
+
+  struct Entry
+  {
+    double key;
+    Index item;
+    /** Whether this one comes later; the first one is the largest of a heap. */
+    friend bool operator<(const Entry& a, const Entry& b) { return a.key > b.key; }
+  };
+
   void goTo(std::uint64_t number)
   {
     this->Current = number;
@@ -196,6 +252,9 @@ private:
   std::size_t Next = 0;
   /** How many items wait. */
   std::size_t Count = 0;
+  /** What waits if items come by value. */
+  std::vector<Entry> Heap;
+  bool IsByValue = false;
 };
 
 }

@@ -94,7 +94,10 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
   // A piece without triangles has no edges.
   this->Queues.start(width > 0.0 ? width : 1.0,
     2.0 * this->mesh().longestEdgeLength() * cost.largest(),
-    numberOfGroups(this->mesh().numberOfVertices(), request.front.labels.size(), request.options));
+    cost.queueOrder() == QueueOrder::ByValue ? 1
+                                             : numberOfGroups(this->mesh().numberOfVertices(),
+                                                 request.front.labels.size(), request.options),
+    cost.queueOrder());
   MarchControl control(request.options, limit, this->mesh().numberOfVertices());
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };

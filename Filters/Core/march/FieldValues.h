@@ -85,6 +85,7 @@ protected:
     , Field(context.field)
     , MayStop(context.limit.isPossible())
     , HasExcluded(!context.options.excluded.empty())
+    , IsByValue(context.cost.queueOrder() == QueueOrder::ByValue)
     , First(firstDistance)
     , States(context.states)
     , Distances(context.field.distances())
@@ -141,6 +142,13 @@ protected:
     const double ceiling = this->ceiling(label, vertex, this->value(label, vertex));
     const Pair distance = select(Pair{ value } < Pair{ ceiling }, Pair{ value + label.seedValue },
       Pair{ this->Distances[vertex] });
+    if constexpr (!Cost::isUnit)
+    {
+      if (this->IsByValue && distance[0] < this->Distances[vertex])
+      {
+        this->queue(label, label.group->best, vertex, value);
+      }
+    }
     this->Field.lowerDistance(vertex, distance[0]);
     const double held = distance[0] - label.seedValue;
     return { held, held, true };
@@ -167,6 +175,10 @@ protected:
     if (this->state(vertex).isQueued())
     {
       this->Field.lowerDistance(vertex, value + label.seedValue);
+      if (this->IsByValue)
+      {
+        this->queue(label, label.group->best, vertex, value);
+      }
     }
     else
     {
@@ -189,6 +201,8 @@ private:
   DistanceField& Field;
   bool MayStop;
   bool HasExcluded;
+  /** Whether a vertex is queued again where its value falls. */
+  bool IsByValue;
   double First;
   std::span<VertexState> States;
   std::span<const double> Distances;

@@ -45,18 +45,18 @@ public:
 
   /**
    * Empties the queues.
-   * @param width, span  see BucketQueue::start()
+   * @param width, span, order  see BucketQueue::start()
    * @param wanted       number of groups, at least 1; there are fewer if they would have more than
    *                     BucketQueue::MostBuckets buckets together
    */
-  void start(double width, double span, std::size_t wanted)
+  void start(double width, double span, std::size_t wanted, QueueOrder order = QueueOrder::ByBucket)
   {
     const std::size_t most = BucketQueue::MostBuckets / BucketQueue::numberOfBuckets(width, span);
     this->Groups.resize(std::clamp(wanted, std::size_t{ 1 }, most));
     for (FrontGroup& group : this->Groups)
     {
-      group.best.start(width, span);
-      group.secondary.start(width, span);
+      group.best.start(width, span, order);
+      group.secondary.start(width, span, order);
     }
     this->startSlice(0);
   }

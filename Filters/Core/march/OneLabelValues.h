@@ -65,6 +65,14 @@ public:
   GEODESIC_INLINED void prefetch(Index taken) const { this->prefetchRing(taken); }
   PoppedValue pop(Index vertex)
   {
+    if constexpr (!Cost::isUnit)
+    {
+      // By value a vertex may be in the queue several times.
+      if (!this->state(vertex).isQueued())
+      {
+        return { NoIndex, nullptr, 0.0 };
+      }
+    }
     this->state(vertex).setQueued(false);
     return { vertex, &this->Only, this->value(this->Only, vertex) };
   }

@@ -49,7 +49,8 @@ public:
   {
     // Any width gives the same field.
     const double width = 0.25 * this->meanLongestEdge();
-    this->Queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() * cost.largest());
+    this->Queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() * cost.largest(),
+      cost.queueOrder());
   }
 
   /** Gives a vertex a start value and puts it into the queue. */
@@ -68,6 +69,10 @@ public:
     while (this->Queue.hasBefore(end) && this->Control.mayGoOn())
     {
       ReferenceValue& taken = this->Values[this->Queue.take(room)[0]];
+      if (!taken.isQueued)
+      {
+        continue;
+      }
       taken.isQueued = false;
       // It is dropped where another label has come so much nearer that it is beyond the margin.
       if (this->distance(taken) <= this->keptUpTo(taken.vertex))
@@ -195,7 +200,8 @@ private:
     {
       this->Field.setDistance(held.vertex, distance);
     }
-    if (!held.isQueued)
+    // By value it is queued again where it falls; the first time that it is taken counts.
+    if (!held.isQueued || this->Queue.isByValue())
     {
       held.isQueued = true;
       this->Queue.push(number, distance - this->First);

@@ -4,10 +4,12 @@
 #define geodesic_TriangleCost_h
 
 #include "base/Platform.h"
+#include "march/BucketQueue.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -46,6 +48,8 @@ public:
   double mean() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
+  /** The order of a queue that suits these costs; the same on all pieces. */
+  QueueOrder queueOrder() const { return QueueOrder::ByBucket; }
 
 private:
   std::span<const float> LongestSides;
@@ -76,6 +80,7 @@ public:
       }
       this->Dearest[v] = dearest;
       this->Sum += cost[v];
+      this->SumOfInverses += 1.0 / cost[v];
       this->Smallest = std::min(this->Smallest, cost[v]);
       this->Largest = std::max(this->Largest, cost[v]);
     }
@@ -102,10 +107,15 @@ public:
   double smallest() const { return this->Smallest; }
   /** The largest cost on this piece. */
   double largest() const { return this->Largest; }
+  QueueOrder queueOrder() const { return this->Order; }
 
 private:
-  /** Raises Dearest at shared vertices to the largest of all pieces, and lowers Smallest to the
-   * least of all pieces. */
+  /** Where the mean cost is so many times the harmonic mean, most vertices are so much cheaper than
+   * the mean that they would share a few buckets. */
+  static constexpr double MostSpread = 8.0;
+
+  /** Raises Dearest at shared vertices to the largest of all pieces, lowers Smallest to the least
+   * of all pieces, and chooses the order by the costs of all. */
   void agree(Partition& partition)
   {
     std::vector<StartValue> own;
@@ -117,10 +127,21 @@ private:
     {
       this->Dearest[other.vertex] = std::max(this->Dearest[other.vertex], other.value);
     }
-    for (double smallest : partition.gather({ &this->Smallest, 1 }))
+    const std::array ownSums{ static_cast<double>(this->Cost.size()), this->Sum,
+      this->SumOfInverses, this->Smallest };
+    const std::vector<double> all = partition.gather(ownSums);
+    std::array sums{ 0.0, 0.0, 0.0 };
+    for (std::size_t i = 0; i < all.size(); i += ownSums.size())
     {
-      this->Smallest = std::min(this->Smallest, smallest);
+      for (std::size_t j = 0; j < sums.size(); ++j)
+      {
+        sums[j] += all[i + j];
+      }
+      this->Smallest = std::min(this->Smallest, all[i + 3]);
     }
+    const auto [count, sum, sumOfInverses] = sums;
+    this->Order =
+      sum * sumOfInverses > MostSpread * count * count ? QueueOrder::ByValue : QueueOrder::ByBucket;
   }
 
   std::span<const double> Cost;
@@ -128,8 +149,10 @@ private:
   /** The largest cost among a vertex and its neighbours. */
   std::vector<double> Dearest;
   double Sum = 0.0;
+  double SumOfInverses = 0.0;
   double Smallest = std::numeric_limits<double>::infinity();
   double Largest = 0.0;
+  QueueOrder Order = QueueOrder::ByBucket;
 };
 
 }
