@@ -4,6 +4,8 @@
 
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
+#include "solve/MarchControl.h"
+#include "solve/StopLimit.h"
 
 #include <gtest/gtest.h>
 
@@ -189,6 +191,37 @@ TEST(OddInput, TrianglesLyingOnEachOtherComeToAnEnd)
     catch (const std::runtime_error& error)
     {
       EXPECT_NE(std::string(error.what()).find("does not settle"), std::string::npos);
+    }
+  }
+}
+
+// Beyond the budget of updates a run ends in an error that names the numbers and a remedy, in both
+// tiers alike; before that gains count less and less.
+TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
+{
+  const DistanceField field(1);
+  const SolveOptions options;
+  StopLimit limit(options, field);
+  MarchControl control(options, limit);
+  constexpr std::size_t values = 500;
+  constexpr std::size_t allowed = MarchControl::MostUpdates * (values + MarchControl::SmallMarch);
+  std::size_t steps = 0;
+  for (; steps < allowed; steps += 100)
+  {
+    ASSERT_TRUE(control.mayGoOn(values, 100));
+  }
+  EXPECT_NEAR(1.0 - control.keptFraction(), 1e-6, 1e-12);
+  try
+  {
+    control.mayGoOn(values);
+    FAIL() << "a march went on for ever";
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string message = error.what();
+    for (const char* part : { "150001 updates", "500 values", "limit of 100", "Dijkstra" })
+    {
+      EXPECT_NE(message.find(part), std::string::npos) << message;
     }
   }
 }

@@ -98,7 +98,7 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
                                              : numberOfGroups(this->mesh().numberOfVertices(),
                                                  request.front.labels.size(), request.options),
     cost.queueOrder());
-  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };
   if (request.front.labels.size() == 1)
@@ -129,7 +129,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
       while (this->Queues.hasBefore(end))
       {
         const std::span<const Index> batch = this->Queues.take(room);
-        if (!control.mayGoOn(batch.size()))
+        if (!control.mayGoOn(values.numberOfValues(), batch.size()))
         {
           break;
         }

@@ -163,6 +163,12 @@ public:
     this->setSecondary(label, vertex, number, value);
   }
 
+  /** How many values vertices keep, or have kept in this march; up to one more for each vertex. */
+  std::size_t numberOfValues() const
+  {
+    return 2 * this->context().field.reached().size() + this->Sets.numberOfOthers();
+  }
+
   /** The vertex of an item of the queues. */
   Index vertexOf(Index taken) const
   {

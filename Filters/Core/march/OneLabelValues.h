@@ -61,6 +61,7 @@ public:
     this->state(vertex).setPinned(isFinal);
   }
 
+  std::size_t numberOfValues() const { return this->context().field.reached().size(); }
   Index vertexOf(Index taken) const { return taken; }
   GEODESIC_INLINED void prefetch(Index taken) const { this->prefetchRing(taken); }
   PoppedValue pop(Index vertex)

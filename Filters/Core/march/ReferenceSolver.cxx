@@ -42,7 +42,7 @@ public:
     , Closed(closed)
     , Options(options)
     , Limit(limit)
-    , Control(options, limit, mesh.numberOfVertices())
+    , Control(options, limit)
     , Field(field)
     , First(std::min_element(labels.begin(), labels.end(), hasLowerValue)->value)
     , Values(mesh.numberOfVertices())
@@ -66,7 +66,7 @@ public:
     const std::uint64_t end = this->Queue.bucketOf(limit - this->First);
     // The queue hands out several at a time; one is taken here.
     std::array<Index, 1> room;
-    while (this->Queue.hasBefore(end) && this->Control.mayGoOn())
+    while (this->Queue.hasBefore(end) && this->Control.mayGoOn(this->Values.size()))
     {
       ReferenceValue& taken = this->Values[this->Queue.take(room)[0]];
       if (!taken.isQueued)

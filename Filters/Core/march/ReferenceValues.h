@@ -6,6 +6,7 @@
 #include "base/Index.h"
 #include "solve/DistanceField.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace geodesic
@@ -36,6 +37,7 @@ public:
   {
   }
 
+  std::size_t size() const { return this->Values.size(); }
   ReferenceValue& operator[](Index number) { return this->Values[number]; }
   const ReferenceValue& operator[](Index number) const { return this->Values[number]; }
 

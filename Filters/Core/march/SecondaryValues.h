@@ -124,6 +124,8 @@ public:
     this->VerticesOfOthers.push_back(vertex);
     return this->InPlace[vertex].Next;
   }
+  /** How many values were added to vertices that had one. */
+  std::size_t numberOfOthers() const { return this->Others.size(); }
   /** As find(), or as add() if there is none. */
   Index findOrAdd(Index vertex, Index label)
   {

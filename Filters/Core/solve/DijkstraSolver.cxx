@@ -60,7 +60,7 @@ public:
 
   void advance(double limit) override
   {
-    while (this->nextDistance() < limit && this->Control.mayGoOn())
+    while (this->nextDistance() < limit && this->Control.mayGoOn(this->Field.reached().size()))
     {
       std::pop_heap(this->Heap.begin(), this->Heap.end(), isAfter);
       const EdgeTrial trial = this->Heap.back();
@@ -143,7 +143,7 @@ DijkstraSolver::DijkstraSolver(std::shared_ptr<const TriangleMesh> mesh)
 
 bool DijkstraSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
-  MarchControl control(request.options, limit, this->mesh().numberOfVertices());
+  MarchControl control(request.options, limit);
   EdgeFront front(this->mesh(), request.closed, request.options, limit, control, field, this->Heap);
   for (const StartValue& start : this->starts(request))
   {

@@ -19,17 +19,22 @@ namespace geodesic
  *
  * It also says from which gain on a new value counts. A relative gain of 1e-12 makes fields agree
  * to 1e-10 over all orders, at one to a few updates a vertex. Where sheets of triangles lie on each
- * other at random, gains can go on for ever, each smaller than the last: after every 400 (n + 100)
- * updates, n the number of vertices, the least gain is raised tenfold; beyond 1e-6 relax() throws.
+ * other at random, or triangles are needles, gains can go on for ever, each smaller than the last.
+ * So a march has a budget of MostUpdates for each value that vertices keep, those of several labels
+ * counted apart, and for SmallMarch values more. At 40 updates for each, and then at every 10 more,
+ * the least gain is raised tenfold; beyond the budget mayGoOn() throws.
  */
 class MarchControl
 {
 public:
-  MarchControl(const SolveOptions& options, StopLimit& limit, Index numberOfVertices)
+  /** The most updates for each value that is kept. */
+  static constexpr std::size_t MostUpdates = 100;
+  /** A number of values for which the budget allows in any case. */
+  static constexpr std::size_t SmallMarch = 1000;
+
+  MarchControl(const SolveOptions& options, StopLimit& limit)
     : Options(options)
     , Limit(limit)
-    , Patience(400 * (std::size_t{ numberOfVertices } + 100))
-    , NextRelaxation(this->Patience)
     , NextReport(
         options.onProgress && options.progressInterval > 0 ? options.progressInterval : Never)
   {
@@ -40,9 +45,10 @@ public:
 
   /**
    * To be asked before each step, or before several; false once the run is cancelled.
-   * @throws std::runtime_error where the march does not end
+   * @param values  how many values vertices keep so far
+   * @throws std::runtime_error where the march is beyond its budget
    */
-  bool mayGoOn(std::size_t steps = 1)
+  bool mayGoOn(std::size_t values, std::size_t steps = 1)
   {
     constexpr std::size_t limitInterval = 32;
     const std::size_t before = this->Count;
@@ -51,9 +57,9 @@ public:
     {
       this->Limit.update();
     }
-    if (this->Count >= this->NextRelaxation)
+    if (this->Count > this->NextRelaxation * (values + SmallMarch))
     {
-      this->relax();
+      this->relax(values);
     }
     while (this->Count >= this->NextReport && !this->Cancelled)
     {
@@ -76,25 +82,25 @@ private:
     this->NextReport += this->Options.progressInterval;
   }
 
-  void relax()
+  void relax(std::size_t values)
   {
-    this->NextRelaxation += this->Patience;
-    constexpr double largestGain = 1e-6;
+    if (this->NextRelaxation >= MostUpdates)
+    {
+      throw std::runtime_error("The front does not settle: it took " + std::to_string(this->Count) +
+        " updates for " + std::to_string(values) + " values, more than the limit of " +
+        std::to_string(MostUpdates) +
+        " for each. The surface has needles, or triangles that lie on each other. Clean or remesh "
+        "the surface, or use the method Dijkstra.");
+    }
+    this->NextRelaxation += 10;
     this->LeastGain *= 10.0;
     this->KeptFraction = 1.0 - this->LeastGain;
-    if (this->LeastGain > largestGain)
-    {
-      throw std::runtime_error("The front does not settle after " + std::to_string(this->Count) +
-        " updates: the surface consists of triangles that lie on each other. Clean the surface, or "
-        "use "
-        "the method Dijkstra.");
-    }
   }
 
   const SolveOptions& Options;
   StopLimit& Limit;
-  std::size_t Patience;
-  std::size_t NextRelaxation;
+  /** The number of updates for each value at which the least gain is raised next. */
+  std::size_t NextRelaxation = 40;
   std::size_t NextReport;
   double LeastGain = 1e-12;
   double KeptFraction = 1.0 - 1e-12;
