@@ -12,6 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+#include <vector>
+
 using namespace geodesic;
 using namespace geodesic::testing;
 
@@ -82,5 +85,29 @@ TEST(Growth, PathAlongAStrip)
     {
       const Surface strip = planeGrid(cells, 1, cells, 1.0);
       EXPECT_GT(pathBetween(strip, 0, 2 * cells + 1).size(), cells);
+    });
+}
+
+// Paths from points beside each other to one of as many ends.
+TEST(Growth, PathsFromManyStartsToManyEnds)
+{
+  expectLinear(100,
+    [](Index count)
+    {
+      const auto mesh = meshOf(planeGrid(count, 8, count, 8.0));
+      std::vector<SurfacePoint> starts;
+      std::vector<SurfacePoint> ends;
+      for (Index i = 0; i < count; ++i)
+      {
+        starts.push_back(mesh->pointAtVertex(mesh->vertexOfPoint(i)));
+        ends.push_back(mesh->pointAtVertex(mesh->vertexOfPoint(8 * (count + 1) + i)));
+      }
+      FastMarchingSolver solver(mesh);
+      PathFinder finder(solver, ends, {}, Straight);
+      finder.march(starts);
+      for (const SurfacePoint& start : starts)
+      {
+        EXPECT_NEAR(lengthOf(*mesh, finder.pathFrom(start).value()), 8.0, 1e-9);
+      }
     });
 }

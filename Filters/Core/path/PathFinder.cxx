@@ -50,6 +50,7 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
   , Options(options)
   , Surface(solver.mesh(), this->Options)
   , Style(style)
+  , Ends(solver.mesh(), seeds)
 {
   if (style.straighten && (style.order == PathOrder::Vertices || !options.cost.empty()))
   {
@@ -60,7 +61,6 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
   for (const SurfacePoint& seed : seeds)
   {
     this->Seeds.push_back(Seed::atPoint(seed));
-    this->Ends.push_back(PathPoint::at(solver.mesh(), seed));
   }
 }
 

@@ -96,7 +96,7 @@ private:
   WeightedMesh Surface;
   PathStyle Style;
   std::vector<Seed> Seeds;
-  std::vector<PathPoint> Ends;
+  PathEnds Ends;
   std::vector<Triangle> Targets;
   const DistanceField* Field = nullptr;
 };

@@ -90,13 +90,9 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
         }
       };
       std::for_each(face.begin(), face.end(), proposeAt);
-      for (Index seed = 0; seed < this->Seeds.size(); ++seed)
-      {
-        if (liesIn(this->Seeds[seed], face))
-        {
-          propose(seed, cost * norm(this->Seeds[seed].position(mesh) - position));
-        }
-      }
+      this->Seeds.visitIn(face,
+        [&](Index seed)
+        { propose(seed, cost * norm(this->Seeds[seed].position(mesh) - position)); });
     });
   std::vector<Index> seeds;
   seeds.reserve(totals.size());

@@ -3,6 +3,7 @@
 #ifndef geodesic_PathTracer_h
 #define geodesic_PathTracer_h
 
+#include "path/PathEnds.h"
 #include "path/PathPoint.h"
 #include "path/WeightedMesh.h"
 #include "solve/DistanceField.h"
@@ -38,10 +39,10 @@ class PathTracer
 public:
   /**
    * @param field distances, with one at every vertex near the path
-   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed
+   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed; must
+   *              live as long as this, as the others
    */
-  PathTracer(
-    const WeightedMesh& weighted, const DistanceField& field, std::span<const PathPoint> seeds)
+  PathTracer(const WeightedMesh& weighted, const DistanceField& field, const PathEnds& seeds)
     : Surface(weighted)
     , Field(field)
     , Seeds(seeds)
@@ -99,7 +100,7 @@ private:
 
   const WeightedMesh& Surface;
   const DistanceField& Field;
-  std::span<const PathPoint> Seeds;
+  const PathEnds& Seeds;
   /** The number of the seed at which the path is to end; NoIndex for any seed. */
   Index Aim = NoIndex;
 };

@@ -7,6 +7,7 @@
 #include "solve/SolveOptions.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -97,10 +98,20 @@ private:
   double distanceOfTargets() const
   {
     const bool isAny = this->Options.targetMode == TargetMode::Any;
+    // As long as one target is not reached, all are not. There may be many, so it is remembered.
+    if (!isAny && this->distanceOf(this->Unreached) == DistanceField::Unreached)
+    {
+      return DistanceField::Unreached;
+    }
     double decisive = isAny ? DistanceField::Unreached : 0.0;
     for (std::size_t i = 0; i < this->Elsewhere.size(); ++i)
     {
       const double distance = this->distanceOf(i);
+      if (!isAny && distance == DistanceField::Unreached)
+      {
+        this->Unreached = i;
+        return distance;
+      }
       decisive = isAny ? std::min(decisive, distance) : std::max(decisive, distance);
     }
     return decisive;
@@ -111,6 +122,8 @@ private:
   double Limit;
   /** For each target the distance that other pieces know. */
   std::vector<double> Elsewhere;
+  /** The number of a target that was not reached when this was last looked at. */
+  mutable std::size_t Unreached = 0;
 };
 
 }

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_PathEnds_h
+#define geodesic_PathEnds_h
+
+#include "base/WorkCount.h"
+#include "path/PathPoint.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/** The points at which paths may end, numbered as the seeds of the field. Those of a face are
+ * looked up by its corners. */
+class PathEnds
+{
+public:
+  /** Time O(n log n) for n ends. */
+  PathEnds(const TriangleMesh& mesh, std::span<const SurfacePoint> ends)
+  {
+    this->Points.reserve(ends.size());
+    this->ByCarrier.reserve(ends.size());
+    for (const SurfacePoint& end : ends)
+    {
+      const PathPoint point = PathPoint::at(mesh, end);
+      this->ByCarrier.emplace_back(point.carriers()[0], static_cast<Index>(this->Points.size()));
+      this->Points.push_back(point);
+    }
+    std::sort(this->ByCarrier.begin(), this->ByCarrier.end());
+  }
+
+  const PathPoint& operator[](Index number) const { return this->Points[number]; }
+
+  /** Calls @p visit with the number of each end that lies in a face. Time O(log n) for n ends, and
+   * the same again for each end at a corner. */
+  template <class Visit>
+  void visitIn(const Triangle& face, const Visit& visit) const
+  {
+    for (const Index corner : face)
+    {
+      auto entry = std::lower_bound(
+        this->ByCarrier.begin(), this->ByCarrier.end(), std::pair{ corner, Index{ 0 } });
+      for (; entry != this->ByCarrier.end() && entry->first == corner; ++entry)
+      {
+        WorkCount::add(1);
+        if (liesIn(this->Points[entry->second], face))
+        {
+          visit(entry->second);
+        }
+      }
+    }
+  }
+
+private:
+  std::vector<PathPoint> Points;
+  /** The first carrier of each end, and the number of the end; sorted. */
+  std::vector<std::pair<Index, Index>> ByCarrier;
+};
+
+}
+
+#endif
