@@ -9,6 +9,9 @@
 #include "base/WorkCount.h"
 #include "march/FastMarchingSolver.h"
 #include "path/PathFinder.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
 
 #include <gtest/gtest.h>
 
@@ -109,5 +112,31 @@ TEST(Growth, PathsFromManyStartsToManyEnds)
       {
         EXPECT_NEAR(lengthOf(*mesh, finder.pathFrom(start).value()), 8.0, 1e-9);
       }
+    });
+}
+
+// Points on the edges from the centre to the rim.
+TEST(Growth, SeedsOnEdgesOfADisc)
+{
+  expectLinear(200,
+    [](Index around)
+    {
+      const auto mesh = meshOf(disc(around));
+      const Index centre = mesh->vertexOfPoint(0);
+      std::vector<Seed> seeds;
+      for (Index i = 0; i < around; ++i)
+      {
+        SurfacePoint point = mesh->pointAtVertex(mesh->vertexOfPoint(1 + i));
+        const Triangle& corners = mesh->triangle(point.triangle);
+        for (int c = 0; c < 3; ++c)
+        {
+          point.weights[c] = corners[c] == centre || point.weights[c] == 1.0 ? 0.5 : 0.0;
+        }
+        seeds.push_back(Seed::atPoint(point));
+      }
+      Partition onePiece;
+      const SeedFront front = seedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, onePiece);
+      // An edge has two faces with four corners.
+      EXPECT_EQ(front.starts.size(), 4 * around);
     });
 }

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "base/SortUnique.h"
+#include "base/WorkCount.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
@@ -74,8 +75,10 @@ std::vector<Index> cornersRound(
   const TriangleMesh& mesh, const ClosedTriangles& closed, const Carriers& carriers)
 {
   std::vector<Index> corners;
-  const Index centre = carriers[0];
+  const Index centre = *std::min_element(carriers.begin(), carriers.end(),
+    [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
   const std::span<const RingEntry> ring = mesh.ring(centre);
+  WorkCount::add(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (closed.isOpen(centre, i))
