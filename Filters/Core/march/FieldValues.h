@@ -13,6 +13,7 @@
 #include "solve/DistanceField.h"
 #include "solve/MarchControl.h"
 #include "solve/SolveOptions.h"
+#include "solve/StartValue.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>
@@ -186,6 +187,21 @@ protected:
       this->state(vertex).queueFor(label.labelBits);
       this->queue(label, label.group->best, vertex, value);
     }
+  }
+
+  /** Stores the best value of a vertex before the march, and queues the vertex unless it is idle.
+   * @pre the vertex has no value or a best one of the same label, which is stored */
+  void setFirst(const SourceFront& label, const StartValue& first)
+  {
+    if (first.isIdle)
+    {
+      this->Field.setDistance(first.vertex, first.value + label.seedValue);
+    }
+    else
+    {
+      this->set(label, first.vertex, first.value);
+    }
+    this->state(first.vertex).setPinned(first.isFinal);
   }
 
   /** @param item  the vertex of a best value, or the number that stands for a secondary value */

@@ -5,8 +5,10 @@
 
 #include "base/Platform.h"
 #include "march/FieldValues.h"
+#include "march/LabelBounds.h"
 #include "march/SecondaryValues.h"
 #include "solve/MarchingFront.h"
+#include "solve/StartValue.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,19 +31,26 @@ template <class Cost>
 class LabelValues : public FieldValues<Cost>
 {
 public:
-  LabelValues(
-    const MarchContext<Cost>& context, std::span<const Label> labels, SecondaryValues& sets)
-    : FieldValues<Cost>(context, smallestOf(labels))
+  /** @param sets, fronts  workspace
+   * @param bounds of the values that count; null if there are none */
+  LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels,
+    SecondaryValues& sets, std::vector<SourceFront>& fronts, const LabelBounds* bounds)
+    : FieldValues<Cost>(context, leastSeedValue(labels))
     , Labels(labels)
     , Sets(sets)
+    , Bounds(bounds)
     , NumberOfVertices(context.mesh.numberOfVertices())
+    , Fronts(fronts)
   {
+    fronts.clear();
     sets.start(this->NumberOfVertices);
-    this->Fronts.reserve(labels.size());
+    fronts.reserve(labels.size());
     for (const Label& label : labels)
     {
       const Index bits = VertexState::labelBitsOf(static_cast<Index>(this->Fronts.size()));
       this->Fronts.emplace_back(label, bits, context.cost.smallest());
+      this->Fronts.back().reach =
+        bounds ? bounds->ofLabel(this->Fronts.back().number()) : DistanceField::Unreached;
     }
   }
 
@@ -116,8 +125,9 @@ public:
     const Real values = select(widened<Real>(areInPlace),
       lanesOf<Real>([&](int lane) { return inPlace(lane).value; }),
       Real() + DistanceField::Unreached);
-    const Real keptUpTo =
-      best + lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
+    const Real keptUpTo = this->Bounds
+      ? lanesOf<Real>([&](int lane) { return this->boundOf(label, vertices[lane]); })
+      : best + lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
     NeighbourValues<Real> known{ values, least(values, keptUpTo),
       highestBits<Real>(areInPlace) & highestBits<Real>(states) };
     unsigned inChain = areOther & ~highestBits<Real>(areInPlace | areLast);
@@ -146,21 +156,33 @@ public:
     {
       return this->proposeSecondary(label, vertex, value);
     }
+    if (this->Bounds && value > this->boundOf(label, vertex))
+    {
+      const double known = this->value(label, vertex);
+      return { known, known, this->state(vertex).isQueued() };
+    }
     return this->offer(label, vertex, value);
   }
 
-  /** Gives a vertex a start value of a label. @param isFinal whether no update may change it */
-  void start(const SourceFront& label, Index vertex, double value, bool isFinal)
+  /** Gives a vertex a start value of a label. */
+  void start(const SourceFront& label, const StartValue& first)
   {
-    if (!this->state(vertex).hasOtherLabel(label.labelBits))
+    VertexState& state = this->state(first.vertex);
+    if (!state.hasOtherLabel(label.labelBits))
     {
-      this->setBest(label, vertex, value);
-      this->state(vertex).setPinned(isFinal);
+      state.setLabel(label.number());
+      this->setFirst(label, first);
       return;
     }
-    const Index number = this->Sets.findOrAdd(vertex, label.number());
-    this->Sets.secondary(number).state.setPinned(isFinal);
-    this->setSecondary(label, vertex, number, value);
+    const Index number = this->Sets.findOrAdd(first.vertex, label.number());
+    this->Sets.secondary(number).state.setPinned(first.isFinal);
+    this->setSecondary(label, first.vertex, number, first.value);
+    if (first.isIdle)
+    {
+      // The item in the queue is ignored then.
+      (state.label() == label.number() ? state : this->Sets.secondary(number).state)
+        .setQueued(false);
+    }
   }
 
   /** How many values vertices keep, or have kept in this march; up to one more for each vertex. */
@@ -176,8 +198,7 @@ public:
                                           : this->Sets.vertexOf(taken - this->NumberOfVertices);
   }
 
-  /** Has the processor fetch what pop() and an update round the vertex read. GCC drops the call
-   * unless it is inlined. */
+  /** Fetches what pop() and an update read. GCC drops the call unless it is inlined. */
   GEODESIC_INLINED void prefetch(Index taken) const
   {
     const Index vertex = this->vertexOf(taken);
@@ -233,10 +254,17 @@ public:
 private:
   const SourceFront& labelOf(const VertexState& state) const { return this->Fronts[state.label()]; }
 
-  /** The largest value of a label that a vertex keeps beside its best one. */
+  /** The largest value of a label that a vertex keeps: within the margin, or within bounds. */
   double keptUpTo(const SourceFront& label, Index vertex) const
   {
-    return this->value(label, vertex) + this->context().cost.margin(vertex);
+    return this->Bounds ? this->boundOf(label, vertex)
+                        : this->value(label, vertex) + this->context().cost.margin(vertex);
+  }
+
+  /** The largest value of a label that counts at a vertex. @pre there are bounds */
+  double boundOf(const SourceFront& label, Index vertex) const
+  {
+    return std::min(this->Bounds->ofVertex(vertex) - label.seedValue, label.reach);
   }
 
   PoppedValue popBest(Index vertex)
@@ -365,18 +393,12 @@ private:
     this->setBest(label, vertex, value);
   }
 
-  static double smallestOf(std::span<const Label> labels)
-  {
-    return std::min_element(labels.begin(), labels.end(),
-      [](const Label& a, const Label& b) { return a.value < b.value; })
-      ->value;
-  }
-
   std::span<const Label> Labels;
   SecondaryValues& Sets;
+  const LabelBounds* Bounds;
   Index NumberOfVertices;
   /** By the number of the label. */
-  std::vector<SourceFront> Fronts;
+  std::vector<SourceFront>& Fronts;
 };
 
 }

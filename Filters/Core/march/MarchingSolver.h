@@ -3,6 +3,7 @@
 #ifndef geodesic_MarchingSolver_h
 #define geodesic_MarchingSolver_h
 
+#include "march/LabelBounds.h"
 #include "march/TriangleCost.h"
 #include "march/UpdateBounds.h"
 #include "solve/FrontSolver.h"
@@ -35,19 +36,25 @@ protected:
    * @return false when cancelled
    */
   virtual bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-    const Request& request, StopLimit& limit, DistanceField& field) = 0;
+    const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   virtual bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-    const Request& request, StopLimit& limit, DistanceField& field) = 0;
+    const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   /** Another solver of the same tier on the same mesh, with its own workspace. */
   virtual std::unique_ptr<FrontSolver> another() const = 0;
 
   const std::shared_ptr<const UpdateBounds>& bounds() const { return this->Bounds; }
 
 private:
+  template <class Cost>
+  bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
+    StopLimit& limit, DistanceField& field);
+
   std::shared_ptr<const UpdateBounds> Bounds;
   /** Measures the lengths in the discs round seeds (see CostedStart.h); made at the first run with
    * a cost. */
   std::unique_ptr<FrontSolver> DiscSolver;
+  /** Kept for its memory. */
+  LabelBounds Dense;
 };
 
 }

@@ -5,6 +5,7 @@
 
 #include "march/FieldValues.h"
 #include "solve/MarchingFront.h"
+#include "solve/StartValue.h"
 
 namespace geodesic
 {
@@ -55,11 +56,7 @@ public:
                                               : this->offer(this->Only, vertex, value);
   }
 
-  void start(const SourceFront&, Index vertex, double value, bool isFinal)
-  {
-    this->set(this->Only, vertex, value);
-    this->state(vertex).setPinned(isFinal);
-  }
+  void start(const SourceFront&, const StartValue& first) { this->setFirst(this->Only, first); }
 
   std::size_t numberOfValues() const { return this->context().field.reached().size(); }
   Index vertexOf(Index taken) const { return taken; }

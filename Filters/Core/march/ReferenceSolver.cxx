@@ -4,6 +4,7 @@
 
 #include "march/BucketQueue.h"
 #include "march/EikonalUpdate.h"
+#include "march/LabelBounds.h"
 #include "march/ReferenceValues.h"
 #include "march/SourceFront.h"
 #include "mesh/TriangleMesh.h"
@@ -20,11 +21,6 @@ namespace geodesic
 namespace
 {
 
-bool hasLowerValue(const Label& a, const Label& b)
-{
-  return a.value < b.value;
-}
-
 /**
  * The march of all labels on one mesh, with the algorithm's loop in advance(). A vertex has a value
  * for each label whose value there is within a margin of the best one.
@@ -34,17 +30,18 @@ class ReferenceFront final : public MarchingFront
 {
 public:
   ReferenceFront(const TriangleMesh& mesh, const Cost& cost, std::span<const Label> labels,
-    const ClosedTriangles& closed, const SolveOptions& options, StopLimit& limit,
-    DistanceField& field)
+    const LabelBounds* bounds, const ClosedTriangles& closed, const SolveOptions& options,
+    StopLimit& limit, DistanceField& field)
     : Mesh(mesh)
     , TriangleCost(cost)
     , Labels(labels)
+    , Bounds(bounds)
     , Closed(closed)
     , Options(options)
     , Limit(limit)
     , Control(options, limit)
     , Field(field)
-    , First(std::min_element(labels.begin(), labels.end(), hasLowerValue)->value)
+    , First(leastSeedValue(labels))
     , Values(mesh.numberOfVertices())
   {
     // Any width gives the same field.
@@ -58,12 +55,17 @@ public:
   {
     const Index number = this->Values.findOrAdd(first.vertex, first.label);
     this->Values[number].isFinal = first.isFinal;
-    this->set(number, first.value);
+    this->set(number, first.value, first.isIdle);
   }
 
   void advance(double limit) override
   {
-    const std::uint64_t end = this->Queue.bucketOf(limit - this->First);
+    std::uint64_t end = this->Queue.bucketOf(limit - this->First);
+    if (this->nextDistance() < limit)
+    {
+      // A bucket may be wider than the step to the limit; some of what waits is taken all the same.
+      end = std::max(end, this->Queue.nextBucket() + 1);
+    }
     // The queue hands out several at a time; one is taken here.
     std::array<Index, 1> room;
     while (this->Queue.hasBefore(end) && this->Control.mayGoOn(this->Values.size()))
@@ -179,7 +181,7 @@ private:
     const double mayMatter = this->Limit.with(this->TriangleCost.reach(vertex)) - seedValue;
     const bool counts =
       value < std::min(std::min(known, kept) * this->Control.keptFraction(), mayMatter);
-    if (!counts || this->Options.isExcluded(vertex))
+    if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex))
     {
       return;
     }
@@ -190,8 +192,17 @@ private:
     }
   }
 
-  /** Stores the value of a number, lowers the field's distance to it, and queues the number. */
-  void set(Index number, double value)
+  /** Whether a value without that of the seed is above the bounds of its vertex or its label. */
+  bool isBeyondBounds(Index vertex, Index label, double value) const
+  {
+    return this->Bounds &&
+      (value > this->Bounds->ofLabel(label) ||
+        value + this->Labels[label].value > this->Bounds->ofVertex(vertex));
+  }
+
+  /** Stores the value of a number, lowers the field's distance to it, and queues the number unless
+   * it is idle. */
+  void set(Index number, double value, bool isIdle = false)
   {
     ReferenceValue& held = this->Values[number];
     held.value = value;
@@ -201,7 +212,7 @@ private:
       this->Field.setDistance(held.vertex, distance);
     }
     // By value it is queued again where it falls; the first time that it is taken counts.
-    if (!held.isQueued || this->Queue.isByValue())
+    if (!isIdle && (!held.isQueued || this->Queue.isByValue()))
     {
       held.isQueued = true;
       this->Queue.push(number, distance - this->First);
@@ -209,10 +220,10 @@ private:
   }
 
   /** The largest distance of any label that a vertex keeps: its best one and the margin (see
-   * labelMargin()); infinity with only one label. */
+   * labelMargin()); infinity with only one label, or where bounds take the place of the margin. */
   double keptUpTo(Index vertex) const
   {
-    return this->Labels.size() == 1
+    return this->Labels.size() == 1 || this->Bounds
       ? DistanceField::Unreached
       : this->Field.distance(vertex) + this->TriangleCost.margin(vertex);
   }
@@ -240,6 +251,7 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   std::span<const Label> Labels;
+  const LabelBounds* Bounds;
   const ClosedTriangles& Closed;
   const SolveOptions& Options;
   const StopLimit& Limit;
@@ -267,10 +279,10 @@ ReferenceSolver::ReferenceSolver(
 
 template <class Cost>
 bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
-  ReferenceFront<Cost> front(
-    this->mesh(), cost, request.front.labels, request.closed, request.options, limit, field);
+  ReferenceFront<Cost> front(this->mesh(), cost, request.front.labels, bounds, request.closed,
+    request.options, limit, field);
   std::for_each(starts.begin(), starts.end(), [&](const StartValue& start) { front.start(start); });
   const bool finished = request.partition.march(front, limit);
   field.orderReached();
@@ -279,15 +291,15 @@ bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost
 }
 
 bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
-  return this->marchAtCost(starts, cost, request, limit, field);
+  return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-  const Request& request, StopLimit& limit, DistanceField& field)
+  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
-  return this->marchAtCost(starts, cost, request, limit, field);
+  return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 std::unique_ptr<FrontSolver> ReferenceSolver::another() const

@@ -7,7 +7,10 @@
 #include "march/VertexState.h"
 #include "solve/SeedFront.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace geodesic
 {
@@ -41,6 +44,14 @@ private:
   double SquaredCost;
 };
 
+/** The least value of the seeds of labels. @pre there is a label */
+inline double leastSeedValue(std::span<const Label> labels)
+{
+  return std::min_element(
+    labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.value < b.value; })
+    ->value;
+}
+
 struct FrontGroup;
 
 /** A label with what a march needs to know of it. */
@@ -62,6 +73,8 @@ struct SourceFront
 
   /** The distance at the seed. */
   double seedValue;
+  /** The largest value that counts; see LabelBounds. */
+  double reach = std::numeric_limits<double>::infinity();
   StraightLineBound leastOf;
   Index labelBits;
   FrontShape shape;

@@ -39,7 +39,8 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
   const std::vector<double> costs = partition.gather({ &ownCost, 1 });
   const bool hasCost = *std::max_element(costs.begin(), costs.end()) > 0.0;
   const ClosedTriangles closed(*this->Mesh, options.closedTriangles);
-  SeedFront front = seedFront(*this->Mesh, closed, seeds, partition);
+  SeedFront& front = this->Front;
+  makeSeedFront(*this->Mesh, closed, seeds, partition, front);
   checkSeedsAreOpen(*this->Mesh, seeds, options, closed, partition);
   std::erase_if(
     front.starts, [&](const FrontStart& start) { return options.isExcluded(start.vertex); });

@@ -66,6 +66,8 @@ protected:
 private:
   std::shared_ptr<const TriangleMesh> Mesh;
   DistanceField Field;
+  /** That of the last run, kept for its memory. */
+  SeedFront Front;
 };
 
 }

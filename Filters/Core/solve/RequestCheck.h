@@ -20,7 +20,7 @@ class TriangleMesh;
 void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
 
 /**
- * @pre the seeds are on the mesh (see seedFront)
+ * @pre the seeds are on the mesh (see makeSeedFront())
  * Checks that a front can start from every seed. Collective.
  * @throws std::invalid_argument with the number of the first seed from which none can: one with a
  *         point at an excluded vertex, on an edge or in a face of excluded vertices only, or inside

@@ -43,6 +43,31 @@ void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::
   }
 }
 
+Carriers carriersOfSegment(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  Carriers carriers = carriersOf(mesh, a);
+  for (const Index carrier : carriersOf(mesh, b))
+  {
+    carriers.add(carrier);
+  }
+  return carriers;
+}
+
+void checkCurve(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, const std::string& name)
+{
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const Carriers carriers = carriersOfSegment(mesh, points[i], points[i + 1]);
+    if (carriers.size() > 3 || mesh.trianglesWith({ carriers.begin(), carriers.end() }).empty())
+    {
+      throw std::invalid_argument(name + " is a curve whose segment " + std::to_string(i) +
+        " lies neither in one face nor along one edge of the surface. Give it a point on each edge "
+        "that it crosses.");
+    }
+  }
+}
+
 void checkSeed(
   const TriangleMesh& mesh, const Seed& seed, const std::string& name, bool mayBeElsewhere)
 {
@@ -66,6 +91,10 @@ void checkSeed(
       throw std::invalid_argument(name + " has vertex " + std::to_string(vertex) +
         ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
     }
+  }
+  if (seed.kind == Seed::Kind::Curve)
+  {
+    checkCurve(mesh, seed.points, name);
   }
 }
 
@@ -199,20 +228,22 @@ private:
       const Label& label = this->Front.labels[i];
       own.insert(own.end(),
         { label.shape == FrontShape::Round ? 1.0 : 0.0, label.position.x, label.position.y,
-          label.position.z });
+          label.position.z, label.length });
     }
     const std::vector<double> all = this->Pieces.gather(own);
-    for (std::size_t i = 0; i < all.size() && !hasOwn; i += 4)
+    for (std::size_t i = 0; i < all.size() && !hasOwn; i += 5)
     {
-      this->addLabel(all[i] == 1.0 ? FrontShape::Round : FrontShape::Straight, {},
-        { all[i + 1], all[i + 2], all[i + 3] });
+      const Index label = this->addLabel(all[i] == 1.0 ? FrontShape::Round : FrontShape::Straight,
+        {}, { all[i + 1], all[i + 2], all[i + 3] });
+      this->Front.labels[label].length = all[i + 4];
     }
   }
 
   void addWholeCurve(const std::vector<SurfacePoint>& points)
   {
     std::vector<std::size_t> bends = this->bendsOf(points);
-    if (bends.size() > MostRoundLabels)
+    const bool hasRoundEnds = bends.size() <= MostRoundLabels;
+    if (!hasRoundEnds)
     {
       bends.clear();
     }
@@ -226,23 +257,26 @@ private:
     {
       if (i + 1 == points.size() || std::binary_search(bends.begin(), bends.end(), i))
       {
-        this->addStraightPiece(points, first, i);
+        this->addStraightPiece(points, first, i, hasRoundEnds);
         first = i;
       }
     }
   }
 
-  /** The segments of a curve from its point @p first to its point @p last. */
+  /** The segments of a curve from its point @p first to its point @p last.
+   * @param hasRoundEnds whether round fronts start at these two points */
   void addStraightPiece(
-    const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last)
+    const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last, bool hasRoundEnds)
   {
     const Index label = this->addLabel(FrontShape::Straight);
     std::map<Index, double> lengths;
+    double lengthOfLine = 0.0;
     for (std::size_t i = first; i < last; ++i)
     {
       const Vector3 a = this->Mesh.positionOf(points[i]);
       const Vector3 b = this->Mesh.positionOf(points[i + 1]);
-      for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1], i))
+      lengthOfLine += norm(b - a);
+      for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1]))
       {
         const double length = distanceToSegment(this->Mesh.position(vertex), a, b);
         const auto [place, isNew] = lengths.emplace(vertex, length);
@@ -253,29 +287,17 @@ private:
     {
       this->Front.starts.push_back({ vertex, label, length });
     }
+    if (hasRoundEnds)
+    {
+      this->Front.labels[label].length = lengthOfLine;
+    }
   }
 
-  std::vector<Index> cornersRoundSegment(
-    const SurfacePoint& a, const SurfacePoint& b, std::size_t number) const
+  /** None if all faces of the segment are closed. */
+  std::vector<Index> cornersRoundSegment(const SurfacePoint& a, const SurfacePoint& b) const
   {
-    Carriers carriers = carriersOf(this->Mesh, a);
-    for (const Index carrier : carriersOf(this->Mesh, b))
-    {
-      carriers.add(carrier);
-    }
-    std::vector<Index> corners;
-    if (carriers.size() <= 3)
-    {
-      corners = cornersRound(this->Mesh, this->Closed, carriers);
-    }
-    if (corners.empty())
-    {
-      throw std::invalid_argument("Seed " + std::to_string(this->Number) +
-        " is a curve whose segment " + std::to_string(number) +
-        " lies neither in one face nor along one edge of the surface. Give "
-        "it a point on each edge that it crosses.");
-    }
-    return corners;
+    const Carriers carriers = carriersOfSegment(this->Mesh, a, b);
+    return cornersRound(this->Mesh, this->Closed, carriers);
   }
 
   /** The numbers of the points where the curve bends, and of its two ends. */
@@ -436,16 +458,16 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
   }
 }
 
-SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, Partition& partition)
+void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
+  std::span<const Seed> seeds, Partition& partition, SeedFront& front)
 {
-  SeedFront front;
+  front.labels.clear();
+  front.starts.clear();
   FrontBuilder builder(mesh, closed, partition, front);
   for (Index s = 0; s < seeds.size(); ++s)
   {
     builder.add(seeds[s], s);
   }
-  return front;
 }
 
 }

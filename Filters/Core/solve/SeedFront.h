@@ -6,6 +6,7 @@
 #include "base/Vector3.h"
 #include "solve/Seed.h"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct Label
   SurfacePoint origin;
   /** The position of a round front's origin, known on all pieces. */
   Vector3 position;
+  /** The length of a straight front's line if round fronts start at both ends; else infinity. */
+  double length = std::numeric_limits<double>::infinity();
 };
 
 /** A vertex that a label reaches in a straight line, through one triangle. */
@@ -66,7 +69,8 @@ struct SeedFront
 /**
  * @throws std::invalid_argument with the number of the first invalid seed: one without points, with
  * a triangle or vertex that does not exist, with weights that are negative or do not sum to 1,
- * or with a value that is negative or not finite
+ * or with a value that is negative or not finite; a curve with a segment that is neither in one
+ * face nor along one edge
  */
 void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition);
 
@@ -75,11 +79,10 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
  * those of this piece. Collective.
  * @pre checkSeeds() has accepted the seeds
  * @param closed triangles that no front crosses; none starts through them either
- * @throws std::invalid_argument for a curve with a segment that is neither in one face nor along
- *         one edge
+ * @param front  gets the labels and starts; what it held is lost, but its memory is used again
  */
-SeedFront seedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, Partition& partition);
+void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
+  std::span<const Seed> seeds, Partition& partition, SeedFront& front);
 
 }
 

@@ -21,6 +21,8 @@ struct StartValue
   double value;
   /** Whether the march must never change this value. */
   bool isFinal;
+  /** Whether no update from the vertex can count, so that it need not be queued. */
+  bool isIdle = false;
 };
 
 }

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/LabelBounds.h"
+
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace geodesic
+{
+namespace
+{
+
+/** Inside vertices are only looked for if at least one vertex in so many has a start. */
+constexpr std::size_t VerticesOfStart = 8;
+
+template <class Test>
+bool allRound(const TriangleMesh& mesh, Index vertex, const Test& test)
+{
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  return std::all_of(
+    ring.begin(), ring.end(), [&](const RingEntry& entry) { return test(entry.neighbour()); });
+}
+
+}
+
+void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
+  std::span<const StartValue> starts, Partition& partition)
+{
+  this->PlaceOfStart.resize(mesh.numberOfVertices(), NoIndex);
+  this->Starts.clear();
+  this->Starts.reserve(starts.size());
+  for (const StartValue& start : starts)
+  {
+    this->addStart({ start.vertex, 0, start.value + labels[start.label].value, start.isFinal });
+  }
+  std::vector<StartValue> ownStarts;
+  for (const Index vertex : partition.sharedVertices())
+  {
+    if (const Index place = this->PlaceOfStart[vertex]; place != NoIndex)
+    {
+      ownStarts.push_back(this->Starts[place]);
+    }
+  }
+  for (const StartValue& other : partition.exchange(ownStarts))
+  {
+    this->addStart(other);
+  }
+
+  this->AreInside.clear();
+  if (!this->haveManyStarts(mesh, partition))
+  {
+    return;
+  }
+  const auto finalValue = [&](Index vertex)
+  {
+    const Index place = this->PlaceOfStart[vertex];
+    return place != NoIndex && this->Starts[place].isFinal ? this->Starts[place].value
+                                                           : -DistanceField::Unreached;
+  };
+  this->AreInside.resize(mesh.numberOfVertices());
+  for (StartValue& start : this->Starts)
+  {
+    start.isIdle = allRound(mesh, start.vertex,
+      [&](Index vertex) { return finalValue(vertex) > -DistanceField::Unreached; });
+    const bool isInside = start.isFinal &&
+      allRound(mesh, start.vertex, [&](Index vertex) { return start.value <= finalValue(vertex); });
+    this->AreInside[start.vertex] = isInside ? 1 : 0;
+  }
+  std::vector<StartValue> shared;
+  for (const Index vertex : partition.sharedVertices())
+  {
+    shared.push_back({ vertex, 0, this->AreInside[vertex] != 0 ? 1.0 : 0.0, false });
+  }
+  for (const StartValue& other : partition.exchange(shared))
+  {
+    this->AreInside[other.vertex] = other.value == 1.0 ? this->AreInside[other.vertex] : 0;
+  }
+}
+
+void LabelBounds::addStart(const StartValue& start)
+{
+  Index& place = this->PlaceOfStart[start.vertex];
+  if (place == NoIndex)
+  {
+    place = static_cast<Index>(this->Starts.size());
+    this->Starts.push_back(start);
+    return;
+  }
+  StartValue& least = this->Starts[place];
+  least.isFinal = start.value < least.value
+    ? start.isFinal
+    : least.isFinal || (start.value == least.value && start.isFinal);
+  least.value = std::min(least.value, start.value);
+}
+
+bool LabelBounds::haveManyStarts(const TriangleMesh& mesh, Partition& partition) const
+{
+  // How many starts there are, and vertices for each of which there would have to be one.
+  std::array<double, 2> counts{ static_cast<double>(this->Starts.size() * VerticesOfStart),
+    static_cast<double>(mesh.numberOfVertices()) };
+  for (const Index vertex : partition.sharedVertices())
+  {
+    if (!partition.owns(vertex))
+    {
+      counts[0] -= this->PlaceOfStart[vertex] == NoIndex ? 0.0 : VerticesOfStart;
+      counts[1] -= 1.0;
+    }
+  }
+  const std::vector<double> all = partition.gather(counts);
+  double difference = 0.0;
+  for (std::size_t i = 0; i < all.size(); i += counts.size())
+  {
+    difference += all[i] - all[i + 1];
+  }
+  return difference > 0.0;
+}
+
+std::vector<StartValue> LabelBounds::within(
+  const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts) const
+{
+  std::vector<StartValue> within;
+  within.reserve(starts.size());
+  std::vector<StartValue> closed;
+  for (const StartValue& start : starts)
+  {
+    if (start.value <= this->ofLabel(start.label) &&
+      start.value + labels[start.label].value <= this->ofVertex(start.vertex))
+    {
+      within.push_back(start);
+      within.back().isIdle = !this->AreInside.empty() &&
+        allRound(mesh, start.vertex, [&](Index vertex) { return this->isInside(vertex); });
+    }
+    else if (start.isFinal)
+    {
+      closed.push_back({ start.vertex, start.label, DistanceField::Unreached, true, true });
+    }
+  }
+  if (!closed.empty())
+  {
+    std::vector<std::uint8_t> haveValue(mesh.numberOfVertices());
+    for (const StartValue& start : within)
+    {
+      haveValue[start.vertex] = 1;
+    }
+    std::copy_if(closed.begin(), closed.end(), std::back_inserter(within),
+      [&](const StartValue& start) { return haveValue[start.vertex] != 0; });
+  }
+  return within;
+}
+
+void LabelBounds::clear()
+{
+  for (const Index vertex : this->Reached)
+  {
+    this->First[vertex] = DistanceField::Unreached;
+    this->OfVertices[vertex] = DistanceField::Unreached;
+  }
+  for (const StartValue& start : this->Starts)
+  {
+    this->PlaceOfStart[start.vertex] = NoIndex;
+  }
+  this->Reached.clear();
+  this->Starts.clear();
+}
+
+}

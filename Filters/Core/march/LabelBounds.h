@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_LabelBounds_h
+#define geodesic_LabelBounds_h
+
+#include "base/Index.h"
+#include "solve/DistanceField.h"
+#include "solve/SeedFront.h"
+#include "solve/StartValue.h"
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+class Partition;
+class TriangleMesh;
+
+/**
+ * Bounds of the values that count in a march of dense labels (see labelsAreDense()).
+ *
+ * A vertex keeps the values of all labels within a margin of its least one (see labelMargin()).
+ * Where labels are dense, those are many. So there a value counts only if it is neither above the
+ * bound of its vertex nor above the one of its label. All bounds are fixed before the march, so the
+ * field does not depend on the order of the march.
+ *
+ * The bound of a label is from labelReaches(). That of a vertex is a little more than its distance
+ * in a *first march*, in which all labels together are one straight front. Beside a single point
+ * the straight front is too slow: in a step of a height h it loses c² / 8 h d at a distance d, with
+ * sides of length c, which grows to some c² / 8 h times the logarithm of the distance. On rough
+ * surfaces it differs from round fronts by a part of the distance. Values a little above the least
+ * one are needed near borders, see labelMargin().
+ */
+class LabelBounds
+{
+public:
+  /**
+   * Prepares a first march: sets its starts. Collective.
+   * @param starts  those of all labels; final values of a vertex stay as they are
+   */
+  void begin(const TriangleMesh& mesh, std::span<const Label> labels,
+    std::span<const StartValue> starts, Partition& partition);
+  /** For each vertex with starts the least one, as a distance of label 0. */
+  std::span<const StartValue> starts() const { return this->Starts; }
+
+  /**
+   * Takes over the field of the first march.
+   * @param reachOf  gives the reach of a vertex (see UnitCost)
+   */
+  template <class ReachOf>
+  void take(const DistanceField& first, const ReachOf& reachOf)
+  {
+    this->Reached.assign(first.reached().begin(), first.reached().end());
+    this->First.resize(first.distances().size(), DistanceField::Unreached);
+    this->OfVertices.resize(first.distances().size(), DistanceField::Unreached);
+    for (const Index vertex : this->Reached)
+    {
+      const double distance = first.distance(vertex);
+      this->First[vertex] = distance;
+      this->OfVertices[vertex] = distance + this->excess(vertex, distance, reachOf(vertex));
+    }
+  }
+  /** Sets the bounds of labels. */
+  void setLabels(std::vector<double> reaches) { this->OfLabels = std::move(reaches); }
+
+  /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
+   */
+  double ofVertex(Index vertex) const { return this->OfVertices[vertex]; }
+  /** The largest value of a label that counts, without the value of its seed. */
+  double ofLabel(Index label) const { return this->OfLabels[label]; }
+
+  /** The vertices that the first march reached, and their distances in it. */
+  std::span<const Index> reached() const { return this->Reached; }
+  double first(Index vertex) const { return this->First[vertex]; }
+
+  /**
+   * The starts of a march within the bounds, first those that count. A final one that does not
+   * becomes +infinity, which keeps updates from giving its vertex another value of the label; this
+   * holds where another label has a start that counts. Idle are those from which no update counts.
+   */
+  std::vector<StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
+    std::span<const StartValue> starts) const;
+
+  /** Removes all bounds, in a time that depends on how many vertices were reached. */
+  void clear();
+
+private:
+  /** Adds a start of all labels together; the least one of a vertex counts. */
+  void addStart(const StartValue& start);
+  /** Whether enough of the vertices of all pieces have a start that some may be inside. Collective.
+   */
+  bool haveManyStarts(const TriangleMesh& mesh, Partition& partition) const;
+
+  /** How much a distance that counts at a vertex may exceed the one in the first march. */
+  double excess(Index vertex, double distance, double reach) const
+  {
+    constexpr double partOfReach = 0.503;
+    constexpr double partOfDistance = 0.01;
+    return this->isInside(vertex) ? 0.0 : partOfReach * reach + partOfDistance * distance;
+  }
+
+  /** Whether a vertex and all its neighbours have final starts, and the vertex the least one: no
+   * front passes it. */
+  bool isInside(Index vertex) const
+  {
+    return !this->AreInside.empty() && this->AreInside[vertex] != 0;
+  }
+
+  std::vector<StartValue> Starts;
+  /** For each vertex the place of its start in Starts, or NoIndex. */
+  std::vector<Index> PlaceOfStart;
+  /** Empty if there are few starts. */
+  std::vector<std::uint8_t> AreInside;
+  std::vector<Index> Reached;
+  std::vector<double> First;
+  std::vector<double> OfVertices;
+  std::vector<double> OfLabels;
+};
+
+}
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/LabelDensity.h"
+
+#include "march/PlaceGrid.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr std::size_t MostSparseLabels = 24;
+constexpr double VerticesOfSparseLabel = 64.0;
+constexpr double EdgesBetweenSparseLabels = 12.0;
+constexpr std::size_t CloseLabelsOfSparse = 4;
+
+/** The size of a surface in all its pieces. */
+struct SurfaceSize
+{
+  double vertices;
+  /** Mean of the vertices' longest edges. */
+  double meanEdge;
+};
+
+/** Collective. */
+SurfaceSize sizeOf(const TriangleMesh& mesh, Partition& partition)
+{
+  if (!partition.isDivided())
+  {
+    return { static_cast<double>(mesh.numberOfVertices()), mesh.meanLongestEdge() };
+  }
+  std::array<double, 2> own{ 0.0, 0.0 };
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (partition.owns(vertex))
+    {
+      own[0] += 1.0;
+      own[1] += partition.longestSides()[vertex];
+    }
+  }
+  const std::vector<double> all = partition.gather(own);
+  SurfaceSize size{ 0.0, 0.0 };
+  for (std::size_t i = 0; i < all.size(); i += own.size())
+  {
+    size.vertices += all[i];
+    size.meanEdge += all[i + 1];
+  }
+  size.meanEdge /= std::max(size.vertices, 1.0);
+  return size;
+}
+
+/** Counts the round labels that start closer to another one than @p distance. */
+std::size_t countClose(const std::vector<Label>& labels, double distance)
+{
+  std::vector<Index> round;
+  for (Index number = 0; number < labels.size(); ++number)
+  {
+    if (labels[number].shape == FrontShape::Round)
+    {
+      round.push_back(number);
+    }
+  }
+  const auto placeOf = [&](Index number) { return labels[number].position; };
+  const PlaceGrid grid(round, distance, placeOf);
+  return static_cast<std::size_t>(std::count_if(round.begin(), round.end(),
+    [&](Index number)
+    {
+      bool isClose = false;
+      grid.visitNear(placeOf(number), distance,
+        [&](Index other)
+        { isClose |= other != number && norm(placeOf(other) - placeOf(number)) < distance; });
+      return isClose;
+    }));
+}
+
+}
+
+bool labelsAreDense(const TriangleMesh& mesh, const SeedFront& front, Partition& partition)
+{
+  const std::size_t count = front.labels.size();
+  if (count <= MostSparseLabels)
+  {
+    return false;
+  }
+  const SurfaceSize size = sizeOf(mesh, partition);
+  if (size.vertices < VerticesOfSparseLabel * static_cast<double>(count))
+  {
+    return true;
+  }
+  const double distance = EdgesBetweenSparseLabels * size.meanEdge;
+  const std::size_t close = distance > 0.0 ? countClose(front.labels, distance) : 0;
+  return close > MostSparseLabels && close * CloseLabelsOfSparse > count;
+}
+
+}

@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/LabelReach.h"
+
+#include "base/Vector3.h"
+#include "march/CircleArcs.h"
+#include "march/PlaceGrid.h"
+#include "mesh/Carriers.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+namespace geodesic
+{
+namespace
+{
+
+/** The first distance at which labels end, in edges; and the factor from each to the next. */
+constexpr double FirstReach = 3.0;
+constexpr double ReachStep = 1.5;
+/** The most by which a label that stays may be farther than one that ends, in edges. */
+constexpr double MostError = 0.1;
+/** The search for other labels goes as far as this many times the distance sideways at which the
+ * error is the largest one. */
+constexpr double SearchRadius = 2.0;
+/** Only labels at which the surface has nearly the same direction stand for each other. */
+constexpr double LeastCosine = 0.7;
+/** A straight front goes on for this many squares of its length, and for two edges at least. */
+constexpr double ReachOfSquaredLength = 2.5;
+constexpr double LeastReachOfStraight = 2.0;
+
+/** A label as the thinning sees it. */
+struct LabelPlace
+{
+  Vector3 position;
+  /** Of the surface there, of length 1; or 0 if it has no direction. */
+  Vector3 normal{ 0.0, 0.0, 0.0 };
+  /** The longest edge there, and the largest cost. */
+  double edge = 0.0;
+  double cost = 0.0;
+  /** The value of the seed as a length. */
+  double value = 0.0;
+
+  /** The price of an edge. */
+  double unit() const { return this->edge * this->cost; }
+};
+
+/** Adds a normal, turned to the side of the sum. */
+void addAligned(Vector3& sum, const Vector3& normal)
+{
+  sum = sum + (dot(sum, normal) < 0.0 ? -1.0 : 1.0) * normal;
+}
+
+/** The sum of the normals of this piece's triangles at a point: those of which it is a corner, or
+ * on an edge, or that it lies in. Each triangle is in one piece, so that the sum over all pieces is
+ * that of the whole surface. */
+Vector3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  Vector3 sum{ 0.0, 0.0, 0.0 };
+  const Carriers carriers = carriersOf(mesh, point);
+  for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
+  {
+    const auto& [a, b, c] = mesh.triangle(triangle);
+    addAligned(
+      sum, cross(mesh.position(b) - mesh.position(a), mesh.position(c) - mesh.position(a)));
+  }
+  return sum;
+}
+
+/** A direction of length 1 with few digits, so that the rounding of sums over pieces in another
+ * order hardly ever changes it. */
+Vector3 roundedDirection(const Vector3& vector)
+{
+  constexpr double steps = 1 << 20;
+  const double length = norm(vector);
+  const auto rounded = [&](double x) { return std::round(x / length * steps) / steps; };
+  return length > 0.0 ? Vector3{ rounded(vector.x), rounded(vector.y), rounded(vector.z) } : vector;
+}
+
+/** The places of all labels, from what each piece of the surface knows of them. Collective. */
+std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, Partition& partition)
+{
+  const std::span<const float> sides =
+    partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
+  std::vector<double> own;
+  constexpr std::size_t size = 6;
+  own.reserve(size * front.starts.size());
+  for (auto start = front.starts.begin(); start != front.starts.end();)
+  {
+    const Index label = start->label;
+    LabelPlace place;
+    for (; start != front.starts.end() && start->label == label; ++start)
+    {
+      place.edge = std::max(place.edge, double{ sides[start->vertex] });
+      place.cost = std::max(place.cost, cost.empty() ? 1.0 : cost[start->vertex]);
+    }
+    const Label& of = front.labels[label];
+    if (of.shape == FrontShape::Round && of.origin.triangle != NoIndex)
+    {
+      place.normal = normalAt(mesh, of.origin);
+    }
+    own.insert(own.end(),
+      { static_cast<double>(label), place.edge, place.cost, place.normal.x, place.normal.y,
+        place.normal.z });
+  }
+  std::vector<LabelPlace> places(front.labels.size());
+  const std::vector<double> all = partition.gather(own);
+  for (std::size_t i = 0; i < all.size(); i += size)
+  {
+    LabelPlace& place = places[static_cast<std::size_t>(all[i])];
+    place.edge = std::max(place.edge, all[i + 1]);
+    place.cost = std::max(place.cost, all[i + 2]);
+    addAligned(place.normal, { all[i + 3], all[i + 4], all[i + 5] });
+  }
+  for (std::size_t number = 0; number < places.size(); ++number)
+  {
+    LabelPlace& place = places[number];
+    place.normal = roundedDirection(place.normal);
+    place.position = front.labels[number].position;
+    place.value = place.cost > 0.0 ? front.labels[number].value / place.cost : 0.0;
+  }
+  return places;
+}
+
+/** One step of the thinning: chooses which of some labels go on beyond a distance. */
+class ThinningStep
+{
+public:
+  /**
+   * @param numbers   of the labels, in increasing order
+   * @param reach     the distance, in edges
+   * @param farthest  labels whose distance is not less stay without a look at them
+   */
+  ThinningStep(const std::vector<LabelPlace>& places, const std::vector<Index>& numbers,
+    double reach, double farthest)
+    : Places(places)
+    , Reach(reach)
+    , Radius(SearchRadius * std::sqrt(2.0 * MostError * reach))
+    , Cube(this->Radius * meanEdge(places, numbers))
+    , Grid(numbers, this->Cube, [&](Index number) { return places[number].position; })
+    , States(places.size(), State::Open)
+  {
+    for (const Index number : numbers)
+    {
+      if (!(reach * places[number].unit() < farthest))
+      {
+        this->States[number] = State::Stays;
+      }
+    }
+    for (const Index number : numbers)
+    {
+      if (this->States[number] == State::Open)
+      {
+        this->States[number] = this->mayEnd(number) ? State::Ends : State::Stays;
+      }
+    }
+  }
+
+  bool ends(Index number) const { return this->States[number] == State::Ends; }
+
+private:
+  enum class State : std::uint8_t
+  {
+    Open,
+    Stays,
+    Ends
+  };
+
+  /** A label that can stand for another one in the directions of an arc. */
+  struct Substitute
+  {
+    Index number;
+    double distance;
+    double centre;
+    double half;
+  };
+
+  static double meanEdge(const std::vector<LabelPlace>& places, const std::vector<Index>& numbers)
+  {
+    double sum = 0.0;
+    for (const Index number : numbers)
+    {
+      sum += places[number].edge;
+    }
+    return sum / static_cast<double>(numbers.size());
+  }
+
+  /** Half of the arc of directions whose component along a vector of length @p flat is at least
+   * @p least; less than 0 if there is none. */
+  static double halfArc(double least, double flat)
+  {
+    if (least <= -flat)
+    {
+      return std::numbers::pi;
+    }
+    return least < flat ? std::acos(least / flat) : -1.0;
+  }
+
+  /** Whether the labels that stay can stand for a label; if so, open ones that are needed for that
+   * stay from now on. */
+  bool mayEnd(Index number)
+  {
+    this->Covered.clear();
+    this->Open.clear();
+    this->lookAround(number);
+    if (this->Covered.coverAll())
+    {
+      return true;
+    }
+    // Those far away come first, so that few are needed.
+    std::sort(this->Open.begin(), this->Open.end(),
+      [](const Substitute& a, const Substitute& b)
+      { return std::tuple(-a.distance, a.number) < std::tuple(-b.distance, b.number); });
+    CircleArcs covered = this->Covered;
+    std::size_t count = 0;
+    while (count < this->Open.size() && !covered.coverAll())
+    {
+      covered.add(this->Open[count].centre, this->Open[count].half);
+      ++count;
+    }
+    if (!covered.coverAll())
+    {
+      return false;
+    }
+    this->Open.resize(count);
+    this->dropNeedless();
+    for (const Substitute& needed : this->Open)
+    {
+      this->States[needed.number] = State::Stays;
+    }
+    return true;
+  }
+
+  /** Notes the directions in which others are nearer or may stand for a label, as far as they stay;
+   * and the open ones. */
+  void lookAround(Index number)
+  {
+    const LabelPlace& place = this->Places[number];
+    const double radius = std::min(this->Radius * place.edge, this->Cube);
+    const double reach = this->Reach * place.edge;
+    const double error = MostError * place.edge;
+    const Vector3 axis =
+      std::abs(place.normal.x) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
+    const Vector3 side = cross(place.normal, axis);
+    const Vector3 first = 1.0 / std::max(norm(side), 0.5) * side;
+    const Vector3 second = cross(place.normal, first);
+    this->Grid.visitNear(place.position, radius,
+      [&](Index other)
+      {
+        const LabelPlace& there = this->Places[other];
+        const Vector3 away = there.position - place.position;
+        const double distance = norm(away);
+        if (other == number || distance > radius || dot(there.normal, place.normal) < LeastCosine)
+        {
+          return;
+        }
+        const double x = dot(away, first);
+        const double y = dot(away, second);
+        const double flat = std::hypot(x, y);
+        const double centre = std::atan2(y, x);
+        // In a direction u the other one is farther by distance² / (2 reach) - away·u.
+        const double least = distance * distance / (2.0 * reach) + there.value - place.value;
+        const State state = this->States[other];
+        // One at the same place is no nearer.
+        const double nearer = least < flat ? halfArc(least, flat) : -1.0;
+        const double near = halfArc(least - error, flat);
+        const double covered = state == State::Stays ? near : nearer;
+        if (covered > 0.0)
+        {
+          this->Covered.add(centre, covered);
+        }
+        if (state == State::Open && near > 0.0)
+        {
+          this->Open.push_back({ other, distance, centre, near });
+        }
+      });
+  }
+
+  /** Removes from Open, from the nearest on, those without which the others are enough. */
+  void dropNeedless()
+  {
+    for (std::size_t i = this->Open.size(); i-- > 0;)
+    {
+      CircleArcs others = this->Covered;
+      for (std::size_t j = 0; j < this->Open.size(); ++j)
+      {
+        if (j != i)
+        {
+          others.add(this->Open[j].centre, this->Open[j].half);
+        }
+      }
+      if (others.coverAll())
+      {
+        this->Open.erase(this->Open.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  }
+
+  const std::vector<LabelPlace>& Places;
+  double Reach;
+  /** Of the search, in edges. */
+  double Radius;
+  double Cube;
+  PlaceGrid Grid;
+  /** By the number of the label. */
+  std::vector<State> States;
+  // Of the label that is looked at.
+  CircleArcs Covered;
+  std::vector<Substitute> Open;
+};
+
+}
+
+std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, double farthest, Partition& partition)
+{
+  std::vector<double> reaches(front.labels.size(), std::numeric_limits<double>::infinity());
+  if (farthest == 0.0)
+  {
+    return reaches;
+  }
+  const std::vector<LabelPlace> places = placesOf(mesh, front, cost, partition);
+  std::vector<Index> numbers;
+  double mostEdges = 0.0;
+  for (Index number = 0; number < reaches.size(); ++number)
+  {
+    const LabelPlace& place = places[number];
+    const double edge = place.unit();
+    // A label without starts, as on excluded vertices, has no edge.
+    if (!(edge > 0.0))
+    {
+      continue;
+    }
+    if (front.labels[number].shape == FrontShape::Straight)
+    {
+      const double length = front.labels[number].length / place.edge;
+      reaches[number] =
+        edge * std::max(ReachOfSquaredLength * length * length, LeastReachOfStraight);
+      continue;
+    }
+    numbers.push_back(number);
+    mostEdges = std::max(mostEdges, farthest / edge);
+  }
+  for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1; reach *= ReachStep)
+  {
+    const ThinningStep step(places, numbers, reach, farthest);
+    std::erase_if(numbers,
+      [&](Index number)
+      {
+        if (step.ends(number))
+        {
+          reaches[number] = reach * places[number].unit();
+        }
+        return step.ends(number);
+      });
+  }
+  return reaches;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_LabelReach_h
+#define geodesic_LabelReach_h
+
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+class Partition;
+class TriangleMesh;
+struct SeedFront;
+
+/**
+ * Computes how far each label matters: the largest value of a label that a march of dense labels
+ * needs (see LabelBounds), without the value of its seed.
+ *
+ * At a distance d from a row of points, a point that lies beside the nearest one by t is farther by
+ * about t² / 2d. So the farther from a row, the fewer of its points are needed. The labels are
+ * thinned in steps. In the step for a distance d, a label ends at d if in each direction, at d from
+ * it, some label that stays is nearer than it or farther by at most a tenth of an edge, or another
+ * label is nearer still. What stays is thinned in the next step, for a distance half as large
+ * again. Distances are in straight lines in the plane that touches the surface at the label: near a
+ * label, where its neighbours are, the surface is almost flat. If a label ends at d, no place
+ * beyond gets a distance that is larger by more than what the places at d do, since the shortest
+ * line to it passes one of them.
+ *
+ * A straight front between two round ones ends where the round ones are as good: a line of length l
+ * is nearer than its ends by at most l² / 8d.
+ *
+ * All lengths are in the longest edge round the label. Everything is decided from the input and
+ * from one number that does not depend on the order of the march, in the order of the labels.
+ *
+ * @param cost      of each vertex; empty for 1
+ * @param farthest  the largest distance; labels that may matter up to it get +infinity
+ * @return one value for each label. All pieces of the surface get the same ones. Collective.
+ * Time O(k log k) for k labels of which not more than some lie close together.
+ */
+std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, double farthest, Partition& partition);
+
+}
+
+#endif

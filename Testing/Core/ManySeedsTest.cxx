@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Dense seeds: their field is near the least of the single fields, within fractions of an edge, and
+// it does not depend on the order. The number of values is bounded (see LabelBounds and
+// labelReaches()).
+
+#include "ExactDistances.h"
+#include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "march/LabelDensity.h"
+#include "march/ReferenceSolver.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** Unit squares with hills, z = 3 sin(x / 9) cos(y / 7). */
+Surface hillyGrid(Index side)
+{
+  Surface surface = planeGrid(side - 1, side - 1, side - 1.0, side - 1.0);
+  for (Vector3& p : surface.points)
+  {
+    p.z = 3.0 * std::sin(p.x / 9.0) * std::cos(p.y / 7.0);
+  }
+  return surface;
+}
+
+/** Different points of a surface at random. */
+std::vector<Index> randomPoints(const Surface& surface, std::size_t count)
+{
+  std::vector<Index> points(surface.points.size());
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    points[i] = i;
+  }
+  std::shuffle(points.begin(), points.end(), std::mt19937(7));
+  points.resize(count);
+  return points;
+}
+
+/** The points of a row of a grid. */
+std::vector<Index> rowOf(Index side, Index row)
+{
+  std::vector<Index> points;
+  for (Index i = 0; i < side; ++i)
+  {
+    points.push_back(row * side + i);
+  }
+  return points;
+}
+
+std::vector<Seed> seedsAt(const TriangleMesh& mesh, const std::vector<Index>& points)
+{
+  std::vector<Seed> seeds;
+  for (const Index point : points)
+  {
+    seeds.push_back(seedAt(mesh, point));
+  }
+  return seeds;
+}
+
+/** One seed for each two neighbouring points: loose line cells. */
+std::vector<Seed> segmentsOf(const TriangleMesh& mesh, const std::vector<Index>& points)
+{
+  std::vector<Seed> seeds;
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    seeds.push_back(Seed::alongCurve({ mesh.pointAtVertex(mesh.vertexOfPoint(points[i - 1])),
+      mesh.pointAtVertex(mesh.vertexOfPoint(points[i])) }));
+  }
+  return seeds;
+}
+
+/** Difference to the least of the single fields, in mean longest edges times the dearest cost. */
+struct Difference
+{
+  double mean = 0.0;
+  double largest = 0.0;
+};
+
+Difference differenceToLeast(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options = {})
+{
+  const auto together = distances<FastMarchingSolver>(mesh, seeds, options);
+  std::vector<double> least(together.size(), DistanceField::Unreached);
+  FastMarchingSolver solver(mesh);
+  for (const Seed& seed : seeds)
+  {
+    const DistanceField& alone = solver.solve({ &seed, 1 }, options);
+    for (Index i = 0; i < least.size(); ++i)
+    {
+      least[i] = std::min(least[i], alone.distance(mesh->vertexOfPoint(i)));
+    }
+  }
+  const double unit = mesh->meanLongestEdge() *
+    (options.cost.empty() ? 1.0 : *std::max_element(options.cost.begin(), options.cost.end()));
+  Difference difference;
+  for (std::size_t i = 0; i < least.size(); ++i)
+  {
+    const double edges = std::abs(together[i] - least[i]) / unit;
+    difference.mean += edges / static_cast<double>(least.size());
+    difference.largest = std::max(difference.largest, edges);
+  }
+  return difference;
+}
+
+/** A twentieth of an edge in the mean, half an edge anywhere. */
+void expectNearLeast(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options = {}, double largest = 0.5)
+{
+  const Difference difference = differenceToLeast(mesh, seeds, options);
+  EXPECT_LE(difference.mean, 0.05);
+  EXPECT_LE(difference.largest, largest);
+}
+
+bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
+{
+  Partition whole;
+  SeedFront front;
+  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
+  return labelsAreDense(mesh, front, whole);
+}
+
+/** The number of vertices that a solve takes from its queues. */
+std::size_t stepsOf(FastMarchingSolver& solver, const std::vector<Seed>& seeds)
+{
+  std::size_t steps = 0;
+  SolveOptions options;
+  options.onProgress = [&](std::size_t taken)
+  {
+    EXPECT_GT(taken, steps);
+    steps = taken;
+    return true;
+  };
+  solver.solve(seeds, options);
+  return steps;
+}
+
+}
+
+TEST(ManySeeds, RandomOnesAreNearTheLeast)
+{
+  for (const std::size_t count : { 30u, 200u, 1500u })
+  {
+    const Surface grid = hillyGrid(60);
+    const auto mesh = meshOf(grid);
+    SCOPED_TRACE(count);
+    expectNearLeast(mesh, seedsAt(*mesh, randomPoints(grid, count)));
+  }
+}
+
+TEST(ManySeeds, ARowIsNearTheLeast)
+{
+  const auto mesh = meshOf(hillyGrid(90));
+  expectNearLeast(mesh, seedsAt(*mesh, rowOf(90, 45)));
+}
+
+TEST(ManySeeds, ARowOnASphereIsNearTheLeast)
+{
+  const Surface sphere = icosphere(4);
+  const auto mesh = meshOf(sphere);
+  std::vector<Index> equator;
+  for (Index i = 0; i < sphere.points.size(); ++i)
+  {
+    if (std::abs(sphere.points[i].z) < 0.03)
+    {
+      equator.push_back(i);
+    }
+  }
+  ASSERT_GT(equator.size(), 40u);
+  expectNearLeast(mesh, seedsAt(*mesh, equator));
+}
+
+TEST(ManySeeds, LooseSegmentsAreNearTheLeast)
+{
+  const auto mesh = meshOf(hillyGrid(60));
+  expectNearLeast(mesh, segmentsOf(*mesh, rowOf(60, 20)));
+}
+
+TEST(ManySeeds, EveryPointIsItsOwn)
+{
+  const Surface grid = hillyGrid(40);
+  const auto mesh = meshOf(grid);
+  const auto seeds = seedsAt(*mesh, randomPoints(grid, grid.points.size()));
+  FastMarchingSolver fast(mesh);
+  ReferenceSolver reference(mesh);
+  for (FrontSolver* solver : std::initializer_list<FrontSolver*>{ &fast, &reference })
+  {
+    const DistanceField& field = solver->solve(seeds);
+    for (Index s = 0; s < seeds.size(); ++s)
+    {
+      const Index vertex = mesh->triangle(seeds[s].points[0].triangle)[static_cast<std::size_t>(
+        std::max_element(seeds[s].points[0].weights.begin(), seeds[s].points[0].weights.end()) -
+        seeds[s].points[0].weights.begin())];
+      ASSERT_EQ(field.distance(vertex), 0.0);
+      ASSERT_EQ(field.nearestSeed(vertex), s);
+    }
+  }
+}
+
+// Few values: a vertex is taken as often as for some single fields, whatever the number of seeds.
+TEST(ManySeeds, StepsDoNotGrowWithTheirNumber)
+{
+  const Surface grid = hillyGrid(90);
+  const auto mesh = meshOf(grid);
+  FastMarchingSolver solver(mesh);
+  const std::size_t vertices = grid.points.size();
+  for (const std::size_t count : { 30u, 300u, 3000u })
+  {
+    EXPECT_LT(stepsOf(solver, seedsAt(*mesh, randomPoints(grid, count))), 5 * vertices);
+  }
+  EXPECT_LT(stepsOf(solver, seedsAt(*mesh, rowOf(90, 45))), 6 * vertices);
+  EXPECT_LT(stepsOf(solver, segmentsOf(*mesh, rowOf(90, 45))), 6 * vertices);
+}
+
+TEST(ManySeeds, BothTiersAgree)
+{
+  const Surface grid = hillyGrid(70);
+  const auto mesh = meshOf(grid);
+  for (const auto& seeds : { seedsAt(*mesh, randomPoints(grid, 500)), seedsAt(*mesh, rowOf(70, 20)),
+         segmentsOf(*mesh, rowOf(70, 50)) })
+  {
+    const auto fast = distances<FastMarchingSolver>(mesh, seeds);
+    const auto reference = distances<ReferenceSolver>(mesh, seeds);
+    for (std::size_t i = 0; i < fast.size(); ++i)
+    {
+      ASSERT_NEAR(fast[i], reference[i], 1e-9 * 70.0);
+    }
+  }
+}
+
+// A mesh sorts its vertices by place, so the other surface is turned as well.
+TEST(ManySeeds, TheOrderOfPointsDoesNotMatter)
+{
+  const Surface grid = hillyGrid(70);
+  const auto mesh = meshOf(grid);
+  std::vector<Index> newId;
+  Surface turned = shuffled(grid, 3, newId);
+  for (Vector3& p : turned.points)
+  {
+    p = { p.z, -p.x, p.y };
+  }
+  const auto other = meshOf(turned);
+  for (const auto& points : { randomPoints(grid, 400), rowOf(70, 30) })
+  {
+    std::vector<Index> moved;
+    std::transform(
+      points.begin(), points.end(), std::back_inserter(moved), [&](Index i) { return newId[i]; });
+    const auto here = distances<FastMarchingSolver>(mesh, seedsAt(*mesh, points));
+    const auto there = distances<FastMarchingSolver>(other, seedsAt(*other, moved));
+    for (Index i = 0; i < here.size(); ++i)
+    {
+      ASSERT_NEAR(here[i], there[newId[i]], 1e-9 * 70.0);
+    }
+  }
+}
+
+// Thinned labels are compared along straight lines, which a cost that varies bends: 0.52 edges were
+// measured.
+TEST(ManySeeds, ACostIsHeeded)
+{
+  const Surface grid = hillyGrid(50);
+  const auto mesh = meshOf(grid);
+  std::vector<double> cost(mesh->numberOfVertices());
+  for (Index v = 0; v < cost.size(); ++v)
+  {
+    cost[v] = 1.0 + 0.5 * std::sin(mesh->position(v).x / 10.0);
+  }
+  SolveOptions options;
+  options.cost = cost;
+  expectNearLeast(mesh, seedsAt(*mesh, rowOf(50, 10)), options, 0.6);
+  expectNearLeast(mesh, seedsAt(*mesh, randomPoints(grid, 100)), options, 0.6);
+}
+
+// A wall between the seeds and a part of the surface, with a gap at one end.
+TEST(ManySeeds, ABarrierIsHeeded)
+{
+  constexpr Index side = 50;
+  const auto mesh = meshOf(hillyGrid(side));
+  std::vector<std::uint8_t> excluded(mesh->numberOfVertices());
+  for (Index i = 0; i + 5 < side; ++i)
+  {
+    excluded[mesh->vertexOfPoint(25 * side + i)] = 1;
+  }
+  SolveOptions options;
+  options.excluded = excluded;
+  const auto seeds = seedsAt(*mesh, rowOf(side, 20));
+  FastMarchingSolver solver(mesh);
+  const DistanceField& field = solver.solve(seeds, options);
+  EXPECT_EQ(field.reached().size(), side * side - (side - 5));
+  for (const Index vertex : field.reached())
+  {
+    EXPECT_NE(field.nearestSeed(vertex), NoIndex);
+  }
+}
+
+TEST(ManySeeds, PartsWithoutSeedsStayUnreached)
+{
+  const Surface grid = hillyGrid(20);
+  const auto mesh = meshOf(joined(grid, grid));
+  std::vector<Index> points;
+  for (Index i = 0; i < 100; ++i)
+  {
+    points.push_back(i);
+  }
+  FastMarchingSolver solver(mesh);
+  EXPECT_EQ(solver.solve(seedsAt(*mesh, points)).reached().size(), grid.points.size());
+}
+
+TEST(ManySeeds, SparseOnesAreNotDense)
+{
+  const auto mesh = meshOf(planeGrid(200, 200, 200.0, 200.0));
+  const auto pointsEvery = [](Index step)
+  {
+    std::vector<Index> points;
+    for (Index y = 0; y <= 200; y += step)
+    {
+      for (Index x = 0; x <= 200; x += step)
+      {
+        points.push_back(y * 201 + x);
+      }
+    }
+    return points;
+  };
+  EXPECT_FALSE(areDense(*mesh, seedsAt(*mesh, pointsEvery(25))));
+  EXPECT_TRUE(areDense(*mesh, seedsAt(*mesh, pointsEvery(5))));
+  EXPECT_TRUE(areDense(*mesh, seedsAt(*mesh, rowOf(201, 100))));
+  EXPECT_FALSE(areDense(*mesh, seedsAt(*mesh, { 0, 1, 2, 3 })));
+}
+
+TEST(ManySeeds, TheyMayBeCancelledInEitherMarch)
+{
+  const auto mesh = meshOf(hillyGrid(60));
+  const auto seeds = seedsAt(*mesh, rowOf(60, 30));
+  FastMarchingSolver solver(mesh);
+  const std::size_t steps = stepsOf(solver, seeds);
+  for (const std::size_t end : { steps / 8, steps - 200 })
+  {
+    SolveOptions options;
+    options.onProgress = [&](std::size_t taken) { return taken < end; };
+    EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+  }
+  EXPECT_EQ(stepsOf(solver, seeds), steps);
+}
