@@ -66,6 +66,14 @@ public:
 
   /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const { return this->anyQueue().bucketOf(key); }
+  /** The bucket behind those that a march up to a key goes through. These are the buckets before
+   * the key's, and in any case the first in which an item waits, if it begins before the key: a
+   * bucket can be wider than the step of a march that goes on step by step. */
+  std::uint64_t endOfMarch(double key) const
+  {
+    const std::uint64_t end = this->bucketOf(key);
+    return this->nextKey() < key ? std::max(end, this->nextBucket() + 1) : end;
+  }
   /** A lower bound of the keys that wait: the least key of the first bucket in which an item waits;
    * infinity if none waits. */
   double nextKey() const

@@ -42,7 +42,7 @@ public:
 
   void advance(double limit) override
   {
-    this->AdvanceBefore(this->Queues.bucketOf(limit - this->FirstDistance));
+    this->AdvanceBefore(this->Queues.endOfMarch(limit - this->FirstDistance));
   }
 
   double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }

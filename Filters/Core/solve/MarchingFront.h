@@ -23,8 +23,9 @@ public:
 
   virtual ~MarchingFront() = default;
 
-  /** Takes vertices from the queue, also those added meanwhile, until none has a distance below
-   * @p limit or the run is cancelled. */
+  /** Takes vertices from the queue, also those added meanwhile, until hardly any has a distance
+   * below @p limit or the run is cancelled. If nextDistance() is below @p limit, it takes at least
+   * one. */
   virtual void advance(double limit) = 0;
   /** A lower bound of all distances in the queue; infinity where the queue is empty. */
   virtual double nextDistance() const = 0;

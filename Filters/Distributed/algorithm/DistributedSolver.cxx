@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "algorithm/DistributedSolver.h"
 
+#include "base/NumberText.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/DividedMesh.h"
 #include "pieces/SharedPoints.h"
@@ -9,10 +10,20 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 
 namespace geodesic::distributed
 {
+namespace
+{
+
+/** A round in which no rank makes as many updates takes longer to agree on than to compute: the
+ * next one goes farther. */
+constexpr double FewUpdates = 32.0;
+
+}
 
 DistributedSolver::DistributedSolver(RankGroup& ranks, const DividedMesh& mesh)
   : Ranks(ranks)
@@ -51,20 +62,24 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   {
     known.clear();
   }
-  const double step = this->stepOf(front);
+  const double leastStep = this->stepOf(front);
+  double step = leastStep;
   double end = 0.0;
+  double updates = FewUpdates;
   std::exception_ptr error;
   while (true)
   {
     // The state of the whole surface: the least distance that is left, whether a rank failed or was
-    // cancelled, and the distances of the targets.
+    // cancelled, the most updates of a rank in the last round, and the distances of the targets.
     std::vector<double> state{ front.nextDistance(), error ? 0.0 : 1.0,
-      front.isCancelled() ? 0.0 : 1.0 };
+      front.isCancelled() ? 0.0 : 1.0, -updates };
     const std::vector<double> targets = limit.targetDistances();
     state.insert(state.end(), targets.begin(), targets.end());
     this->Ranks.takeLeast(state);
     const auto [next, allWell, nobodyCancelled] = std::tuple(state[0], state[1], state[2]);
-    limit.learn({ state.begin() + 3, state.end() });
+    limit.learn({ state.begin() + 4, state.end() });
+    // The mean step can be far too small where triangles are large or dear.
+    step = -state[3] < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     if (allWell == 0.0)
     {
       this->Ranks.together(
@@ -84,7 +99,17 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     try
     {
       end = std::max(end, next + step);
+      const bool hasWork = front.nextDistance() < end;
+      const std::size_t before = front.numberOfUpdates();
       front.advance(end);
+      updates = static_cast<double>(front.numberOfUpdates() - before);
+      if (hasWork && updates == 0.0)
+      {
+        // An error in this program: without this test the ranks would go on like this for ever.
+        throw std::logic_error("A round of the march did nothing: up to the distance " +
+          textOf(end) + ", rank " + std::to_string(this->Ranks.rank()) +
+          " has not gone on from its least distance, " + textOf(front.nextDistance()) + ".");
+      }
     }
     catch (...)
     {
