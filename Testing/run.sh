@@ -4,9 +4,9 @@
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
-#        bash Testing/run.sh bench [distances|paths]
-# Runs the benchmarks instead, for about a quarter of an hour, and writes Plugin/Documentation/benchmarks.md and
-# path_benchmarks.md.
+#        bash Testing/run.sh bench [distances|paths|worst]
+# Runs the benchmarks instead, for up to three quarters of an hour, and writes benchmarks.md, path_benchmarks.md and
+# worst_cases.md in Plugin/Documentation.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
@@ -66,10 +66,11 @@ check_labels()
 install_missing "${build_packages[@]}" "${test_packages[@]}"
 if [[ ${1-} == bench ]]; then
   case ${2-} in
-    '') targets=(Benchmarks PathBenchmarks) ;;
+    '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks) ;;
     distances) targets=(Benchmarks) ;;
     paths) targets=(PathBenchmarks) ;;
-    *) fail "Benchmarks of $2 are not known: name distances, paths, or neither for both" ;;
+    worst) targets=(WorstCaseBenchmarks) ;;
+    *) fail "Benchmarks of $2 are not known: name distances, paths or worst, or none for all" ;;
   esac
   cmake --preset bench
   # One after the other: side by side they would disturb each other.

@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t Children = 4;
 }
 
-HeapDijkstra::HeapDijkstra(const TriangleMesh& mesh)
+HeapDijkstra::HeapDijkstra(const TriangleMesh& mesh, std::span<const double> cost)
   : Distances(mesh.numberOfVertices())
   , Places(mesh.numberOfVertices(), NoIndex)
 {
@@ -31,7 +31,8 @@ HeapDijkstra::HeapDijkstra(const TriangleMesh& mesh)
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     for (Index n : neighbours)
     {
-      this->Edges.push_back({ norm(mesh.position(n) - mesh.position(v)), n });
+      const double weight = cost.empty() ? 1.0 : 0.5 * (cost[v] + cost[n]);
+      this->Edges.push_back({ weight * norm(mesh.position(n) - mesh.position(v)), n });
     }
   }
   this->Starts.push_back(static_cast<Index>(this->Edges.size()));

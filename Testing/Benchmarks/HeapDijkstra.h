@@ -5,6 +5,7 @@
 
 #include "base/Index.h"
 
+#include <span>
 #include <vector>
 
 namespace geodesic
@@ -24,7 +25,9 @@ namespace geodesic::testing
 class HeapDijkstra
 {
 public:
-  explicit HeapDijkstra(const TriangleMesh& mesh);
+  /** @param cost of a unit of length at each vertex; an edge's is the mean of its ends'. Empty: 1.
+   */
+  explicit HeapDijkstra(const TriangleMesh& mesh, std::span<const double> cost = {});
 
   /** Distances from a vertex to all others, valid until the next call; +infinity where unreached.
    */

@@ -218,17 +218,20 @@ def version(package):
     return output_of("dpkg-query", "-W", "-f", "${Version}", package)
 
 
+def processor():
+    with open("/proc/cpuinfo") as file:
+        return next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
+
+
 def machine(run):
     context = run["context"]
-    with open("/proc/cpuinfo") as file:
-        model = next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     caches = ", ".join(f"L{c['level']} {c['size'] // 1024:,} KiB" for c in context["caches"]
                        if c["type"] != "Instruction")
     return table(["", ""], [
         ["Date", context["date"][:10]],
         ["Commit", commit()],
-        ["Processor", f"{model}, {context['num_cpus']} cores, {caches}; one is used but for setup on two threads"],
+        ["Processor", f"{processor()}, {context['num_cpus']} cores, {caches}; one is used but for setup on two threads"],
         ["Memory", f"{memory:.0f} GiB"],
         ["Load before the start", ", ".join(f"{load:.2f}" for load in context["load_avg"])],
         ["System", f"{platform.freedesktop_os_release()['PRETTY_NAME']}, Linux {platform.release()}"],

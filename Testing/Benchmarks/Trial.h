@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_testing_Trial_h
+#define geodesic_testing_Trial_h
+
+#include "Measuring.h"
+#include "Subject.h"
+
+#include <functional>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace geodesic::testing
+{
+
+/** What a run takes. */
+struct RunCost
+{
+  /** Processor time, the median of several runs where one is short. */
+  double seconds = 0.0;
+  /** The longest processor time without a report of progress. */
+  double silence = 0.0;
+  /** Those of the last march, to the last report. */
+  std::size_t updates = 0;
+  /** Vertices with a distance; 0 where that is not what the run is about. */
+  std::size_t reached = 0;
+};
+
+/** A surface on which worst cases are measured, with what is made once for an input. */
+class Trial
+{
+public:
+  explicit Trial(const Surface& surface);
+
+  const TriangleMesh& mesh() const { return *this->Made.mesh; }
+  FastMarchingSolver& solver() { return this->Solver; }
+  std::mt19937& random() { return this->Random; }
+
+  /** Processor time of a field from one vertex. */
+  double secondsOfOneSeed();
+  /** The same by Dijkstra's algorithm. @param cost of each vertex; empty: 1 */
+  double secondsOfDijkstra(std::span<const double> cost = {}) const;
+
+  /** The cost of the field of some seeds. */
+  RunCost solve(const std::vector<Seed>& seeds, const SolveOptions& options = {});
+  /** The cost of any work on the solver, which is given options that watch its progress. */
+  RunCost run(
+    const std::function<void(const SolveOptions&)>& work, const SolveOptions& options = {});
+
+private:
+  SetUp Made;
+  FastMarchingSolver Solver;
+  std::mt19937 Random;
+};
+
+}
+
+#endif

@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Cases that cost the core more than those of the benchmarks:
+//   WorstCases [--tiny] CASE [ARGUMENT...]
+// Prints the name and number of all that is measured, a pair a line, as soon as it is known: a case
+// may not end. worst_suite.py runs them all and makes the document. To be run on one core.
+
+#include "FieldError.h"
+#include "PathStyles.h"
+#include "Trial.h"
+#include "WorstSeeds.h"
+#include "WorstSurfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** The words after the case's name, and the size of what it runs on. */
+struct Arguments
+{
+  const std::string& word(std::size_t i) const { return this->words.at(i); }
+  double number(std::size_t i) const { return std::stod(this->words.at(i)); }
+  /** Of a case's parts; a tiny case has fewer. */
+  Index count(std::size_t i) const
+  {
+    const Index count = static_cast<Index>(this->number(i));
+    return this->tiny ? std::min<Index>(count, 50) : count;
+  }
+  WorstSurface surface(std::size_t i) const { return worstSurface(this->word(i), this->tiny); }
+
+  std::vector<std::string> words;
+  bool tiny = false;
+};
+
+/** Prints a number under its name, at once. */
+void print(const std::string& name, double value)
+{
+  std::printf("%s %.6g\n", name.c_str(), value);
+  std::fflush(stdout);
+}
+
+void print(const RunCost& cost)
+{
+  print("seconds", cost.seconds);
+  print("silence", cost.silence);
+  if (cost.reached > 0)
+  {
+    print("updates", static_cast<double>(cost.updates) / static_cast<double>(cost.reached));
+    print("reached", static_cast<double>(cost.reached));
+  }
+}
+
+/** What one seed and Dijkstra's algorithm take on the surface. */
+void printUnits(Trial& trial)
+{
+  print("points", trial.mesh().numberOfVertices());
+  print("one_seed", trial.secondsOfOneSeed());
+  print("dijkstra", trial.secondsOfDijkstra());
+}
+
+/** The same where the surface is itself the case: one seed is on a hilly grid of as many points. */
+void printUnitsOfOrdinarySurface(const Trial& trial)
+{
+  print("points", trial.mesh().numberOfVertices());
+  print("one_seed", Trial(ordinarySurface(trial.mesh().numberOfVertices())).secondsOfOneSeed());
+  print("dijkstra", trial.secondsOfDijkstra());
+}
+
+/** Random vertices as seeds: SURFACE COUNT. */
+void seeds(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  std::vector<Seed> list;
+  for (Index vertex : randomVertices(trial.mesh(), arguments.count(1), trial.random()))
+  {
+    list.push_back(Seed::atPoint(trial.mesh().pointAtVertex(vertex)));
+  }
+  print("items", static_cast<double>(list.size()));
+  print(trial.solve(list));
+}
+
+/** Any number of seeds in one face, at its corners, on its edges and inside: SURFACE COUNT. */
+void seedsOfOneFace(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  std::vector<Seed> list;
+  for (Index i = 0; i < arguments.count(1); ++i)
+  {
+    SurfacePoint point = randomPoint(trial.mesh(), trial.random());
+    point.triangle = trial.mesh().numberOfTriangles() / 2;
+    list.push_back(Seed::atPoint(point));
+  }
+  print("items", static_cast<double>(list.size()));
+  print(trial.solve(list));
+}
+
+std::vector<Segment> sliceOf(const TriangleMesh& mesh)
+{
+  const Box box = boxOf(mesh);
+  const double size = box.high.x - box.low.x;
+  // Not through any vertex, and steep enough to cross edges of all directions.
+  return segmentsAtZero(mesh, [&](const Vector3& p) { return p.y + 0.7431 * p.x - 0.8713 * size; });
+}
+
+/** The line of a slice across a hilly grid: CELLS loose|curve. */
+void slice(const Arguments& arguments)
+{
+  const Index cells = arguments.count(0);
+  Trial trial(hillyGrid(cells, cells));
+  printUnits(trial);
+  const std::vector<Segment> segments = sliceOf(trial.mesh());
+  print("items", static_cast<double>(segments.size()));
+  print(trial.solve(arguments.word(1) == "loose"
+      ? looseSeeds(segments)
+      : std::vector<Seed>{ seedAlong(trial.mesh(), segments) }));
+}
+
+/** All boundary edges of a hilly grid, each for itself: CELLS. */
+void border(const Arguments& arguments)
+{
+  const Index cells = arguments.count(0);
+  Trial trial(hillyGrid(cells, cells));
+  printUnits(trial);
+  const std::vector<Segment> segments = boundarySegments(trial.mesh());
+  print("items", static_cast<double>(segments.size()));
+  print(trial.solve(looseSeeds(segments)));
+}
+
+/** The segments of a contour of z, each for itself: SURFACE Z. */
+void contour(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  const double level = arguments.number(1);
+  const std::vector<Segment> segments =
+    segmentsAtZero(trial.mesh(), [&](const Vector3& p) { return p.z - level; });
+  print("items", static_cast<double>(segments.size()));
+  print(trial.solve(looseSeeds(segments)));
+}
+
+/** Edges at random, each for itself: SURFACE COUNT. */
+void edges(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  const std::vector<Segment> segments =
+    randomEdges(trial.mesh(), arguments.count(1), trial.random());
+  print("items", static_cast<double>(segments.size()));
+  print(trial.solve(looseSeeds(segments)));
+}
+
+/** One curve that wanders from vertex to vertex and crosses itself: SURFACE BENDS. */
+void wanderingCurve(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  const TriangleMesh& mesh = trial.mesh();
+  const Index bends = arguments.count(1);
+  Index vertex = mesh.numberOfVertices() / 2;
+  std::vector<SurfacePoint> points;
+  for (Index i = 0; i < bends; ++i)
+  {
+    points.push_back(mesh.pointAtVertex(vertex));
+    const std::span<const RingEntry> ring = mesh.ring(vertex);
+    vertex = ring[trial.random()() % ring.size()].neighbour();
+  }
+  print("items", bends);
+  print(trial.solve({ Seed::alongCurve(std::move(points)) }));
+}
+
+/** Triangles apart, some of them with a seed: TRIANGLES SEEDS. */
+void parts(const Arguments& arguments)
+{
+  Trial trial(trianglesApart(arguments.count(0)));
+  print("points", trial.mesh().numberOfVertices());
+  std::vector<Seed> list;
+  for (Index i = 0; i < arguments.count(1); ++i)
+  {
+    list.push_back(Seed::atPoint(randomPoint(trial.mesh(), trial.random())));
+  }
+  print("items", static_cast<double>(list.size()));
+  print(trial.solve(list));
+}
+
+/** Log-normal costs at random: SURFACE SIGMA. */
+void cost(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  std::normal_distribution<double> logarithm(0.0, arguments.number(1));
+  std::vector<double> costs(trial.mesh().numberOfVertices());
+  std::generate(costs.begin(), costs.end(), [&] { return std::exp(logarithm(trial.random())); });
+  print("points", trial.mesh().numberOfVertices());
+  print("one_seed", trial.secondsOfOneSeed());
+  print("dijkstra", trial.secondsOfDijkstra(costs));
+  SolveOptions options;
+  options.cost = costs;
+  print(trial.solve(
+    { Seed::atPoint(trial.mesh().pointAtVertex(trial.mesh().numberOfVertices() / 2)) }, options));
+}
+
+/** The field of one seed: SURFACE POINT. */
+void field(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnitsOfOrdinarySurface(trial);
+  print(trial.solve({ seedAt(trial.mesh(), static_cast<Index>(arguments.number(1))) }));
+}
+
+/** A field as far as random vertices, with a seed at one vertex: SURFACE TARGETS. */
+void targets(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  std::vector<Triangle> list;
+  for (Index vertex : randomVertices(trial.mesh(), arguments.count(1), trial.random()))
+  {
+    list.push_back({ vertex, vertex, vertex });
+  }
+  print("items", static_cast<double>(list.size()));
+  SolveOptions options;
+  options.targets = list;
+  options.targetMode = TargetMode::All;
+  print(trial.solve(
+    { Seed::atPoint(trial.mesh().pointAtVertex(trial.mesh().numberOfVertices() / 2)) }, options));
+}
+
+/** The path between the surface's two points: SURFACE. */
+void path(const Arguments& arguments)
+{
+  const WorstSurface surface = arguments.surface(0);
+  Trial trial(surface.surface);
+  printUnitsOfOrdinarySurface(trial);
+  const auto at = [&](Index point)
+  { return trial.mesh().pointAtVertex(trial.mesh().vertexOfPoint(point)); };
+  print(trial.run(
+    [&](const SolveOptions& options)
+    {
+      if (!shortestPath(trial.solver(), at(surface.from), at(surface.to), options, Straight))
+      {
+        throw std::runtime_error("there is no path");
+      }
+    }));
+}
+
+/** Paths from many points to the nearest of some: SURFACE STARTS ENDS. */
+void starts(const Arguments& arguments)
+{
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  const auto points = [&](Index count)
+  {
+    std::vector<SurfacePoint> list(count);
+    std::generate(
+      list.begin(), list.end(), [&] { return randomPoint(trial.mesh(), trial.random()); });
+    return list;
+  };
+  const std::vector<SurfacePoint> from = points(arguments.count(1));
+  const std::vector<SurfacePoint> to = points(arguments.count(2));
+  print("items", static_cast<double>(from.size()));
+  print(trial.run(
+    [&](const SolveOptions& options)
+    {
+      PathFinder finder(trial.solver(), to, options, Straight);
+      finder.march(from);
+      for (const SurfacePoint& start : from)
+      {
+        finder.pathFrom(start);
+      }
+    }));
+}
+
+constexpr std::array<double Vector3::*, 3> Axes{ &Vector3::x, &Vector3::y, &Vector3::z };
+
+/** One seed on a surface made flat; the worst of some seeds and all axes: SURFACE FACTOR. */
+void flat(const Arguments& arguments)
+{
+  constexpr Index sources = 3;
+  const Surface surface = arguments.surface(0).surface;
+  print("one_seed", Trial(surface).secondsOfOneSeed());
+  double dijkstra = 0.0;
+  RunCost worst;
+  for (const auto axis : Axes)
+  {
+    Trial trial(flattened(surface, axis, arguments.number(1)));
+    for (Index vertex : randomVertices(trial.mesh(), sources, trial.random()))
+    {
+      const RunCost cost = trial.solve({ Seed::atPoint(trial.mesh().pointAtVertex(vertex)) });
+      if (cost.seconds > worst.seconds)
+      {
+        worst = cost;
+        dijkstra = trial.secondsOfDijkstra();
+      }
+    }
+  }
+  print("points", static_cast<double>(surface.points.size()));
+  print("dijkstra", dijkstra);
+  print(worst);
+}
+
+/** Errors of one seed's field on a surface made flat, the worst of all axes, beside those before:
+ * SURFACE FACTOR. */
+void flatError(const Arguments& arguments)
+{
+  const Surface surface = arguments.surface(0).surface;
+  const FieldError before = errorOn(surface);
+  FieldError worst;
+  for (const auto axis : Axes)
+  {
+    const FieldError error = errorOn(flattened(surface, axis, arguments.number(1)));
+    worst.tooSmall = std::max(worst.tooSmall, error.tooSmall);
+    worst.mean = std::max(worst.mean, error.mean);
+  }
+  print("points", static_cast<double>(surface.points.size()));
+  print("too_small_before", before.tooSmall);
+  print("mean_error_before", before.mean);
+  print("too_small", worst.tooSmall);
+  print("mean_error", worst.mean);
+}
+
+const std::map<std::string, std::function<void(const Arguments&)>> Cases{
+  { "seeds", seeds },
+  { "seeds-of-one-face", seedsOfOneFace },
+  { "slice", slice },
+  { "border", border },
+  { "contour", contour },
+  { "edges", edges },
+  { "wandering-curve", wanderingCurve },
+  { "parts", parts },
+  { "cost", cost },
+  { "field", field },
+  { "targets", targets },
+  { "path", path },
+  { "starts", starts },
+  { "flat", flat },
+  { "flat-error", flatError },
+};
+
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Arguments arguments{ { argv + 1, argv + argc } };
+    arguments.tiny = std::erase(arguments.words, "--tiny") > 0;
+    const std::string name = arguments.word(0);
+    arguments.words.erase(arguments.words.begin());
+    Cases.at(name)(arguments);
+  }
+  catch (const std::exception& exception)
+  {
+    std::printf("error %s\n", exception.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WorstSurfaces.h"
+
+#include "ExactDistances.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace geodesic::testing
+{
+namespace
+{
+
+/** Unit sphere with two poles, points 0 and 1; from one point of its equator to the other side. */
+WorstSurface sphereOfLatitudes(Index around, Index rings)
+{
+  constexpr double pi = std::numbers::pi;
+  Surface surface;
+  surface.points = { { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 } };
+  for (Index ring = 1; ring <= rings; ++ring)
+  {
+    const double latitude = pi * ring / (rings + 1) - pi / 2.0;
+    for (Index i = 0; i < around; ++i)
+    {
+      const double longitude = 2.0 * pi * i / around;
+      surface.points.push_back({ std::cos(longitude) * std::cos(latitude),
+        std::sin(longitude) * std::cos(latitude), std::sin(latitude) });
+    }
+  }
+  addRingCells(surface, 2, around, rings);
+  const Index last = 2 + (rings - 1) * around;
+  for (Index i = 0; i < around; ++i)
+  {
+    const Index next = (i + 1) % around;
+    surface.triangles.push_back({ 0, 2 + next, 2 + i });
+    surface.triangles.push_back({ 1, last + i, last + next });
+  }
+  const Index equator = 2 + rings / 2 * around;
+  return { surface, equator, equator + around / 2 };
+}
+
+/** Triangles that all share the edge between points 0 and 1. */
+WorstSurface pages(Index count)
+{
+  Surface surface;
+  surface.points = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  for (Index i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    surface.points.push_back({ std::cos(angle), std::sin(angle), 0.5 });
+    surface.triangles.push_back({ 0, 1, 2 + i });
+  }
+  return { surface, 2, 2 + count / 2 };
+}
+
+/** Triangles round point 0; a straight path between the two points crosses many of them. */
+WorstSurface fan(Index triangles)
+{
+  return { disc(triangles), 1, 1 + triangles / 2 - triangles / 7 };
+}
+
+WorstSurface strip(Index squares)
+{
+  return { planeGrid(squares, 1, squares, 1.0), 0, 2 * squares + 1 };
+}
+
+WorstSurface atEnds(Surface surface)
+{
+  const Index last = static_cast<Index>(surface.points.size()) - 1;
+  return { std::move(surface), 0, last };
+}
+
+WorstSurface data(const std::string& name, bool tiny)
+{
+  return atEnds(tiny ? icosphere(2) : readOff(GEODESICS_OFF_DIRECTORY "/" + name + ".off"));
+}
+
+}
+
+Surface hillyGrid(Index columns, Index rows)
+{
+  Surface surface = planeGrid(columns, rows, columns, rows);
+  for (Vector3& point : surface.points)
+  {
+    point.z = 3.0 * std::sin(point.x / 9.0) * std::cos(point.y / 7.0);
+  }
+  return surface;
+}
+
+Surface ordinarySurface(std::size_t points)
+{
+  const Index cells = static_cast<Index>(std::lround(std::sqrt(points))) - 1;
+  return hillyGrid(cells, cells);
+}
+
+Surface trianglesApart(Index triangles)
+{
+  const Index columns = static_cast<Index>(std::ceil(std::sqrt(triangles)));
+  Surface surface;
+  for (Index i = 0; i < triangles; ++i)
+  {
+    const Vector3 corner{ 2.0 * (i % columns), 2.0 * (i / columns), 0.0 };
+    surface.points.push_back(corner);
+    surface.points.push_back(corner + Vector3{ 1.0, 0.0, 0.0 });
+    surface.points.push_back(corner + Vector3{ 0.0, 1.0, 0.0 });
+    surface.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return surface;
+}
+
+Surface flattened(Surface surface, double Vector3::*axis, double factor)
+{
+  for (Vector3& point : surface.points)
+  {
+    point.*axis /= factor;
+  }
+  return surface;
+}
+
+WorstSurface worstSurface(const std::string& name, bool tiny)
+{
+  static const std::map<std::string, std::function<WorstSurface(bool)>> makers{
+    { "hilly grid 40k",
+      [](bool small) { return atEnds(small ? hillyGrid(9, 9) : hillyGrid(199, 199)); } },
+    { "hilly grid 160k",
+      [](bool small) { return atEnds(small ? hillyGrid(29, 29) : hillyGrid(399, 399)); } },
+    { "shaken grid 40k",
+      [](bool small)
+      {
+        const Index cells = small ? 9 : 199;
+        return atEnds(jitteredGrid(cells, cells, cells, cells, 0.3, 1));
+      } },
+    { "Bunny 35k", [](bool small) { return data("Bunny", small); } },
+    { "Spot 3k", [](bool small) { return data("Spot", small); } },
+    { "icosphere 160k", [](bool small) { return atEnds(icosphere(small ? 2 : 7)); } },
+    { "Delaunay plane 160k",
+      [](bool small) { return atEnds(delaunayPlane(small ? 200 : 160000, 1)); } },
+    { "torus 40k",
+      [](bool small)
+      { return atEnds(small ? torus(20, 10, 1.0, 0.4) : torus(320, 125, 1.0, 0.4)); } },
+    { "torus 2k",
+      [](bool small)
+      { return atEnds(small ? torus(20, 10, 1.0, 0.4) : torus(71, 28, 1.0, 0.4)); } },
+    { "fan 100k", [](bool small) { return fan(small ? 100 : 100000); } },
+    { "strip 300k", [](bool small) { return strip(small ? 100 : 300000); } },
+    { "sphere of latitudes 1M",
+      [](bool small) { return small ? sphereOfLatitudes(20, 9) : sphereOfLatitudes(1000, 999); } },
+    { "pages 100k", [](bool small) { return pages(small ? 100 : 100000); } },
+  };
+  const auto found = makers.find(name);
+  if (found == makers.end())
+  {
+    throw std::invalid_argument("There is no surface " + name);
+  }
+  return found->second(tiny);
+}
+
+}

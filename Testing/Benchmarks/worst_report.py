@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: SurfaceGeodesics authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the document of the worst cases from their results.
+
+usage: worst_report.py BUILD_FOLDER/benchmarks/worst.json DOCUMENT.md
+"""
+
+import datetime
+import json
+import os
+import string
+import sys
+
+import worst_cases
+from report import commit, number, processor, table, version
+
+TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worst_cases.md.in")
+# Seconds of processor time that a case may take.
+LIMIT = 60
+ENDS = {"limit": f"more than {LIMIT} s", "error": "an error"}
+
+
+def verdict(case, found):
+    """Whether what is asked for holds; empty where nothing is."""
+    if not case.asked:
+        return ""
+    if found["ended"] != "well":
+        return "no"
+    value = case.asked.of(found)
+    if value <= case.asked.aim.value(found):
+        return "yes, the aim"
+    return "yes" if value <= case.asked.at_least.value(found) else "no"
+
+
+def asked_of(case):
+    return [case.asked.at_least.words, case.asked.aim.words] if case.asked else ["", ""]
+
+
+def holds_cell(case, found):
+    holds = verdict(case, found)
+    return "**no**" if holds == "no" else holds
+
+
+def duration(seconds):
+    return f"{number(seconds)} s" if seconds >= 1 else f"{number(1e3 * seconds)} ms"
+
+
+def figures(found):
+    """Time, in times of one seed and of Dijkstra's algorithm, updates a point and silence."""
+    if found["ended"] == "error":
+        return [ENDS["error"], "", "", "", ""]
+    seconds = found.get("seconds", LIMIT)
+
+    def times(unit):
+        more = "more than " if found["ended"] == "limit" else ""
+        return more + number(seconds / found[unit]) if unit in found else ""
+
+    if found["ended"] == "limit":
+        return [ENDS["limit"], times("one_seed"), times("dijkstra"), "", ""]
+    return [duration(seconds), times("one_seed"), times("dijkstra"),
+            number(found["updates"]) if "updates" in found else "", duration(found["silence"])]
+
+
+def table_of_times(cases, found):
+    rows = []
+    for case in cases:
+        one = found[case.name]
+        rows.append([case.name, f"{one['points']:,.0f}" if "points" in one else "", *figures(one),
+                     *asked_of(case), holds_cell(case, one)])
+    return table(["Case", "Points", "Time", "S", "D", "Updates a point", "Silence", "At least", "Aim", "Holds"],
+                 rows)
+
+
+def table_of_errors(cases, found):
+    def percent(one, key):
+        return f"{number(100 * one[key])} %" if key in one else ENDS[one["ended"]]
+
+    return table(["Surface", "Points", "Too small at most", "before", "Mean error", "before", "At least", "Aim",
+                  "Holds"],
+                 [[case.name, f"{found[case.name].get('points', 0):,.0f}",
+                   *(percent(found[case.name], key)
+                     for key in ("too_small", "too_small_before", "mean_error", "mean_error_before")),
+                   *asked_of(case), holds_cell(case, found[case.name])] for case in cases])
+
+
+def reason(found):
+    if found["ended"] == "well":
+        return ""
+    return f" ({found.get('error', ENDS[found['ended']])})"
+
+
+def shortfalls(found):
+    """All that does not meet what is asked for, and what else does not end well, one a line."""
+    groups = {**worst_cases.TIMED, "Errors": worst_cases.ERRORS}
+    lines = []
+    asked = 0
+    for group, cases in groups.items():
+        for case in cases:
+            asked += case.asked is not None
+            if verdict(case, found[case.name]) == "no" or found[case.name]["ended"] != "well":
+                lines.append(f"- {group}: {case.name}{reason(found[case.name])}")
+    if not lines:
+        return f"All {asked} rows with a target meet it."
+    missed = sum(verdict(case, found[case.name]) == "no" for cases in groups.values() for case in cases)
+    return "\n".join([f"{missed} of {asked} rows with a target do not meet it. These, and rows without a target "
+                      "that do not end well:", "", *lines])
+
+
+def write(run, document):
+    found = run["cases"]
+    with open(TEMPLATE) as file:
+        template = string.Template(file.read())
+    text = template.substitute(
+        limit=LIMIT,
+        machine=f"{processor()}, {run['cores']} cores; g++ {version('g++-12')}; commit {commit()}; "
+                f"{datetime.date.today()}; load before the start {run['load'][0]:.2f}",
+        shortfalls=shortfalls(found),
+        times="\n\n".join(f"## {group}\n\n{table_of_times(cases, found)}"
+                          for group, cases in worst_cases.TIMED.items()),
+        errors=table_of_errors(worst_cases.ERRORS, found))
+    with open(document, "w") as file:
+        file.write(text)
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1]) as stream:
+        write(json.load(stream), sys.argv[2])
