@@ -5,7 +5,7 @@
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
 #        bash Testing/run.sh bench [distances|paths|worst]
-# Runs the benchmarks instead, for up to three quarters of an hour, and writes benchmarks.md, path_benchmarks.md and
+# Runs the benchmarks instead, for about half an hour, and writes benchmarks.md, path_benchmarks.md and
 # worst_cases.md in Plugin/Documentation.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

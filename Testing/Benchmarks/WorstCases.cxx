@@ -93,7 +93,7 @@ void seeds(const Arguments& arguments)
   print(trial.solve(list));
 }
 
-/** Any number of seeds in one face, at its corners, on its edges and inside: SURFACE COUNT. */
+/** Any number of seeds inside one face: SURFACE COUNT. */
 void seedsOfOneFace(const Arguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
@@ -280,6 +280,8 @@ void starts(const Arguments& arguments)
       for (const SurfacePoint& start : from)
       {
         finder.pathFrom(start);
+        // As a caller would between paths.
+        options.onProgress(0);
       }
     }));
 }
@@ -291,7 +293,9 @@ void flat(const Arguments& arguments)
 {
   constexpr Index sources = 3;
   const Surface surface = arguments.surface(0).surface;
-  print("one_seed", Trial(surface).secondsOfOneSeed());
+  Trial before(surface);
+  print("points", before.mesh().numberOfVertices());
+  print("one_seed", before.secondsOfOneSeed());
   double dijkstra = 0.0;
   RunCost worst;
   for (const auto axis : Axes)
@@ -307,7 +311,6 @@ void flat(const Arguments& arguments)
       }
     }
   }
-  print("points", static_cast<double>(surface.points.size()));
   print("dijkstra", dijkstra);
   print(worst);
 }
@@ -317,6 +320,7 @@ void flat(const Arguments& arguments)
 void flatError(const Arguments& arguments)
 {
   const Surface surface = arguments.surface(0).surface;
+  print("points", static_cast<double>(surface.points.size()));
   const FieldError before = errorOn(surface);
   FieldError worst;
   for (const auto axis : Axes)
@@ -325,7 +329,6 @@ void flatError(const Arguments& arguments)
     worst.tooSmall = std::max(worst.tooSmall, error.tooSmall);
     worst.mean = std::max(worst.mean, error.mean);
   }
-  print("points", static_cast<double>(surface.points.size()));
   print("too_small_before", before.tooSmall);
   print("mean_error_before", before.mean);
   print("too_small", worst.tooSmall);

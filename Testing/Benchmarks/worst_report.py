@@ -17,6 +17,8 @@ from report import commit, number, processor, table, version
 TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worst_cases.md.in")
 # Seconds of processor time that a case may take.
 LIMIT = 60
+# Seconds of processor time without a report of progress.
+LONG_SILENCE = 0.2
 ENDS = {"limit": f"more than {LIMIT} s", "error": "an error"}
 
 
@@ -45,7 +47,7 @@ def duration(seconds):
     return f"{number(seconds)} s" if seconds >= 1 else f"{number(1e3 * seconds)} ms"
 
 
-def figures(found):
+def figures(case, found):
     """Time, in times of one seed and of Dijkstra's algorithm, updates a point and silence."""
     if found["ended"] == "error":
         return [ENDS["error"], "", "", "", ""]
@@ -57,7 +59,8 @@ def figures(found):
 
     if found["ended"] == "limit":
         return [ENDS["limit"], times("one_seed"), times("dijkstra"), "", ""]
-    return [duration(seconds), times("one_seed"), times("dijkstra"),
+    each = f" ({duration(seconds / found['items'])} a {case.each})" if case.each else ""
+    return [duration(seconds) + each, times("one_seed"), times("dijkstra"),
             number(found["updates"]) if "updates" in found else "", duration(found["silence"])]
 
 
@@ -65,7 +68,7 @@ def table_of_times(cases, found):
     rows = []
     for case in cases:
         one = found[case.name]
-        rows.append([case.name, f"{one['points']:,.0f}" if "points" in one else "", *figures(one),
+        rows.append([case.name, f"{one['points']:,.0f}" if "points" in one else "", *figures(case, one),
                      *asked_of(case), holds_cell(case, one)])
     return table(["Case", "Points", "Time", "S", "D", "Updates a point", "Silence", "At least", "Aim", "Holds"],
                  rows)
@@ -106,6 +109,14 @@ def shortfalls(found):
                       "that do not end well:", "", *lines])
 
 
+def silences(found):
+    """The rows that can't be stopped soon."""
+    names = [name for name, one in found.items() if one.get("silence", 0) > LONG_SILENCE]
+    if not names:
+        return "No row that ends is silent for longer."
+    return "\n".join(["Silent for longer:", "", *(f"- {name} ({duration(found[name]['silence'])})" for name in names)])
+
+
 def write(run, document):
     found = run["cases"]
     with open(TEMPLATE) as file:
@@ -115,6 +126,8 @@ def write(run, document):
         machine=f"{processor()}, {run['cores']} cores; g++ {version('g++-12')}; commit {commit()}; "
                 f"{datetime.date.today()}; load before the start {run['load'][0]:.2f}",
         shortfalls=shortfalls(found),
+        long_silence=LONG_SILENCE,
+        silences=silences(found),
         times="\n\n".join(f"## {group}\n\n{table_of_times(cases, found)}"
                           for group, cases in worst_cases.TIMED.items()),
         errors=table_of_errors(worst_cases.ERRORS, found))
