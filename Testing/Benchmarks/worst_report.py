@@ -5,14 +5,13 @@
 usage: worst_report.py BUILD_FOLDER/benchmarks/worst.json DOCUMENT.md
 """
 
-import datetime
 import json
 import os
 import string
 import sys
 
 import worst_cases
-from report import commit, number, processor, table, version
+from report import number, processor, table, version
 
 TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worst_cases.md.in")
 # Seconds of processor time that a case may take.
@@ -123,8 +122,8 @@ def write(run, document):
         template = string.Template(file.read())
     text = template.substitute(
         limit=LIMIT,
-        machine=f"{processor()}, {run['cores']} cores; g++ {version('g++-12')}; commit {commit()}; "
-                f"{datetime.date.today()}; load before the start {run['load'][0]:.2f}",
+        machine=f"{processor()}, {run['cores']} cores; g++ {version('g++-12')}; commit {run['commit']}; "
+                f"{run['date']}; load before the start {run['load'][0]:.2f}",
         shortfalls=shortfalls(found),
         long_silence=LONG_SILENCE,
         silences=silences(found),

@@ -7,6 +7,7 @@ usage: worst_suite.py WORST_CASES BUILD_FOLDER DOCUMENT.md [--tiny]
 The results stay in BUILD_FOLDER/benchmarks as JSON. --tiny: on tiny surfaces, to try whether it runs.
 """
 
+import datetime
 import json
 import os
 import signal
@@ -16,6 +17,7 @@ import time
 
 import worst_cases
 import worst_report
+from report import commit
 
 
 def processor_seconds(pid):
@@ -51,7 +53,8 @@ def measured(program, case, tiny):
 def main(program, build, document, *tiny):
     results = os.path.join(build, "benchmarks")
     os.makedirs(results, exist_ok=True)
-    found = {"load": os.getloadavg(), "cores": os.cpu_count()}
+    found = {"load": os.getloadavg(), "cores": os.cpu_count(), "commit": commit(),
+             "date": str(datetime.date.today())}
     # What is started from here on inherits the core.
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     cases = [*(case for cases in worst_cases.TIMED.values() for case in cases), *worst_cases.ERRORS]
