@@ -17,6 +17,7 @@
 #include <limits>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace geodesic
 {
@@ -64,13 +65,34 @@ void addAligned(Vector3& sum, const Vector3& normal)
  * that of the whole surface. */
 Vector3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  Vector3 sum{ 0.0, 0.0, 0.0 };
-  const Carriers carriers = carriersOf(mesh, point);
-  for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
+  const auto normalOf = [&](const Triangle& t)
   {
-    const auto& [a, b, c] = mesh.triangle(triangle);
-    addAligned(
-      sum, cross(mesh.position(b) - mesh.position(a), mesh.position(c) - mesh.position(a)));
+    return cross(
+      mesh.position(t[1]) - mesh.position(t[0]), mesh.position(t[2]) - mesh.position(t[0]));
+  };
+  const Carriers carriers = carriersOf(mesh, point);
+  if (carriers.size() == 3)
+  {
+    return normalOf(mesh.triangle(point.triangle));
+  }
+  Index centre = carriers[0];
+  Index other = carriers[carriers.size() - 1];
+  if (mesh.ring(other).size() < mesh.ring(centre).size())
+  {
+    std::swap(centre, other);
+  }
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  Vector3 sum{ 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (ring[i].opensTriangle())
+    {
+      const Triangle triangle{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      if (std::find(triangle.begin(), triangle.end(), other) != triangle.end())
+      {
+        addAligned(sum, normalOf(triangle));
+      }
+    }
   }
   return sum;
 }
