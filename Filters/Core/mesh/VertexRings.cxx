@@ -268,9 +268,8 @@ private:
    * @pre all triangles of these vertices were added */
   void chainBefore(Index last)
   {
-    for (; this->NextVertex < last; ++this->NextVertex)
+    for (Index v = this->NextVertex; v < last; ++v)
     {
-      const Index v = this->NextVertex;
       const std::size_t start = this->NextStart;
       const std::size_t size =
         std::exchange(this->AllRings.starts[v], static_cast<std::uint32_t>(start)) - start;
@@ -287,6 +286,7 @@ private:
       }
       this->NextStart += ring.size();
     }
+    this->NextVertex = std::max(this->NextVertex, last);
   }
 
   /** @param numbersHere get the numbers of the ring's entries */
