@@ -142,3 +142,22 @@ TEST(Growth, SeedsOnEdgesOfADisc)
       EXPECT_EQ(front.starts.size(), 4 * around);
     });
 }
+
+TEST(Growth, SeedsInOneFace)
+{
+  expectLinear(500,
+    [](Index count)
+    {
+      const auto mesh = meshOf(planeGrid(8, 8, 8.0, 8.0));
+      std::vector<Seed> seeds;
+      for (Index i = 0; i < count; ++i)
+      {
+        // Along a spiral in the face.
+        const double part = (i + 0.5) / count;
+        const double radius = 0.2 * std::sqrt(part);
+        seeds.push_back(seedNear(
+          mesh, { 3.7 + radius * std::cos(2.4 * i), 3.3 + radius * std::sin(2.4 * i), 0.0 }));
+      }
+      FastMarchingSolver(mesh).solve(seeds);
+    });
+}

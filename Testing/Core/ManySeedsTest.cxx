@@ -224,6 +224,36 @@ TEST(ManySeeds, StepsDoNotGrowWithTheirNumber)
   EXPECT_LT(stepsOf(solver, segmentsOf(*mesh, rowOf(90, 45))), 6 * vertices);
 }
 
+// The distance is straight there, so the truth is known for as many as one likes.
+TEST(ManySeeds, ACrowdInOneFaceIsNearTheLeast)
+{
+  const auto mesh = meshOf(planeGrid(30, 30, 30.0, 30.0));
+  const Vector3 corner{ 15.0, 15.0, 0.0 };
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0.0, 0.5);
+  std::vector<Seed> seeds;
+  std::vector<Vector3> places;
+  for (int s = 0; s < 2000; ++s)
+  {
+    const double x = uniform(random);
+    seeds.push_back(seedNear(mesh, { corner.x + x, corner.y + uniform(random), 0.0 }));
+    places.push_back(mesh->positionOf(seeds.back().points[0]));
+  }
+  FastMarchingSolver solver(mesh);
+  const DistanceField& field = solver.solve(seeds);
+  for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+  {
+    double truth = DistanceField::Unreached;
+    for (const Vector3& place : places)
+    {
+      truth = std::min(truth, norm(place - mesh->position(v)));
+    }
+    const double edge = mesh->meanLongestEdge();
+    ASSERT_NEAR(field.distance(v), truth, 0.5 * edge);
+    ASSERT_NEAR(norm(places[field.nearestSeed(v)] - mesh->position(v)), truth, edge);
+  }
+}
+
 TEST(ManySeeds, BothTiersAgree)
 {
   const Surface grid = hillyGrid(70);

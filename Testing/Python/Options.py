@@ -213,7 +213,8 @@ STOPS = {
 }
 
 
-# Without a wall the seeds' fields are exact. Round its corners they are off by up to an edge, and by
+# Without a wall the seeds' fields are exact, but where many kinds of seeds are so dense that they are off
+# by half an edge at most, and by a twentieth of one in the mean. Round its corners they are off by up to an edge, and by
 # a fifth of one in the mean: the front is young there and its origin is a guess.
 for seeds, cost, barrier in itertools.product(SEEDS, COSTS, BARRIERS):
     options = {**SEEDS[seeds][0], **COSTS[cost][0], **BARRIERS[barrier][0]}
@@ -221,7 +222,12 @@ for seeds, cost, barrier in itertools.product(SEEDS, COSTS, BARRIERS):
     of_seeds = factor * np.array([distances(stand_ins).min(axis=0) for stand_ins in SEEDS[seeds][1]])
     is_open = np.isin(np.arange(len(points)), cells[~is_in(centers, *WALL)]) | (barrier == "no barrier")
     truth = np.where(is_open, of_seeds.min(axis=0), np.nan)
-    most, mean = (1e-6, 1e-6) if barrier == "no barrier" else (1.1 * factor / N, 0.2 * factor / N)
+    if barrier != "no barrier":
+        most, mean = 1.1 * factor / N, 0.2 * factor / N
+    elif seeds == "all kinds":
+        most, mean = 0.5 * factor / N, 0.05 * factor / N
+    else:
+        most, mean = 1e-6, 1e-6
     name = (seeds, cost, barrier)
     whole = run(plane, **options)
     expect(name, whole, truth, most, mean)

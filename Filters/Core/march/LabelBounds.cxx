@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace geodesic
 {
@@ -57,6 +58,7 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   {
     return;
   }
+  this->sortStarts();
   const auto finalValue = [&](Index vertex)
   {
     const Index place = this->PlaceOfStart[vertex];
@@ -99,6 +101,21 @@ void LabelBounds::addStart(const StartValue& start)
   least.value = std::min(least.value, start.value);
 }
 
+void LabelBounds::sortStarts()
+{
+  std::vector<StartValue> sorted;
+  sorted.reserve(this->Starts.size());
+  for (Index& place : this->PlaceOfStart)
+  {
+    if (place != NoIndex)
+    {
+      sorted.push_back(this->Starts[place]);
+      place = static_cast<Index>(sorted.size() - 1);
+    }
+  }
+  this->Starts = std::move(sorted);
+}
+
 bool LabelBounds::haveManyStarts(const TriangleMesh& mesh, Partition& partition) const
 {
   // How many starts there are, and vertices for each of which there would have to be one.
@@ -129,8 +146,11 @@ std::vector<StartValue> LabelBounds::within(
   std::vector<StartValue> closed;
   for (const StartValue& start : starts)
   {
-    if (start.value <= this->ofLabel(start.label) &&
-      start.value + labels[start.label].value <= this->ofVertex(start.vertex))
+    if (start.value > this->ofLabel(start.label))
+    {
+      continue;
+    }
+    if (start.value + labels[start.label].value <= this->ofVertex(start.vertex))
     {
       within.push_back(start);
       within.back().isIdle = !this->AreInside.empty() &&

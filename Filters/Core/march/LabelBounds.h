@@ -77,9 +77,10 @@ public:
   double first(Index vertex) const { return this->First[vertex]; }
 
   /**
-   * The starts of a march within the bounds, first those that count. A final one that does not
-   * becomes +infinity, which keeps updates from giving its vertex another value of the label; this
-   * holds where another label has a start that counts. Idle are those from which no update counts.
+   * The starts of a march within the bounds, first those that count. A final one above the bound of
+   * its vertex becomes +infinity, which keeps updates from giving its vertex another value of the
+   * label; this holds where another label has a start that counts. Idle are those from which no
+   * update counts.
    */
   std::vector<StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
     std::span<const StartValue> starts) const;
@@ -90,6 +91,8 @@ public:
 private:
   /** Adds a start of all labels together; the least one of a vertex counts. */
   void addStart(const StartValue& start);
+  /** Sorts Starts by vertex, as neighbours are near each other in memory then. */
+  void sortStarts();
   /** Whether enough of the vertices of all pieces have a start that some may be inside. Collective.
    */
   bool haveManyStarts(const TriangleMesh& mesh, Partition& partition) const;
@@ -97,7 +100,7 @@ private:
   /** How much a distance that counts at a vertex may exceed the one in the first march. */
   double excess(Index vertex, double distance, double reach) const
   {
-    constexpr double partOfReach = 0.503;
+    constexpr double partOfReach = 0.15;
     constexpr double partOfDistance = 0.01;
     return this->isInside(vertex) ? 0.0 : partOfReach * reach + partOfDistance * distance;
   }

@@ -3,6 +3,7 @@
 #include "march/LabelReach.h"
 
 #include "base/Vector3.h"
+#include "base/WorkCount.h"
 #include "march/CircleArcs.h"
 #include "march/PlaceGrid.h"
 #include "mesh/Carriers.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -34,6 +36,8 @@ constexpr double MostError = 0.1;
 constexpr double SearchRadius = 2.0;
 /** Only labels at which the surface has nearly the same direction stand for each other. */
 constexpr double LeastCosine = 0.7;
+/** A label closer than this many edges to another one, of no larger value, ends where it starts. */
+constexpr double LeastSpacing = 0.1;
 /** A straight front goes on for this many squares of its length, and for two edges at least. */
 constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
@@ -151,6 +155,53 @@ std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& fron
     place.value = place.cost > 0.0 ? front.labels[number].value / place.cost : 0.0;
   }
   return places;
+}
+
+/** A number for the cube of a place, whose diagonal is at most the least spacing there. Places in
+ * different cubes hardly ever have the same one. */
+std::uint64_t cubeOf(const LabelPlace& place)
+{
+  const double exponent = std::floor(std::log2(place.edge));
+  const double perSide = std::sqrt(3.0) / (LeastSpacing * std::exp2(exponent));
+  std::uint64_t cube = 0;
+  for (const double x : { exponent, place.position.x * perSide, place.position.y * perSide,
+         place.position.z * perSide })
+  {
+    // Fibonacci hashing, see Knuth, The Art of Computer Programming 3, section 6.4.
+    constexpr std::uint64_t goldenRatio = 0x9e3779b97f4a7c15u;
+    cube = (cube ^ std::bit_cast<std::uint64_t>(std::floor(x))) * goldenRatio;
+    cube ^= cube >> 32;
+  }
+  return cube;
+}
+
+/** Ends the labels that are close to another one of no larger value. Time O(k log k). */
+void endCrowded(
+  const std::vector<LabelPlace>& places, std::vector<Index>& numbers, std::vector<double>& reaches)
+{
+  std::vector<std::tuple<std::uint64_t, double, Index>> sorted;
+  sorted.reserve(numbers.size());
+  for (const Index number : numbers)
+  {
+    sorted.emplace_back(cubeOf(places[number]), places[number].value, number);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0, first = 0; i < sorted.size(); ++i)
+  {
+    if (std::get<0>(sorted[i]) != std::get<0>(sorted[first]))
+    {
+      first = i;
+    }
+    const Index number = std::get<2>(sorted[i]);
+    const LabelPlace& place = places[number];
+    const LabelPlace& other = places[std::get<2>(sorted[first])];
+    if (i != first && norm(place.position - other.position) <= LeastSpacing * place.edge &&
+      dot(place.normal, other.normal) >= LeastCosine)
+    {
+      reaches[number] = 0.0;
+    }
+  }
+  std::erase_if(numbers, [&](Index number) { return std::isfinite(reaches[number]); });
 }
 
 /** One step of the thinning: chooses which of some labels go on beyond a distance. */
@@ -278,6 +329,7 @@ private:
     this->Grid.visitNear(place.position, radius,
       [&](Index other)
       {
+        WorkCount::add(1);
         const LabelPlace& there = this->Places[other];
         const Vector3 away = there.position - place.position;
         const double distance = norm(away);
@@ -372,6 +424,7 @@ std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& fron
     numbers.push_back(number);
     mostEdges = std::max(mostEdges, farthest / edge);
   }
+  endCrowded(places, numbers, reaches);
   for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1; reach *= ReachStep)
   {
     const ThinningStep step(places, numbers, reach, farthest);

@@ -27,6 +27,9 @@ struct SeedFront;
  * beyond gets a distance that is larger by more than what the places at d do, since the shortest
  * line to it passes one of them.
  *
+ * Labels that lie within a tenth of an edge of another one, of no larger value, end at once. So the
+ * time does not depend on how many crowd in a face.
+ *
  * A straight front between two round ones ends where the round ones are as good: a line of length l
  * is nearer than its ends by at most l² / 8d.
  *
@@ -36,7 +39,7 @@ struct SeedFront;
  * @param cost      of each vertex; empty for 1
  * @param farthest  the largest distance; labels that may matter up to it get +infinity
  * @return one value for each label. All pieces of the surface get the same ones. Collective.
- * Time O(k log k) for k labels of which not more than some lie close together.
+ * Time O(k log k) for k labels.
  */
 std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
   std::span<const double> cost, double farthest, Partition& partition);

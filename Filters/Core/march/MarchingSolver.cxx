@@ -75,15 +75,25 @@ bool takeSeedsOfOthers(bool foundOne, Partition& partition, DistanceField& field
 }
 
 /**
- * Gives vertices that no label reached within the bounds their distance in the first march, and a
- * seed of a neighbour. Collective.
+ * Gives vertices the distance in the first march where that is less: a label that others bounded
+ * may have come by a detour. Those that no label reached within the bounds also get a seed of a
+ * neighbour. Collective.
  */
-void fillGaps(
+void takeFirstMarch(
   const TriangleMesh& mesh, const LabelBounds& bounds, Partition& partition, DistanceField& field)
 {
   std::vector<Index> gaps;
-  std::copy_if(bounds.reached().begin(), bounds.reached().end(), std::back_inserter(gaps),
-    [&](Index vertex) { return !field.isReached(vertex); });
+  for (const Index vertex : bounds.reached())
+  {
+    if (!field.isReached(vertex))
+    {
+      gaps.push_back(vertex);
+    }
+    else if (bounds.first(vertex) < field.distance(vertex))
+    {
+      field.setDistance(vertex, bounds.first(vertex));
+    }
+  }
   std::sort(
     gaps.begin(), gaps.end(), [&](Index a, Index b) { return bounds.first(a) < bounds.first(b); });
   for (const Index vertex : gaps)
@@ -170,7 +180,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
       request.hasCost };
     finished = this->marchFrom(this->Dense.within(this->mesh(), request.front.labels, starts), cost,
       second, &this->Dense, limit, field);
-    fillGaps(this->mesh(), this->Dense, request.partition, field);
+    takeFirstMarch(this->mesh(), this->Dense, request.partition, field);
   }
   this->Dense.clear();
   return finished;
