@@ -108,6 +108,53 @@ TEST(TriangleMesh, PointsOutsideOfTrianglesAreNoVertices)
   EXPECT_EQ(mesh->vertexOfPoint(0), NoIndex);
 }
 
+TEST(TriangleMesh, VerticesKeepTheirNumbersWithoutSomeTriangles)
+{
+  const Surface surface = icosphere(3);
+  const TriangleMesh whole(
+    surface.points, surface.triangles, CoincidentPoints::Merge, ThreadTeam(), &updateMeasurer());
+  // All triangles of one vertex, and some others.
+  const Index bare = 5;
+  std::vector<bool> leftOut;
+  std::vector<Triangle> kept;
+  for (Index t = 0; t < whole.numberOfTriangles(); ++t)
+  {
+    const Triangle& corners = whole.triangle(t);
+    leftOut.push_back(
+      t % 7 == 0 || std::find(corners.begin(), corners.end(), bare) != corners.end());
+    if (!leftOut.back())
+    {
+      kept.push_back(surface.triangles[whole.sourceOfTriangle(t)]);
+    }
+  }
+  const TriangleMesh part = whole.without(leftOut);
+  ASSERT_EQ(part.numberOfVertices(), whole.numberOfVertices());
+  ASSERT_EQ(part.numberOfTriangles(), kept.size());
+  for (Index t = 0; t < part.numberOfTriangles(); ++t)
+  {
+    EXPECT_EQ(surface.triangles[part.sourceOfTriangle(t)], kept[t]);
+  }
+  for (Index v = 0; v < whole.numberOfVertices(); ++v)
+  {
+    EXPECT_EQ(part.pointOfVertex(v), whole.pointOfVertex(v));
+    EXPECT_EQ(part.vertexOfPoint(whole.pointOfVertex(v)), v);
+  }
+  EXPECT_TRUE(part.ring(bare).empty());
+  EXPECT_EQ(part.longestEdgeAround(bare), 0.0);
+  // Rings and what is measured with them are those of a mesh of these triangles.
+  const TriangleMesh anew(
+    surface.points, kept, CoincidentPoints::Merge, ThreadTeam(), &updateMeasurer());
+  const UpdateBounds bounds(part);
+  const UpdateBounds boundsAnew(anew);
+  for (Index v = 0; v < anew.numberOfVertices(); ++v)
+  {
+    const Index same = part.vertexOfPoint(anew.pointOfVertex(v));
+    EXPECT_EQ(part.ring(same).size(), anew.ring(v).size());
+    EXPECT_EQ(part.longestEdgeAround(same), anew.longestEdgeAround(v));
+    EXPECT_EQ(bounds.margins()[same], boundsAnew.margins()[v]);
+  }
+}
+
 TEST(TriangleMesh, PointsOfOneKindAreOneVertex)
 {
   // The last column of one grid is the first of the other, but for rounding.

@@ -103,12 +103,43 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
   this->build(triangles, team, measurer);
 }
 
+TriangleMesh TriangleMesh::without(const std::vector<bool>& leftOut, const ThreadTeam& team) const
+{
+  TriangleMesh mesh;
+  mesh.Positions = this->Positions;
+  mesh.VertexOfPoint = this->VertexOfPoint;
+  mesh.PointOfVertex = this->PointOfVertex;
+  mesh.Triangles.reserve(this->numberOfTriangles());
+  mesh.SourceOfTriangle.reserve(this->numberOfTriangles());
+  for (Index t = 0; t < this->numberOfTriangles(); ++t)
+  {
+    if (!leftOut[t])
+    {
+      mesh.Triangles.push_back(this->Triangles[t]);
+      mesh.SourceOfTriangle.push_back(this->SourceOfTriangle[t]);
+    }
+  }
+  BulkVector<Index> room(VertexRings::RoomOfTriangle * mesh.Triangles.size());
+  mesh.makeRings(room, team, this->measurer());
+  return mesh;
+}
+
 void TriangleMesh::build(
   std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer)
 {
   // The first access to memory is the most expensive one, so two steps share this workspace.
   BulkVector<Index> room(VertexRings::RoomOfTriangle * triangles.size());
   this->orderTriangles(triangles, room, team);
+  this->makeRings(room, team, measurer);
+  if (this->Triangles.size() < triangles.size())
+  {
+    this->forgetBareVertices();
+  }
+}
+
+void TriangleMesh::makeRings(
+  std::span<Index> room, const ThreadTeam& team, const RingMeasurer* measurer)
+{
   const auto numbers = measurer ? std::make_shared<RingNumbers>() : nullptr;
   if (numbers)
   {
@@ -117,10 +148,6 @@ void TriangleMesh::build(
   this->Rings = VertexRings(this->Triangles, this->Positions, room, team, numbers.get());
   this->Numbers = numbers;
   this->measureEdges();
-  if (this->Triangles.size() < triangles.size())
-  {
-    this->forgetBareVertices();
-  }
 }
 
 void TriangleMesh::numberVertices(std::span<const Vector3> points,

@@ -69,6 +69,15 @@ public:
     std::span<const Index> kinds, const ThreadTeam& team = ThreadTeam(),
     const RingMeasurer* measurer = nullptr);
 
+  /**
+   * Returns this mesh without some of its triangles. All vertices stay, with their numbers; one
+   * that has no triangle left has an empty ring.
+   * @param leftOut  one flag for each triangle
+   * @param team     as for the constructor. Time O(n).
+   */
+  TriangleMesh without(
+    const std::vector<bool>& leftOut, const ThreadTeam& team = ThreadTeam()) const;
+
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
   Index numberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
@@ -130,8 +139,11 @@ private:
 
   void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
     CoincidentPoints coincident, const ThreadTeam& team);
+  TriangleMesh() = default;
   void build(
     std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer);
+  /** Makes the rings and what is measured along with them. @param room see VertexRings */
+  void makeRings(std::span<Index> room, const ThreadTeam& team, const RingMeasurer* measurer);
   /** @param corners workspace, three numbers for each triangle */
   void orderTriangles(
     std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);

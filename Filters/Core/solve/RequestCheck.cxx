@@ -61,7 +61,11 @@ void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& 
     }
     for (Index vertex : seeds[s].vertices)
     {
-      visit(mesh.pointAtVertex(vertex), s);
+      // The triangles of a vertex can all be on other pieces.
+      if (!mesh.ring(vertex).empty())
+      {
+        visit(mesh.pointAtVertex(vertex), s);
+      }
     }
   }
 }

@@ -417,7 +417,11 @@ private:
       const Vector3& p = this->Mesh.position(vertex);
       // Adding 0 turns -0 into 0, so that equal places have the same bits on all pieces.
       const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
-      vertexAt.emplace(place, vertex);
+      // The triangles of a vertex can all be on other pieces, one of which then has its origin.
+      if (!this->Mesh.ring(vertex).empty())
+      {
+        vertexAt.emplace(place, vertex);
+      }
       own.insert(own.end(), place.begin(), place.end());
     }
     const std::vector<double> all = this->Pieces.gather(own);

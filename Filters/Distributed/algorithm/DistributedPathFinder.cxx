@@ -115,8 +115,7 @@ DistributedPathFinder::DistributedPathFinder(
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
-  this->Cutter.emplace(request.mesh, request.options,
-    request.gathered ? request.gathered->movedTriangles() : std::vector<bool>());
+  this->Cutter.emplace(request.mesh, request.options);
   this->InputCutter.emplace(request.surface.divided(), SolveOptions());
 }
 

@@ -72,7 +72,7 @@ GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& sur
     {
       if (ranks.rank() > 0)
       {
-        this->closeMoved(cutter.trianglesRound(local));
+        this->leaveOut(cutter.trianglesRound(local));
         return;
       }
       Corridor moved;
@@ -81,15 +81,23 @@ GatheredSurface::GatheredSurface(RankGroup& ranks, const DistributedSurface& sur
     });
 }
 
-void GatheredSurface::closeMoved(const std::vector<Index>& triangles)
+void GatheredSurface::leaveOut(const std::vector<Index>& moved)
 {
-  this->HasMoved.resize(this->Mesh->numberOfTriangles(), false);
-  this->Barriers.closed.resize(this->Mesh->numberOfTriangles(), 0);
-  for (const Index triangle : triangles)
+  std::vector<bool> hasMoved(this->Mesh->numberOfTriangles(), false);
+  for (const Index triangle : moved)
   {
-    this->HasMoved[triangle] = true;
-    this->Barriers.closed[triangle] = 1;
+    hasMoved[triangle] = true;
   }
+  std::vector<std::uint8_t> closed;
+  for (Index triangle = 0; triangle < this->Barriers.closed.size(); ++triangle)
+  {
+    if (!hasMoved[triangle])
+    {
+      closed.push_back(this->Barriers.closed[triangle]);
+    }
+  }
+  this->Barriers.closed = std::move(closed);
+  this->Mesh = std::make_shared<const TriangleMesh>(this->Mesh->without(hasMoved));
 }
 
 void GatheredSurface::takeIn(const Corridor& moved, const bridge::Barriers& barriers,
@@ -230,15 +238,14 @@ void GatheredSurface::relocate(GlobalPoint& point) const
     return;
   }
   const Carriers carriers = at.carriers();
-  for (const Index triangle : this->Mesh->trianglesWith({ carriers.begin(), carriers.end() }))
+  const std::vector<Index> triangles =
+    this->Mesh->trianglesWith({ carriers.begin(), carriers.end() });
+  if (!triangles.empty())
   {
-    if (point.local.empty() && (this->HasMoved.empty() || !this->HasMoved[triangle]))
+    SurfacePoint& local = point.local.emplace_back(SurfacePoint{ triangles.front(), {} });
+    for (int c = 0; c < 3; ++c)
     {
-      SurfacePoint& local = point.local.emplace_back(SurfacePoint{ triangle, {} });
-      for (int c = 0; c < 3; ++c)
-      {
-        local.weights[c] = weightOf(at, this->Mesh->triangle(triangle)[c]);
-      }
+      local.weights[c] = weightOf(at, this->Mesh->triangle(local.triangle)[c]);
     }
   }
 }

@@ -32,8 +32,8 @@ namespace geodesic::distributed
  * alone can then split the surface along the lines, because no other rank has an edge that a line
  * crosses.
  *
- * O(length of the lines) triangles move. The other ranks keep them as closed triangles, so that
- * vertices keep their numbers, and share their vertices with the first rank.
+ * O(length of the lines) triangles move. The other ranks keep all their vertices, with their
+ * numbers, and share those of the moved triangles with the first rank.
  */
 class GatheredSurface
 {
@@ -48,8 +48,8 @@ public:
     const std::vector<double>& cost);
 
   /**
-   * The piece's mesh. On the first rank it includes the triangles that moved there, with their
-   * points after the input's.
+   * The piece's mesh without the triangles that moved. On the first rank it includes those that
+   * moved there, with their points after the input's.
    */
   const std::shared_ptr<const TriangleMesh>& mesh() const { return this->Mesh; }
   const bridge::Barriers& barriers() const { return this->Barriers; }
@@ -70,11 +70,6 @@ public:
     std::vector<Seed>& seeds) const;
 
   /**
-   * One flag for each triangle of this rank: whether it moved to the first rank. Empty on the first
-   * rank.
-   */
-  const std::vector<bool>& movedTriangles() const { return this->HasMoved; }
-  /**
    * Returns the place of a vertex on the pieces. On the first rank only.
    * @param vertex as a DividedMesh with the keys of keysOf() identifies it
    */
@@ -87,7 +82,7 @@ public:
   std::vector<Key> keysOf(const TriangleMesh& mesh, const SplitMesh* split) const;
 
 private:
-  void closeMoved(const std::vector<Index>& triangles);
+  void leaveOut(const std::vector<Index>& moved);
   void takeIn(const Corridor& moved, const bridge::Barriers& barriers,
     const std::vector<double>& cost, bool hasCost);
   GlobalVertex globalOf(Index vertex) const;
@@ -102,7 +97,6 @@ private:
    */
   std::vector<GlobalVertex> Added;
   std::map<GlobalVertex, Index> PointOfAdded;
-  std::vector<bool> HasMoved;
 };
 
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <unordered_map>
 
 namespace geodesic::distributed
@@ -29,11 +28,9 @@ Ball widened(const Ball& ball)
 
 }
 
-PatchCutter::PatchCutter(
-  const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut)
+PatchCutter::PatchCutter(const DividedMesh& mesh, const SolveOptions& options)
   : Mesh(mesh)
   , Options(options)
-  , LeftOut(std::move(leftOut))
 {
   const std::span<const Vector3> positions = mesh.mesh().positions();
   for (std::size_t first = 0; first < positions.size(); first += BlockSize)
@@ -117,8 +114,7 @@ std::vector<Index> PatchCutter::trianglesRound(std::span<const Index> vertices) 
       {
         const std::array corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
         const std::vector<Index> same = mesh.trianglesWith(corners);
-        std::copy_if(same.begin(), same.end(), std::back_inserter(triangles),
-          [&](Index triangle) { return this->LeftOut.empty() || !this->LeftOut[triangle]; });
+        triangles.insert(triangles.end(), same.begin(), same.end());
       }
     }
   }

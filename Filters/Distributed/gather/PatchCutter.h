@@ -22,10 +22,8 @@ public:
   /**
    * The mesh and the arrays of the options must outlive this object. Time O(n).
    * @param options cost and barriers
-   * @param leftOut one flag for each triangle: whether another rank has it instead, so that it is
-   *                never cut; or empty
    */
-  PatchCutter(const DividedMesh& mesh, const SolveOptions& options, std::vector<bool> leftOut = {});
+  PatchCutter(const DividedMesh& mesh, const SolveOptions& options);
 
   /**
    * Cuts out the triangles with a corner in one of the balls.
@@ -42,7 +40,6 @@ private:
 
   const DividedMesh& Mesh;
   SolveOptions Options;
-  std::vector<bool> LeftOut;
   /** A box round each block of consecutive vertices, which lie near each other. */
   std::vector<BoundingBox> Boxes;
 };
