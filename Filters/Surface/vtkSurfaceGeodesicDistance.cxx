@@ -240,7 +240,9 @@ void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
   }
   numbers.insert(numbers.end(),
     { static_cast<double>(this->DestinationMode), static_cast<double>(this->UseMaximumDistance),
-      this->MaximumDistance });
+      this->MaximumDistance, static_cast<double>(this->ComputeNearestSeed),
+      static_cast<double>(std::hash<std::string>{}(this->DistanceArrayName)),
+      static_cast<double>(this->UnreachedAs), this->UnreachedValue });
 }
 
 //------------------------------------------------------------------------------

@@ -85,23 +85,7 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
-    std::optional<geodesic::bridge::InputBlocks> blocks;
-    ranks.together(
-      [&]
-      {
-        vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
-        checkRequest(input);
-        // Throws where there is no such method.
-        this->GetSolver();
-        blocks.emplace(input);
-      });
-    std::vector<double> numbers;
-    this->DescribeRequest(numbers);
-    ranks.requireSame(numbers, "properties");
-    geodesic::distributed::hideInnerFaces(ranks, *blocks,
-      geodesic::distributed::identityOf(
-        ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
-    this->Compute(ranks, *blocks, inputVector, output);
+    ranks.run([&] { this->RunOnAll(ranks, inputVector, output); });
   }
   catch (const std::exception& error)
   {
@@ -110,6 +94,29 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::RunOnAll(geodesic::distributed::RankGroup& ranks,
+  vtkInformationVector** inputVector, vtkDataObject* output)
+{
+  std::optional<geodesic::bridge::InputBlocks> blocks;
+  ranks.together(
+    [&]
+    {
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
+      checkRequest(input);
+      // Throws where there is no such method.
+      this->GetSolver();
+      blocks.emplace(input);
+    });
+  std::vector<double> numbers;
+  this->DescribeRequest(numbers);
+  ranks.requireSame(numbers, "properties");
+  geodesic::distributed::hideInnerFaces(ranks, *blocks,
+    geodesic::distributed::identityOf(
+      ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
+  this->Compute(ranks, *blocks, inputVector, output);
 }
 
 //------------------------------------------------------------------------------

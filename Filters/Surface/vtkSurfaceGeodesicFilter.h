@@ -175,6 +175,9 @@ protected:
   bool ConnectBlocks = true;
 
 private:
+  /** What the ranks do together. Throws the same error on all. */
+  void RunOnAll(geodesic::distributed::RankGroup& ranks, vtkInformationVector** inputVector,
+    vtkDataObject* output);
   void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
     const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers);
   std::vector<double> GatherCost(

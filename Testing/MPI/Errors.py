@@ -71,6 +71,42 @@ expect("same on all ranks", torus, SeedPositions=SEED, MergeCoincidentPoints=int
 expect("same on all ranks", torus, SeedPositions=SEED, CostArray=["POINTS", "Cost" if harness.IS_FIRST else "None"])
 expect("same on all ranks", torus, SeedPositions=SEED, Method="Dijkstra" if harness.IS_FIRST else "FastMarching")
 
+
+
+def other_value(sm_property, value):
+    """A value that a property does not have, of those that its domains allow."""
+    if sm_property.GetClassName() == "vtkSMStringVectorProperty":
+        return ["POINTS", "Cost"] if sm_property.GetNumberOfElements() > 1 else "other"
+    names = sm_property.FindDomain("vtkSMEnumerationDomain")
+    if names:
+        texts = [names.GetEntryText(i) for i in range(names.GetNumberOfEntries())]
+        return texts[1] if sm_property.GetElement(0) == names.GetEntryValue(0) else texts[0]
+    if sm_property.GetRepeatable():
+        return [1, 2, 3] if len(value) == 0 else []
+    return value - 1 if value > 0 else value + 1
+
+
+def expect_all_properties_compared(make, source, **options):
+    """Whatever property of a filter differs between ranks: all ranks say so."""
+    tried = []
+    for name in make(Input=source).ListProperties():
+        proxy = make(Input=source, **options)
+        sm_property = proxy.GetProperty(name).SMProperty
+        if not sm_property.IsA("vtkSMInputProperty") and not sm_property.GetInformationOnly():
+            if not harness.IS_FIRST:
+                setattr(proxy, name, other_value(sm_property, proxy.GetPropertyValue(name)))
+            messages = harness.messages_of(proxy.UpdatePipeline)
+            assert "same on all ranks" in messages, (make.__name__, name, messages)
+            tried.append(name)
+        simple.Delete(proxy)
+    return tried
+
+
+compared = expect_all_properties_compared(simple.GeodesicDistance, torus, SeedPositions=SEED)
+assert {"SeedPositions", "SeedPointIds", "CostArray", "Method", "DistanceArrayName"} <= set(compared), compared
+compared = expect_all_properties_compared(simple.GeodesicPath, torus, WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
+assert {"WaypointPositions", "StartPositions", "MaximumPathLength", "HeightOffset"} <= set(compared), compared
+
 expect_success(torus, SeedPositions=SEED)
 expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # The source is on one rank, or on all alike.

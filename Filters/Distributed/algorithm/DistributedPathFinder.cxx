@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "algorithm/DistributedPathFinder.h"
 
-#include "filter/ErrorMessage.h"
 #include "gather/GatheredSurface.h"
 #include "global/GlobalSeeds.h"
 #include "pieces/DistributedSurface.h"
@@ -10,8 +9,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
-#include <string>
 
 namespace geodesic::distributed
 {
@@ -173,18 +170,10 @@ Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, con
   {
     return this->followOrders();
   }
-  try
-  {
-    const Index answer = this->lead(points, action);
-    this->sendOrder(Order::Done, bytesOf<Index>({ &answer, 1 }));
-    return answer;
-  }
-  catch (const std::exception& error)
-  {
-    const std::string message = bridge::messageOf(error);
-    this->sendOrder(Order::Fail, { message.begin(), message.end() });
-    throw;
-  }
+  // If this fails, the other ranks, which wait for orders, throw as well; see Agreement.
+  const Index answer = this->lead(points, action);
+  this->sendOrder(Order::Done, bytesOf<Index>({ &answer, 1 }));
+  return answer;
 }
 
 Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
@@ -221,24 +210,11 @@ Index DistributedPathFinder::followOrders()
   {
     const RankGroup::Message order = this->Request.ranks.fromFirst({});
     const RankGroup::Message content(order.begin() + 1, order.end());
-    switch (static_cast<Order>(order.front()))
+    if (static_cast<Order>(order.front()) == Order::Done)
     {
-      case Order::Done:
-        return valuesIn<Index>(content).front();
-      case Order::Fail:
-        throw std::runtime_error(std::string(content.begin(), content.end()));
-      case Order::Solve:
-      case Order::Cut:
-      case Order::CutInput:
-        try
-        {
-          this->carryOut(static_cast<Order>(order.front()), content);
-        }
-        catch (const std::exception&)
-        {
-          // The step failed on all ranks, and the first rank sends the next order.
-        }
+      return valuesIn<Index>(content).front();
     }
+    this->carryOut(static_cast<Order>(order.front()), content);
   }
 }
 

@@ -111,9 +111,7 @@ private:
     /** Send the input's triangles at vertices. The content is a list of GlobalVertex. */
     CutInput,
     /** Stop. The content is the answer. */
-    Done,
-    /** Throw an exception. The content is its message. */
-    Fail
+    Done
   };
 
   /**

@@ -9,7 +9,6 @@
 #include "solve/StopLimit.h"
 
 #include <algorithm>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -66,58 +65,51 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   double step = leastStep;
   double end = 0.0;
   double updates = FewUpdates;
-  std::exception_ptr error;
   while (true)
   {
-    // The state of the whole surface: the least distance that is left, whether a rank failed or was
+    // The state of the whole surface: the least distance that is left, whether a rank was
     // cancelled, the most updates of a rank in the last round, and the distances of the targets.
-    std::vector<double> state{ front.nextDistance(), error ? 0.0 : 1.0,
-      front.isCancelled() ? 0.0 : 1.0, -updates };
+    std::vector<double> state{ front.nextDistance(), front.isCancelled() ? 0.0 : 1.0, -updates };
     const std::vector<double> targets = limit.targetDistances();
     state.insert(state.end(), targets.begin(), targets.end());
     this->Ranks.takeLeast(state);
-    const auto [next, allWell, nobodyCancelled] = std::tuple(state[0], state[1], state[2]);
-    limit.learn({ state.begin() + 4, state.end() });
+    const auto [next, nobodyCancelled, most] = std::tuple(state[0], state[1], -state[2]);
+    const std::span<const double> targetsOfAll = std::span(state).subspan(3);
     // The mean step can be far too small where triangles are large or dear.
-    step = -state[3] < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
-    if (allWell == 0.0)
-    {
-      this->Ranks.together(
-        [&]
-        {
-          if (error)
-          {
-            std::rethrow_exception(error);
-          }
-        });
-    }
+    step = most < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     if (nobodyCancelled == 0.0 || next == DistanceField::Unreached)
     {
+      limit.learn(targetsOfAll);
       this->Own.updates += static_cast<double>(front.numberOfUpdates());
       return nobodyCancelled != 0.0;
     }
-    try
-    {
-      end = std::max(end, next + step);
-      const bool hasWork = front.nextDistance() < end;
-      const std::size_t before = front.numberOfUpdates();
-      front.advance(end);
-      updates = static_cast<double>(front.numberOfUpdates() - before);
-      if (hasWork && updates == 0.0)
+    end = std::max(end, next + step);
+    const auto received = this->Ranks.exchangeAfter(this->Partners,
+      [&]
       {
-        // An error in this program: without this test the ranks would go on like this for ever.
-        throw std::logic_error("A round of the march did nothing: up to the distance " +
-          textOf(end) + ", rank " + std::to_string(this->Ranks.rank()) +
-          " has not gone on from its least distance, " + textOf(front.nextDistance()) + ".");
-      }
-    }
-    catch (...)
-    {
-      error = std::current_exception();
-    }
-    this->exchangeNews(front);
+        limit.learn(targetsOfAll);
+        updates = this->advance(front, end);
+        return this->gatherNews(front);
+      });
+    this->takeNews(front, received);
     ++this->Own.rounds;
   }
+}
+
+double DistributedSolver::advance(MarchingFront& front, double end) const
+{
+  const bool hasWork = front.nextDistance() < end;
+  const std::size_t before = front.numberOfUpdates();
+  front.advance(end);
+  const std::size_t updates = front.numberOfUpdates() - before;
+  if (hasWork && updates == 0)
+  {
+    // An error in this program: without this test the ranks would go on like this for ever.
+    throw std::logic_error("A round of the march did nothing: up to the distance " + textOf(end) +
+      ", rank " + std::to_string(this->Ranks.rank()) +
+      " has not gone on from its least distance, " + textOf(front.nextDistance()) + ".");
+  }
+  return static_cast<double>(updates);
 }
 
 double DistributedSolver::stepOf(const MarchingFront& front)
@@ -128,15 +120,10 @@ double DistributedSolver::stepOf(const MarchingFront& front)
   return this->Mesh.stepInEdges() * edge;
 }
 
-void DistributedSolver::exchangeNews(MarchingFront& front)
+void DistributedSolver::takeNews(
+  MarchingFront& front, const std::vector<RankGroup::Message>& received)
 {
   const SharedPoints& shared = this->Mesh.shared();
-  const std::vector<RankGroup::Message> messages = this->gatherNews(front);
-  for (const RankGroup::Message& message : messages)
-  {
-    this->Own.bytes += static_cast<double>(message.size());
-  }
-  const auto received = this->Ranks.exchange(this->Partners, messages);
   for (std::size_t n = 0; n < received.size(); ++n)
   {
     for (const SentValue& sent : valuesIn<SentValue>(received[n]))
@@ -168,6 +155,10 @@ std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFron
   for (; slot < shared.vertices().size(); ++slot)
   {
     front.visitValues(shared.vertices()[slot], visit);
+  }
+  for (const RankGroup::Message& message : messages)
+  {
+    this->Own.bytes += static_cast<double>(message.size());
   }
   return messages;
 }

@@ -72,9 +72,14 @@ private:
 
   /** Returns by how much the limit grows from round to round. Collective. */
   double stepOf(const MarchingFront& front);
-  void exchangeNews(MarchingFront& front);
+  /**
+   * Marches up to a distance; returns the number of updates.
+   * @throws std::logic_error if there was something to do and none was made
+   */
+  double advance(MarchingFront& front, double end) const;
   /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
+  void takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
   /**
    * Whether a value is lower than the known value of its slot and label. If so, it becomes the
    * known value.

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ranks/RankGroup.h"
 
-#include "filter/ErrorMessage.h"
-
-#include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
@@ -33,36 +30,75 @@ bool areSame(double a, double b)
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
+void send(vtkMultiProcessController& controller, const RankGroup::Message& message, int partner)
+{
+  const auto length = static_cast<vtkIdType>(message.size());
+  controller.Send(&length, 1, partner, LengthTag);
+  if (length > 0)
+  {
+    controller.Send(message.data(), length, partner, ContentTag);
+  }
+}
+
+RankGroup::Message receive(vtkMultiProcessController& controller, int partner)
+{
+  vtkIdType length = 0;
+  controller.Receive(&length, 1, partner, LengthTag);
+  RankGroup::Message message(length);
+  if (length > 0)
+  {
+    controller.Receive(message.data(), length, partner, ContentTag);
+  }
+  return message;
+}
+
+/** Of two ranks, the lower one sends first. */
+std::vector<RankGroup::Message> exchanged(vtkMultiProcessController& controller,
+  std::span<const int> partners, const std::vector<RankGroup::Message>& messages)
+{
+  std::vector<RankGroup::Message> received;
+  for (std::size_t i = 0; i < partners.size(); ++i)
+  {
+    if (controller.GetLocalProcessId() < partners[i])
+    {
+      send(controller, messages[i], partners[i]);
+      received.push_back(receive(controller, partners[i]));
+    }
+    else
+    {
+      received.push_back(receive(controller, partners[i]));
+      send(controller, messages[i], partners[i]);
+    }
+  }
+  return received;
+}
+
 }
 
 RankGroup::RankGroup(vtkMultiProcessController* controller)
-  : Controller(controller)
+  : Agreed(controller)
 {
-  if (controller)
-  {
-    this->Size = controller->GetNumberOfProcesses();
-    this->Rank = controller->GetLocalProcessId();
-  }
 }
 
 std::vector<std::vector<double>> RankGroup::gatherByRank(std::span<const double> own)
 {
-  if (this->Size == 1)
+  if (this->size() == 1)
   {
     return { { own.begin(), own.end() } };
   }
+  vtkMultiProcessController& controller = this->Agreed.agree(Phase::Gather);
   const auto length = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(this->Size);
-  this->Controller->AllGather(&length, lengths.data(), 1);
-  std::vector<vtkIdType> offsets(this->Size);
+  std::vector<vtkIdType> lengths(this->size());
+  controller.AllGather(&length, lengths.data(), 1);
+  std::vector<vtkIdType> offsets(this->size());
   std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), vtkIdType{ 0 });
   std::vector<double> all(offsets.back() + lengths.back());
   if (!all.empty())
   {
-    this->Controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
+    controller.AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
   }
   std::vector<std::vector<double>> byRank;
-  for (int rank = 0; rank < this->Size; ++rank)
+  for (int rank = 0; rank < this->size(); ++rank)
   {
     const auto first = all.begin() + offsets[rank];
     byRank.emplace_back(first, first + lengths[rank]);
@@ -82,11 +118,9 @@ std::vector<double> RankGroup::gather(std::span<const double> own)
 
 void RankGroup::takeLeast(std::span<double> values)
 {
-  if (this->Size > 1)
+  if (this->size() > 1)
   {
-    const std::vector<double> own(values.begin(), values.end());
-    this->Controller->AllReduce(
-      own.data(), values.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+    this->Agreed.agree(Phase::Least, values);
   }
 }
 
@@ -98,14 +132,15 @@ double RankGroup::sum(double own)
 
 RankGroup::Message RankGroup::fromFirst(Message message)
 {
-  auto length = static_cast<vtkIdType>(message.size());
-  if (this->Size > 1)
+  if (this->size() > 1)
   {
-    this->Controller->Broadcast(&length, 1, 0);
+    vtkMultiProcessController& controller = this->Agreed.agree(Phase::FromFirst);
+    auto length = static_cast<vtkIdType>(message.size());
+    controller.Broadcast(&length, 1, 0);
     message.resize(length);
     if (length > 0)
     {
-      this->Controller->Broadcast(message.data(), length, 0);
+      controller.Broadcast(message.data(), length, 0);
     }
   }
   return message;
@@ -113,19 +148,20 @@ RankGroup::Message RankGroup::fromFirst(Message message)
 
 std::vector<RankGroup::Message> RankGroup::toFirst(const Message& own)
 {
-  if (this->Size == 1)
+  if (this->size() == 1)
   {
     return { own };
   }
+  vtkMultiProcessController& controller = this->Agreed.agree(Phase::ToFirst);
   const auto length = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(this->Size);
-  this->Controller->Gather(&length, lengths.data(), 1, 0);
-  std::vector<vtkIdType> offsets(this->Size);
+  std::vector<vtkIdType> lengths(this->size());
+  controller.Gather(&length, lengths.data(), 1, 0);
+  std::vector<vtkIdType> offsets(this->size());
   std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), vtkIdType{ 0 });
   Message all(offsets.back() + lengths.back());
-  this->Controller->GatherV(own.data(), all.data(), length, lengths.data(), offsets.data(), 0);
+  controller.GatherV(own.data(), all.data(), length, lengths.data(), offsets.data(), 0);
   std::vector<Message> byRank;
-  for (int rank = 0; this->Rank == 0 && rank < this->Size; ++rank)
+  for (int rank = 0; this->rank() == 0 && rank < this->size(); ++rank)
   {
     const auto first = all.begin() + offsets[rank];
     byRank.emplace_back(first, first + lengths[rank]);
@@ -160,7 +196,7 @@ double RankGroup::largestCommon(std::span<const double> numbers)
 unsigned RankGroup::threadsOfThisRank()
 {
   const unsigned usable = std::max(1u, std::thread::hardware_concurrency());
-  if (this->Size == 1)
+  if (this->size() == 1)
   {
     return usable;
   }
@@ -173,36 +209,6 @@ unsigned RankGroup::threadsOfThisRank()
   // A rank that is bound to some of the processors shares those with no other rank.
   const auto processors = static_cast<unsigned>(sysconf(_SC_NPROCESSORS_ONLN));
   return std::clamp(processors / ranks, 1u, usable);
-}
-
-void RankGroup::together(const std::function<void()>& step)
-{
-  if (this->Size == 1)
-  {
-    step();
-    return;
-  }
-  std::string message;
-  double failed = this->Size;
-  try
-  {
-    step();
-  }
-  catch (const std::exception& error)
-  {
-    message = bridge::messageOf(error);
-    failed = this->Rank;
-  }
-  this->takeLeast({ &failed, 1 });
-  if (failed < this->Size)
-  {
-    const int rank = static_cast<int>(failed);
-    auto length = static_cast<vtkIdType>(message.size());
-    this->Controller->Broadcast(&length, 1, rank);
-    message.resize(length);
-    this->Controller->Broadcast(message.data(), length, rank);
-    throw std::runtime_error(message);
-  }
 }
 
 void RankGroup::requireSame(std::span<const double> values, const std::string& what)
@@ -221,9 +227,9 @@ void RankGroup::requireSame(std::span<const double> values, const std::string& w
 std::vector<int> RankGroup::others() const
 {
   std::vector<int> others;
-  for (int rank = 0; rank < this->Size; ++rank)
+  for (int rank = 0; rank < this->size(); ++rank)
   {
-    if (rank != this->Rank)
+    if (rank != this->rank())
     {
       others.push_back(rank);
     }
@@ -235,49 +241,30 @@ std::vector<int> RankGroup::others() const
 void RankGroup::sort(std::vector<int>& partners) const
 {
   std::sort(partners.begin(), partners.end(),
-    [this](int a, int b) { return (a ^ this->Rank) < (b ^ this->Rank); });
+    [this](int a, int b) { return (a ^ this->rank()) < (b ^ this->rank()); });
 }
 
 std::vector<RankGroup::Message> RankGroup::exchange(
   std::span<const int> partners, const std::vector<Message>& messages)
 {
-  std::vector<Message> received;
-  for (std::size_t i = 0; i < partners.size(); ++i)
+  if (this->size() == 1)
   {
-    if (this->isFirstToSend(partners[i]))
-    {
-      this->send(messages[i], partners[i]);
-      received.push_back(this->receive(partners[i]));
-    }
-    else
-    {
-      received.push_back(this->receive(partners[i]));
-      this->send(messages[i], partners[i]);
-    }
+    return {};
   }
-  return received;
+  return exchanged(this->Agreed.agree(Phase::Exchange), partners, messages);
 }
 
-void RankGroup::send(const Message& message, int partner)
+std::vector<RankGroup::Message> RankGroup::exchangeAfter(
+  std::span<const int> partners, const std::function<std::vector<Message>()>& step)
 {
-  const auto length = static_cast<vtkIdType>(message.size());
-  this->Controller->Send(&length, 1, partner, LengthTag);
-  if (length > 0)
+  std::vector<Message> messages(partners.size());
+  if (this->size() == 1)
   {
-    this->Controller->Send(message.data(), length, partner, ContentTag);
+    step();
+    return {};
   }
-}
-
-RankGroup::Message RankGroup::receive(int partner)
-{
-  vtkIdType length = 0;
-  this->Controller->Receive(&length, 1, partner, LengthTag);
-  Message message(length);
-  if (length > 0)
-  {
-    this->Controller->Receive(message.data(), length, partner, ContentTag);
-  }
-  return message;
+  vtkMultiProcessController& controller = this->Agreed.after([&] { messages = step(); });
+  return exchanged(controller, partners, messages);
 }
 
 }

@@ -3,6 +3,8 @@
 #ifndef geodesic_distributed_RankGroup_h
 #define geodesic_distributed_RankGroup_h
 
+#include "ranks/Agreement.h"
+
 #include <cstddef>
 #include <cstring>
 #include <functional>
@@ -17,7 +19,8 @@ namespace geodesic::distributed
 
 /**
  * The ranks that have a piece of a surface each, and the communication between them. All calls that
- * communicate are collective; on one rank they cost next to nothing.
+ * communicate are collective, and belong into run(); on one rank they cost next to nothing. Each
+ * begins with an agreement of all ranks, see Agreement: where one has failed, all throw.
  */
 class RankGroup
 {
@@ -27,8 +30,16 @@ public:
   /** @param controller null: this process is the only rank */
   explicit RankGroup(vtkMultiProcessController* controller);
 
-  int size() const { return this->Size; }
-  int rank() const { return this->Rank; }
+  int size() const { return this->Agreed.size(); }
+  int rank() const { return this->Agreed.rank(); }
+
+  /** See Agreement::run(). */
+  void run(const std::function<void()>& work) { this->Agreed.run(work); }
+  /**
+   * Runs a step that can't send. If it throws on any rank, all ranks throw, with the message of the
+   * lowest rank that failed.
+   */
+  void together(const std::function<void()>& step) { this->Agreed.together(step); }
 
   /**
    * Returns the values of all ranks, one rank after the other, on every rank. Only for small
@@ -64,12 +75,6 @@ public:
   unsigned threadsOfThisRank();
 
   /**
-   * Runs a step that makes no collective call. If it throws on any rank, all ranks throw, with the
-   * message of the lowest rank that failed.
-   */
-  void together(const std::function<void()>& step);
-
-  /**
    * Checks that all ranks pass the same values.
    * @param what name of the values in the error message
    * @throws std::invalid_argument on all ranks if a rank's values differ from those of rank 0
@@ -85,19 +90,19 @@ public:
    */
   std::vector<Message> exchange(
     std::span<const int> partners, const std::vector<Message>& messages);
+  /**
+   * The same with messages that a step makes, which can't send. It takes no agreement: if the step
+   * throws, the partners get empty messages, and all ranks throw in their next call.
+   */
+  std::vector<Message> exchangeAfter(
+    std::span<const int> partners, const std::function<std::vector<Message>()>& step);
   /** All other ranks, in the order that exchange() needs. */
   std::vector<int> others() const;
   /** Sorts ranks into the order that exchange() needs. */
   void sort(std::vector<int>& partners) const;
 
 private:
-  void send(const Message& message, int partner);
-  Message receive(int partner);
-  bool isFirstToSend(int partner) const { return this->Rank < partner; }
-
-  vtkMultiProcessController* Controller;
-  int Size = 1;
-  int Rank = 0;
+  Agreement Agreed;
 };
 
 /** Appends the bytes of a value of a trivially copyable type to a message. */
