@@ -21,8 +21,10 @@ can_redistribute = harness.can_redistribute()
 
 for case in ("bunny", "seeds", "torus", "costs", "wall"):
     surface, options = cases.FIELDS[case]
+    cases.check(FOLDER, f"{case}/in boxes", harness.surface(surface, "boxes"), options)
     if can_redistribute:
         cases.check(FOLDER, f"{case}/redistributed", harness.redistributed(surface), options)
+    cases.check(FOLDER, f"{case}/boxes with ghosts", harness.ghosted(harness.surface(surface, "boxes", True)), options)
     cases.check(FOLDER, f"{case}/with ghosts", harness.ghosted(harness.surface(surface, "slabs", True)), options)
     cases.check(FOLDER, f"{case}/random with ghosts", harness.ghosted(harness.surface(surface, "random", True)), options)
     cases.check(FOLDER, f"{case}/all on the last", harness.surface(surface, "last"), options)

@@ -31,6 +31,8 @@ def in_pieces():
     return [("brick/random", harness.brick("random"), BRICK),
             ("brick/random with ghosts", harness.ghosted(harness.brick("random")), BRICK),
             ("brick/made ids", made_ids, dict(BRICK, MergeCoincidentPoints=0)),
+            ("brick/in boxes", harness.brick("boxes"), BRICK),
+            ("brick/boxes with ghosts", harness.ghosted(harness.brick("boxes")), BRICK),
             ("brick/all on the first", harness.brick("first"), BRICK),
             ("image/parts", harness.image(), IMAGE), ("image/with ghosts", harness.ghosted(harness.image()), IMAGE)]
 

@@ -137,6 +137,7 @@ for name, (surface, options) in PATHS.items():
     if surface != "bunny" or name in ("bunny", "nearest"):
         check(name, "random", harness.surface(surface, "random"), options)
     if name in ("bunny", "cost", "closed", "line"):
+        check(name, "in boxes", harness.surface(surface, "boxes"), options)
         if can_redistribute:
             check(name, "redistributed", harness.redistributed(surface), options)
         check(name, "ghosts and ids", harness.ghosted(harness.surface(surface, "slabs", True)), options)

@@ -8,6 +8,7 @@ Runs the cases FIRST to FIRST + COUNT - 1. A case is the same for the same numbe
 SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute ends the run, with the stacks of all ranks.
 """
 
+import copy
 import faulthandler
 import os
 import re
@@ -159,6 +160,7 @@ class Case:
             options["InterpolationOrder"] = int(random.random() < 0.8)
             options["HeightOffset"] = float(random.choice([0.0, 0.1]))
         else:
+            options["ComputeNearestSeed"] = 1
             options["SeedPositions"] = self.places(int(random.choice([1, 1, 2, 5, 40]))).ravel().tolist()
             if random.random() < 0.2:
                 options.update(UseMaximumDistance=1, MaximumDistance=float(random.random()))
@@ -211,6 +213,14 @@ class Case:
             data.GetCellData().AddArray(array)
         return data
 
+    def with_seed(self, number):
+        """The case with only one of its seeds; that of a line comes after the positions."""
+        case = copy.copy(self)
+        positions = self.options["SeedPositions"][3 * number:3 * number + 3]
+        case.options = dict(self.options, SeedPositions=positions)
+        case.line = None if positions else self.line
+        return case
+
     def nudged(self):
         """Changes what paths depend on by as much as rounding does."""
         if self.cost is not None:
@@ -243,6 +253,7 @@ class Run:
         self.messages = harness.messages_of(algorithm.Update)
         self.output = algorithm.GetOutputDataObject(0)
         self.values = self.lengths_of_path() if case.is_path else self.distances(len(case.points))
+        self.seeds = None if case.is_path else self.nearest_seeds(len(case.points))
         for proxy in reversed(proxies):
             simple.Delete(proxy)
 
@@ -271,6 +282,16 @@ class Run:
         """The least and the largest distance at each point of this rank; -inf and inf elsewhere."""
         least, most = np.full(size, np.inf), np.full(size, -np.inf)
         array = self.output.GetPointData().GetArray("GeodesicDistance")
+        if array:
+            numbers = vtk_to_numpy(self.output.GetPointData().GetArray("PointNumber")).astype(int)
+            np.minimum.at(least, numbers, vtk_to_numpy(array))
+            np.maximum.at(most, numbers, vtk_to_numpy(array))
+        return np.concatenate([least, -most])
+
+    def nearest_seeds(self, size):
+        """The least and the largest number of the nearest seed at each point of this rank, as distances() has them."""
+        least, most = np.full(size, np.inf), np.full(size, -np.inf)
+        array = self.output.GetPointData().GetArray("NearestSeed")
         if array:
             numbers = vtk_to_numpy(self.output.GetPointData().GetArray("PointNumber")).astype(int)
             np.minimum.at(least, numbers, vtk_to_numpy(array))
@@ -317,11 +338,26 @@ def difference(values, truth):
     return np.abs(values[isReached] - truth[isReached]).max(initial=0) / max(np.abs(truth[isReached]).max(initial=0), 1e-300)
 
 
+def require_nearest_seeds(number, case, seeds, alone):
+    """Nearest seeds are those of one rank, but where two seeds are equally far."""
+    size = len(case.points)
+    truth, isReached = alone.values[:size], np.isfinite(alone.values[:size]) & (alone.values[:size] < UNREACHED)
+    largest = np.abs(truth[isReached]).max(initial=0)
+    for found in (seeds[:size], -seeds[size:]):
+        others = np.flatnonzero(isReached & (found != alone.seeds[:size]))
+        for seed in np.unique(found[others]):
+            points = others[found[others] == seed]
+            lengths = run_alone(case.with_seed(int(seed))).values[points]
+            excess = np.abs(lengths - truth[points]).max() / max(largest, 1e-300)
+            assert excess <= 1e-9, (number, case.name, "nearest seed", int(seed), "at", points, "is farther by", excess)
+
+
 def check(number):
     """Returns how the case ended. All ranks have the same values, so that they fail at once or not at all."""
     case = Case(number)
     several = Run(case, RANK, case.fault if RANK == case.culprit else "none")
     values = least_of_ranks(several.values)
+    seeds = None if case.is_path else least_of_ranks(several.seeds)
     require_same_on_all(number, case, several.messages)
     end = ""
     if several.messages_of_fault is not None:
@@ -351,6 +387,8 @@ def check(number):
                 return "other way" + end
     assert error is not None, (number, case.name, "reached")
     assert error <= limit, (number, case.name, "error", error)
+    if not case.is_path:
+        require_nearest_seeds(number, case, seeds, alone)
     return ("error" if hasFailed else "path" if case.is_path else "field") + end
 
 

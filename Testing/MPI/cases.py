@@ -66,7 +66,7 @@ def compare(case, parts, reference):
     if "NearestSeed" in reference:
         seeds = harness.joined([reference], "NearestSeed", size)[0]
         others = np.logical_or(*(found != seeds for found in harness.joined(parts, "NearestSeed", size)))[isReached]
-        assert np.sum(others) <= 0.001 * size, (case, "nearest seeds", np.sum(others))
+        assert not np.any(others), (case, "nearest seeds", np.sum(others))
     return error
 
 

@@ -78,7 +78,7 @@ def can_redistribute():
 
 
 def redistributed(name):
-    """The same cut by ParaView, where that works; before that it is whole on the first rank."""
+    """A surface that ParaView cut, where that works; the cut "boxes" of pieces.py is much the same."""
     parts = simple.RedistributeDataSet(Input=surface(name, "first"))
     return simple.ExtractSurface(Input=parts)
 

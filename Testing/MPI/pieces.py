@@ -143,6 +143,24 @@ def brick(size=12):
     return points, cells[~is_low], np.vstack([cells[is_low][:, t] for t in tetrahedra])
 
 
+def in_boxes(middles, ranks):
+    """The rank of each cell: boxes with equally many cells, cut across their longest side again and again."""
+    owner = np.zeros(len(middles), int)
+
+    def cut(cells, first, count):
+        if count == 1:
+            owner[cells] = first
+            return
+        axis = np.ptp(middles[cells], axis=0).argmax() if len(cells) else 0
+        order = cells[np.argsort(middles[cells, axis], kind="stable")]
+        half = len(cells) * (count // 2) // count
+        cut(order[:half], first, count // 2)
+        cut(order[half:], first + count // 2, count - count // 2)
+
+    cut(np.arange(len(middles)), 0, ranks)
+    return owner
+
+
 SURFACES = {f.__name__: f for f in (bunny, sphere, torus, large, thin, triangle, edge, corner, parts)}
 
 
@@ -151,6 +169,8 @@ def owners(points, cells, cut, ranks):
     middles = points[cells].mean(axis=1)
     if cut == "random":
         return np.random.default_rng(7).integers(ranks, size=len(cells))
+    if cut == "boxes":
+        return in_boxes(middles, ranks)
     if cut == "halves":
         return np.arange(len(cells)) * ranks // len(cells)
     if cut == "first":
@@ -225,11 +245,14 @@ def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
 
 
 def make_brick(output, cut):
-    """Fills an unstructured grid: whole on the first rank, or the cells of all dealt out at random."""
+    """Fills an unstructured grid: whole on the first rank, in boxes, or the cells of all dealt out at random."""
     rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
     points, *kinds = brick()
     random = np.random.default_rng(11)
     owners = [random.integers(ranks if cut == "random" else 1, size=len(kind)) for kind in kinds]
+    if cut == "boxes":
+        middles = np.vstack([points[kind].mean(axis=1) for kind in kinds])
+        owners = np.split(in_boxes(middles, ranks), [len(kinds[0])])
     kinds = [kind[owner == rank] for kind, owner in zip(kinds, owners)]
     used = np.unique(np.concatenate([kind.ravel() for kind in kinds]))
     types = np.concatenate([np.full(len(kind), type) for kind, type in zip(kinds, (VTK_HEXAHEDRON, VTK_TETRA))])
