@@ -9,11 +9,13 @@ The run with one rank leaves the fields in FOLDER that the others are compared w
 import os
 import sys
 
+import numpy as np
 from paraview import simple
 
 sys.path.append(os.path.dirname(__file__))
 import cases
 import harness
+import pieces
 
 PLUGIN, FOLDER = sys.argv[1:]
 os.makedirs(FOLDER, exist_ok=True)
@@ -24,6 +26,7 @@ def line(*points, closed=0):
     return simple.PolyLineSource(Points=list(points), Closed=closed)
 
 
+POINTS_OF_EDGE = 4
 SEED = [1.3, 0.2, 0.3]
 ROUND = [1.1, 0.3, 0.38, 0.2, 1.2, 0.3, -1.15, 0.25, -0.35]
 # Across the tube, so that the front has to go round the torus.
@@ -55,3 +58,20 @@ for name, (surface, options) in LINES.items():
     if name in ("curve, cost", "ring", "region"):
         cases.check(FOLDER, f"lines {name}/with ghosts", harness.ghosted(harness.surface(surface, "slabs", True)),
                      options)
+
+if harness.RANKS > 1:
+    # The first rank holds its piece and what lies round the lines: so many points for each edge that they cross or
+    # follow, on a mesh of 480 x 240 points. A barrier of three corners goes round the whole torus.
+    points, cells = pieces.SURFACES["large"]()
+    owner = pieces.owners(points, cells, "slabs", harness.RANKS)
+    piece = np.max([len(np.unique(cells[owner == rank])) for rank in range(harness.RANKS)])
+    for name, edges, options in (
+            ("curve", 300, dict(SeedSource=line(*ROUND))),
+            ("round the whole", 700, dict(SeedPositions=SEED, BarrierSource=line(
+                1.4, 0.01, 0, -0.7, 1.21, 0, -0.7, -1.21, 0, closed=1)))):
+        distance = simple.GeodesicDistance(Input=harness.surface("large", "slabs"), **options)
+        harness.run(distance, os.path.join(FOLDER, f"held.{harness.RANKS}"))
+        held = harness.informed(distance, "MostPointsOnARank")
+        print(f"lines {name}: {held - piece} points beside a piece of {piece}", flush=True)
+        assert piece <= held <= piece + POINTS_OF_EDGE * edges, (name, held, piece)
+        simple.Delete(distance)
