@@ -57,7 +57,7 @@ def grid_over(corner, width, rows, columns):
 
 class Watchdog:
     """
-    Ends this rank with its stacks if no case ends within a minute: those of gdb, and half a minute later Python's.
+    Ends this rank with its stacks if no case ends within a minute: those of gdb, and two minutes later Python's.
     No thread of Python could do it, as the rank holds Python's lock while it waits for others.
     """
 
@@ -67,7 +67,7 @@ class Watchdog:
         self.process = subprocess.Popen(["bash", "-c", script], stdin=subprocess.PIPE, stderr=STDERR)
 
     def restart(self):
-        faulthandler.dump_traceback_later(90, exit=True, file=STDERR)
+        faulthandler.dump_traceback_later(180, exit=True, file=STDERR)
         self.process.stdin.write(b"\n")
         self.process.stdin.flush()
 
