@@ -14,15 +14,21 @@ set(BUILD_SHARED_LIBS ON)
 set(module_cmake_directory "${CMAKE_INSTALL_LIBDIR}/cmake/SurfaceGeodesics")
 set(python_package_directory "${python_destination}/surfacegeodesics")
 
+set(module_folders Filters/Geodesics Filters/Surface Widgets/Tracing)
+set(python_modules
+  SurfaceGeodesics::FiltersGeodesics
+  SurfaceGeodesics::FiltersSurface
+  SurfaceGeodesics::WidgetsTracing)
+set(paraview_modules)
+if (SURFACEGEODESICS_BUILD_PLUGIN)
+  list(APPEND module_folders Widgets/Lines)
+  set(paraview_modules SurfaceGeodesics::WidgetsLines)
+endif ()
+list(TRANSFORM module_folders REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/vtk.module" OUTPUT_VARIABLE module_files)
+
 vtk_module_scan(
-  MODULE_FILES
-    "${PROJECT_SOURCE_DIR}/Filters/Geodesics/vtk.module"
-    "${PROJECT_SOURCE_DIR}/Filters/Surface/vtk.module"
-    "${PROJECT_SOURCE_DIR}/Widgets/Tracing/vtk.module"
-  REQUEST_MODULES
-    SurfaceGeodesics::FiltersGeodesics
-    SurfaceGeodesics::FiltersSurface
-    SurfaceGeodesics::WidgetsTracing
+  MODULE_FILES ${module_files}
+  REQUEST_MODULES ${python_modules} ${paraview_modules}
   PROVIDES_MODULES modules
   HIDE_MODULES_FROM_CACHE ON)
 
@@ -35,7 +41,7 @@ vtk_module_build(
   ENABLE_WRAPPING ON)
 
 vtk_module_wrap_python(
-  MODULES ${modules}
+  MODULES ${python_modules}
   TARGET SurfaceGeodesics::Python
   PYTHON_PACKAGE surfacegeodesics
   MODULE_DESTINATION "${python_destination}"

@@ -97,7 +97,6 @@ void PathOutput::writeTo(vtkPolyData* output) const
   output->SetPoints(this->Points);
   output->SetLines(this->Lines);
   vtkPointData* pointData = output->GetPointData();
-  // A line that is not coloured is hard to see on a surface of the same colour.
   pointData->SetScalars(this->ArcLengths);
   pointData->AddArray(this->OriginalPointIds);
   pointData->AddArray(this->EdgePointIds);
