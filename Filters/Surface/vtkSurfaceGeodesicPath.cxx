@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -22,6 +23,7 @@
 #include "methods/SolverTable.h"
 #include "output/PathAttributes.h"
 #include "output/PathOutput.h"
+#include "output/SegmentMeasures.h"
 #include "path/PathFinder.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
@@ -194,6 +196,8 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   vtkDataObject* output)
 {
   this->TotalLength = 0.0;
+  this->SegmentLengths->Initialize();
+  this->SegmentMiddles->Initialize();
   ranks.together([this] { this->CheckRequest(); });
   Internals& internal = *this->Internal;
   internal.Surface = this->FindSurface(ranks, blocks);
@@ -463,6 +467,23 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     output->GetCellData()->AddArray(nearestSeeds);
   }
   this->TotalLength = run.ranks.sum(paths.totalLength());
+  if (isChain && run.ranks.rank() == 0)
+  {
+    geodesic::bridge::measureSegments(output, static_cast<vtkIdType>(internal.Segments.size()),
+      this->SegmentLengths, this->SegmentMiddles);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkSurfaceGeodesicPath::GetSegmentLengths()
+{
+  return this->SegmentLengths;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkSurfaceGeodesicPath::GetSegmentMiddles()
+{
+  return this->SegmentMiddles;
 }
 
 //------------------------------------------------------------------------------

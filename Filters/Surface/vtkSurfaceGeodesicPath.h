@@ -29,8 +29,11 @@
 
 #include "vtkSurfaceGeodesicFilter.h"
 
+#include "vtkNew.h" // For members
+
 #include <string> // For arguments
 
+class vtkDoubleArray;
 class vtkPolyData;
 
 namespace geodesic
@@ -169,6 +172,18 @@ public:
    * The length of all paths of the last run, in the mesh's unit of length; 0 before the first.
    */
   vtkGetMacro(TotalLength, double);
+
+  ///@{
+  /**
+   * The length of each segment of the last run, in the order of the segments and the mesh's unit of
+   * length, -1 where no way joins its ends; and the point in the middle of each, 0 where there is
+   * none. Empty before the first run, after an error, with TO_NEAREST_SEED, and on all ranks but
+   * the first.
+   */
+  vtkDoubleArray* GetSegmentLengths();
+  vtkDoubleArray* GetSegmentMiddles();
+  ///@}
+
   /**
    * The largest number of surface points that any rank held in the last run: those of its piece
    * and, on the first of several ranks, those it gathered along a path.
@@ -196,6 +211,8 @@ protected:
   double HeightOffset = 0.0;
   double TotalLength = 0.0;
   vtkIdType MostPointsOnARank = 0;
+  vtkNew<vtkDoubleArray> SegmentLengths;
+  vtkNew<vtkDoubleArray> SegmentMiddles;
 
 private:
   struct Internals;

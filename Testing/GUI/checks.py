@@ -90,10 +90,10 @@ def expect_seen_at(row, x, y, name="SeedPositions"):
     expect(abs(pixel[0] - x * width) < 2 and abs(height - pixel[1] - y * height) < 2, pixel, x, y)
 
 
-def pixels_of(*color):
-    """How many pixels of exactly this colour, in parts of 1, are on the screen."""
-    raw = subprocess.run(
-        ["import", "-window", "root", "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True)
+def pixels_of(*color, area="1366x768+0+0"):
+    """How many pixels of exactly this colour, in parts of 1, are on the screen or in an area of it."""
+    raw = subprocess.run(["import", "-window", "root", "-crop", area, "-depth", "8", "rgb:-"],
+                         stdout=subprocess.PIPE, check=True)
     rgb = np.frombuffer(raw.stdout, np.uint8).reshape(-1, 3)
     return int((np.abs(rgb - np.multiply(color, 255)) < 1).all(axis=1).sum())
 

@@ -97,6 +97,12 @@ void SeedOverlay::place()
   {
     this->Markers.append({ geometry.toWidget(point), geometry.isCovered(point, this->Thickness) });
   }
+  this->LabelPlaces.clear();
+  for (const Position& point : this->LabelPoints)
+  {
+    this->LabelPlaces.append(
+      { geometry.toWidget(point), geometry.isCovered(point, this->Thickness) });
+  }
   this->update();
 }
 
@@ -110,6 +116,13 @@ void SeedOverlay::setNumbered(bool isNumbered)
 {
   this->IsNumbered = isNumbered;
   this->update();
+}
+
+void SeedOverlay::setLabels(const QVector<Position>& points, const QStringList& texts)
+{
+  this->LabelPoints = points;
+  this->LabelTexts = texts;
+  this->place();
 }
 
 void SeedOverlay::setJoined(bool isJoined)
@@ -196,6 +209,7 @@ void SeedOverlay::paintEvent(QPaintEvent*)
   {
     this->drawLines(painter);
   }
+  this->drawLabels(painter);
   // The chosen markers are drawn last, so that no other marker hides them.
   for (const bool isChosen : { false, true })
   {
@@ -225,6 +239,18 @@ void SeedOverlay::drawLines(QPainter& painter) const
     }
   }
   drawRimmed(painter, path, this->Role.color);
+}
+
+void SeedOverlay::drawLabels(QPainter& painter) const
+{
+  for (int i = 0; i < this->LabelPlaces.size(); ++i)
+  {
+    const Marker& label = this->LabelPlaces[i];
+    if (label.place && !label.isCovered)
+    {
+      drawOutlined(painter, *label.place + QPointF(6.0, -6.0), this->LabelTexts[i]);
+    }
+  }
 }
 
 void SeedOverlay::drawMarker(QPainter& painter, int row) const

@@ -8,6 +8,7 @@
 
 #include <QPointer>
 #include <QSet>
+#include <QStringList>
 #include <QVector>
 #include <QWidget>
 
@@ -58,6 +59,8 @@ public:
   void setPoints(const QVector<Position>& points, double thickness);
   void setChosenRows(const QVector<int>& rows);
   void setNumbered(bool isNumbered);
+  /** Writes texts at points in the coordinates of the view, where nothing is in front of them. */
+  void setLabels(const QVector<Position>& points, const QStringList& texts);
   void setJoined(bool isJoined);
   void setPreview(const std::optional<Preview>& preview);
   /** Sets the row that a click would remove; -1 for none. */
@@ -86,6 +89,7 @@ private:
   QRectF rectOf(const Preview& preview) const;
   void drawLines(QPainter& painter) const;
   void drawMarker(QPainter& painter, int row) const;
+  void drawLabels(QPainter& painter) const;
   void drawPreview(QPainter& painter) const;
 
   QPointer<pqRenderView> View;
@@ -93,6 +97,9 @@ private:
   QVector<Position> Points;
   double Thickness = 0.0;
   QVector<Marker> Markers;
+  QVector<Position> LabelPoints;
+  QStringList LabelTexts;
+  QVector<Marker> LabelPlaces;
   QVector<int> ChosenRows;
   bool IsNumbered = false;
   bool IsJoined = false;

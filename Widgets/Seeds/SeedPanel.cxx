@@ -14,6 +14,8 @@
 #include "pqSelectionManager.h"
 #include "pqSettings.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,6 +31,7 @@ namespace
 {
 
 constexpr const char* NumbersSetting = "SurfaceSeeds/ShowNumbers";
+constexpr const char* LengthsSetting = "SurfaceSeeds/ShowLengths";
 
 /** Makes an icon that looks like the preview at the pointer. */
 QIcon targetIcon(const QColor& color)
@@ -71,6 +74,7 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   column->addWidget(this->Hint);
   column->addWidget(this->Table);
   column->addLayout(this->buildButtons());
+  column->addLayout(this->buildResult());
 
   this->connect(this->Toggle, &QPushButton::toggled, this,
     [this](bool isOn)
@@ -136,6 +140,46 @@ QAction* SeedPanel::addAction(QMenu* menu, const char* name, const QString& text
   return action;
 }
 
+QAction* SeedPanel::addChoice(
+  QMenu* menu, const char* name, const char* setting, const QString& text)
+{
+  QAction* choice = this->addAction(menu, name, text);
+  choice->setCheckable(true);
+  choice->setChecked(pqApplicationCore::instance()->settings()->value(setting, false).toBool());
+  this->connect(choice, &QAction::toggled, this,
+    [setting](bool isOn) { pqApplicationCore::instance()->settings()->setValue(setting, isOn); });
+  return choice;
+}
+
+QLayout* SeedPanel::buildResult()
+{
+  auto* row = new QHBoxLayout;
+  this->ResultText = new QLabel(this);
+  this->ResultText->setObjectName("Result");
+  this->ResultText->setWordWrap(true);
+  this->ResultText->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->addWidget(this->ResultText, 1);
+  this->CopyResult = this->addButton(row, "CopyResult", tr("Copy the result with all its digits"));
+  this->CopyResult->setText(tr("Copy"));
+  this->connect(this->CopyResult, &QToolButton::clicked, this,
+    [this] { QApplication::clipboard()->setText(this->Result.text()); });
+  this->showResult({});
+  return row;
+}
+
+void SeedPanel::showResult(const ResultNumbers& result)
+{
+  this->Result = result;
+  this->ResultText->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()));
+  this->ResultText->setVisible(!result.summary.isEmpty());
+  this->CopyResult->setVisible(!result.summary.isEmpty());
+}
+
+bool SeedPanel::hasLengthsInView() const
+{
+  return this->LengthsInView->isChecked();
+}
+
 QMenu* SeedPanel::buildMenu()
 {
   auto* menu = new QMenu(this);
@@ -148,10 +192,9 @@ QMenu* SeedPanel::buildMenu()
   menu->addSeparator();
   this->FromSelection = this->addAction(menu, "FromSelection", tr("From Selection"));
   menu->addSeparator();
-  this->Numbers = this->addAction(menu, "Numbers", tr("Show Numbers"));
-  this->Numbers->setCheckable(true);
-  this->Numbers->setChecked(
-    pqApplicationCore::instance()->settings()->value(NumbersSetting, false).toBool());
+  this->Numbers = this->addChoice(menu, "Numbers", NumbersSetting, tr("Show Numbers"));
+  this->LengthsInView =
+    this->addChoice(menu, "Lengths", LengthsSetting, tr("Show Lengths In View"));
   this->Live = this->addAction(menu, "LiveUpdate", tr("Live Update While Dragging"));
   this->Live->setCheckable(true);
 
@@ -160,12 +203,8 @@ QMenu* SeedPanel::buildMenu()
   this->connect(load, &QAction::triggered, this, &SeedPanel::load);
   this->connect(this->Save, &QAction::triggered, this, &SeedPanel::save);
   this->connect(this->FromSelection, &QAction::triggered, this, &SeedPanel::addFromSelection);
-  this->connect(this->Numbers, &QAction::toggled, this,
-    [this](bool isOn)
-    {
-      pqApplicationCore::instance()->settings()->setValue(NumbersSetting, isOn);
-      Q_EMIT this->numbersToggled(isOn);
-    });
+  this->connect(this->Numbers, &QAction::toggled, this, &SeedPanel::numbersToggled);
+  this->connect(this->LengthsInView, &QAction::toggled, this, &SeedPanel::lengthsToggled);
   this->connect(this->Live, &QAction::triggered, this, &LiveUpdate::setWanted);
   this->connect(menu, &QMenu::aboutToShow, this, &SeedPanel::prepareMenu);
   return menu;

@@ -4,6 +4,7 @@
 #define seeds_SeedPanel_h
 
 #include "Position.h"
+#include "ResultNumbers.h"
 #include "SeedRole.h"
 
 #include <QVector>
@@ -36,6 +37,10 @@ public:
   void setPicking(bool isOn);
   void setPickable(bool isPickable);
   bool isNumbered() const;
+  /** Whether the lengths of segments are written in the view. */
+  bool hasLengthsInView() const;
+  /** Shows what the filter's last run has measured; nothing if @p result is empty. */
+  void showResult(const ResultNumbers& result);
 
 public Q_SLOTS:
   /** Shows why a request was not carried out. */
@@ -46,10 +51,14 @@ public Q_SLOTS:
 Q_SIGNALS:
   void pickToggled(bool isOn);
   void numbersToggled(bool isOn);
+  void lengthsToggled(bool isOn);
   void addRequested();
 
 private:
   QLayout* buildButtons();
+  QLayout* buildResult();
+  /** A choice of the menu that is kept among ParaView's settings. */
+  QAction* addChoice(QMenu* menu, const char* name, const char* setting, const QString& text);
   QToolButton* addButton(QHBoxLayout* row, const char* name, const QString& tip);
   QMenu* buildMenu();
   QAction* addAction(QMenu* menu, const char* name, const QString& text);
@@ -65,6 +74,9 @@ private:
   SeedTableView* Table = nullptr;
   QPushButton* Toggle = nullptr;
   QLabel* Hint = nullptr;
+  QLabel* ResultText = nullptr;
+  QToolButton* CopyResult = nullptr;
+  ResultNumbers Result;
   QToolButton* Remove = nullptr;
   QToolButton* Up = nullptr;
   QToolButton* Down = nullptr;
@@ -73,6 +85,7 @@ private:
   QAction* Save = nullptr;
   QAction* FromSelection = nullptr;
   QAction* Numbers = nullptr;
+  QAction* LengthsInView = nullptr;
   QAction* Live = nullptr;
 };
 

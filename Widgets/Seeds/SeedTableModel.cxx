@@ -3,6 +3,7 @@
 #include "SeedTableModel.h"
 
 #include "PointText.h"
+#include "ResultNumbers.h"
 
 #include "pqDoubleLineEdit.h"
 
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr const char* RowsMimeType = "application/x-surface-seed-rows";
+constexpr int LengthColumn = 3;
 
 }
 
@@ -42,6 +44,31 @@ void SeedTableModel::setValues(const QVector<double>& values)
   if (after > 0)
   {
     Q_EMIT this->dataChanged(this->index(0, 0), this->index(after - 1, 2));
+  }
+}
+
+void SeedTableModel::setLengths(const QVector<double>& lengths)
+{
+  if (lengths.isEmpty() == this->Lengths.isEmpty())
+  {
+    this->Lengths = lengths;
+    if (!lengths.isEmpty() && this->rowCount() > 0)
+    {
+      Q_EMIT this->dataChanged(
+        this->index(0, LengthColumn), this->index(this->rowCount() - 1, LengthColumn));
+    }
+  }
+  else if (lengths.isEmpty())
+  {
+    this->beginRemoveColumns({}, LengthColumn, LengthColumn);
+    this->Lengths.clear();
+    this->endRemoveColumns();
+  }
+  else
+  {
+    this->beginInsertColumns({}, LengthColumn, LengthColumn);
+    this->Lengths = lengths;
+    this->endInsertColumns();
   }
 }
 
@@ -124,11 +151,15 @@ int SeedTableModel::rowCount(const QModelIndex& parent) const
 
 int SeedTableModel::columnCount(const QModelIndex& parent) const
 {
-  return parent.isValid() ? 0 : 3;
+  return parent.isValid() ? 0 : this->Lengths.isEmpty() ? LengthColumn : LengthColumn + 1;
 }
 
 QVariant SeedTableModel::data(const QModelIndex& index, int role) const
 {
+  if (index.column() == LengthColumn)
+  {
+    return this->lengthData(index.row(), role);
+  }
   const int at = 3 * index.row() + index.column();
   if (at >= this->Values.size())
   {
@@ -148,13 +179,40 @@ QVariant SeedTableModel::data(const QModelIndex& index, int role) const
   }
 }
 
+QVariant SeedTableModel::lengthData(int row, int role) const
+{
+  if (role == Qt::TextAlignmentRole)
+  {
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  if (row >= this->Lengths.size())
+  {
+    return {};
+  }
+  switch (role)
+  {
+    case Qt::DisplayRole:
+      return lengthText(this->Lengths[row]);
+    case Qt::EditRole:
+      return exactText(this->Lengths[row]);
+    case Qt::ToolTipRole:
+      return tr("The length from here to the next: %1").arg(exactText(this->Lengths[row]));
+    default:
+      return {};
+  }
+}
+
 QVariant SeedTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
   if (role != Qt::DisplayRole)
   {
     return {};
   }
-  return orientation == Qt::Horizontal ? QVariant(QString("xyz"[section])) : QVariant(section);
+  if (orientation == Qt::Horizontal)
+  {
+    return section == LengthColumn ? tr("length") : QString("xyz"[section]);
+  }
+  return section;
 }
 
 bool SeedTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
@@ -179,7 +237,8 @@ Qt::ItemFlags SeedTableModel::flags(const QModelIndex& index) const
   {
     return Qt::ItemIsDropEnabled;
   }
-  return QAbstractTableModel::flags(index) | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index) | Qt::ItemIsDragEnabled;
+  return index.column() == LengthColumn ? flags : flags | Qt::ItemIsEditable;
 }
 
 QStringList SeedTableModel::mimeTypes() const

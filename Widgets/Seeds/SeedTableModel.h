@@ -28,6 +28,11 @@ public:
 
   /** The complete points. */
   QVector<Position> points() const;
+  /**
+   * Shows the length from each row to the next in a fourth column, which is not part of the values;
+   * without lengths there is no such column.
+   */
+  void setLengths(const QVector<double>& lengths);
   int numberOfPoints() const { return this->Values.size() / 3; }
   /** Moves one point. This is not an edit, so that a whole drag can be one. */
   void setPoint(int row, const Position& point);
@@ -65,8 +70,10 @@ Q_SIGNALS:
 
 private:
   void edit(const QVector<double>& values);
+  QVariant lengthData(int row, int role) const;
 
   QVector<double> Values;
+  QVector<double> Lengths;
 };
 
 }

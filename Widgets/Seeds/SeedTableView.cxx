@@ -37,8 +37,11 @@ protected:
     const QVariant value = index.data(Qt::EditRole);
     const int margin = option->widget->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
     const int room = option->rect.width() - 2 * margin;
+    bool isNumber = false;
+    option->text.toDouble(&isNumber);
     for (int digits = MostDigits;
-         digits > 1 && option->fontMetrics.horizontalAdvance(option->text) > room; --digits)
+         isNumber && digits > 1 && option->fontMetrics.horizontalAdvance(option->text) > room;
+         --digits)
     {
       option->text = QString::number(value.toDouble(), 'g', digits);
     }
@@ -88,7 +91,8 @@ void SeedTableView::choose(int first, int count)
 {
   const QModelIndex top = this->Model->index(first, 0);
   this->selectionModel()->setCurrentIndex(top, QItemSelectionModel::NoUpdate);
-  this->selectionModel()->select(QItemSelection(top, this->Model->index(first + count - 1, 2)),
+  this->selectionModel()->select(
+    QItemSelection(top, this->Model->index(first + count - 1, this->Model->columnCount() - 1)),
     QItemSelectionModel::ClearAndSelect);
   this->scrollTo(top);
 }

@@ -3,6 +3,7 @@
 #include "SurfaceSeedsWidget.h"
 
 #include "LiveUpdate.h"
+#include "ResultNumbers.h"
 #include "SeedOverlay.h"
 #include "SeedPanel.h"
 #include "SeedPicker.h"
@@ -54,6 +55,7 @@ struct SurfaceSeedsWidget::Internals
   SurfaceProbe Probe;
   SeedTableModel Model;
   SeedPanel* Panel = nullptr;
+  ResultNumbers Result;
   LiveUpdate Live;
   bool IsLive = false;
   /** The shortcuts of P and Ctrl+P. Enabling or disabling one does the same to the other. */
@@ -85,6 +87,10 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   this->connectPanel();
   this->connectKeys();
   this->addPropertyLink(this, "positions", SIGNAL(positionsChanged()), property);
+  if (my.Live.isPossible())
+  {
+    this->showResult();
+  }
 }
 
 SurfaceSeedsWidget::~SurfaceSeedsWidget()
@@ -98,6 +104,7 @@ void SurfaceSeedsWidget::connectPanel()
   this->connect(&my.Model, &SeedTableModel::edited, this,
     [this]
     {
+      this->forgetLengths();
       Q_EMIT this->positionsChanged();
       Q_EMIT this->changeFinished();
     });
@@ -119,6 +126,16 @@ void SurfaceSeedsWidget::connectPanel()
     });
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::showLines);
+  this->connect(my.Panel, &SeedPanel::lengthsToggled, this, &SurfaceSeedsWidget::showLabels);
+  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+    &pqServerManagerModel::dataUpdated, this,
+    [this](pqPipelineSource* source)
+    {
+      if (source->getProxy() == this->proxy())
+      {
+        this->showResult();
+      }
+    });
 }
 
 void SurfaceSeedsWidget::connectKeys()
@@ -319,6 +336,7 @@ void SurfaceSeedsWidget::drag(int row, const Position& point)
   }
   else
   {
+    this->forgetLengths();
     Q_EMIT this->positionsChanged();
   }
 }
@@ -353,6 +371,49 @@ void SurfaceSeedsWidget::showPoints()
   my.Overlay->setChosenRows(my.Panel->table()->chosenRows());
   my.Overlay->setNumbered(my.Panel->isNumbered());
   this->showLines();
+  this->showLabels();
+}
+
+void SurfaceSeedsWidget::showResult()
+{
+  Internals& my = *this->Internal;
+  my.Result = ResultNumbers::of(this->proxy(), this->propertyGroup());
+  my.Panel->showResult(my.Result);
+  my.Model.setLengths(my.Result.lengths);
+  this->showLabels();
+}
+
+void SurfaceSeedsWidget::showLabels()
+{
+  Internals& my = *this->Internal;
+  if (!my.Overlay || !my.View)
+  {
+    return;
+  }
+  QVector<Position> points;
+  QStringList texts;
+  if (my.Panel->hasLengthsInView() && my.Result.middles.size() == my.Result.lengths.size())
+  {
+    const auto placement = my.Surface.placementIn(my.View);
+    for (int i = 0; i < my.Result.lengths.size(); ++i)
+    {
+      if (my.Result.lengths[i] >= 0.0)
+      {
+        points.append(transformed(placement, my.Result.middles[i]));
+        texts.append(lengthText(my.Result.lengths[i]));
+      }
+    }
+  }
+  my.Overlay->setLabels(points, texts);
+}
+
+void SurfaceSeedsWidget::forgetLengths()
+{
+  Internals& my = *this->Internal;
+  my.Result = {};
+  my.Panel->showResult({});
+  my.Model.setLengths({});
+  this->showLabels();
 }
 
 void SurfaceSeedsWidget::showLines()

@@ -27,7 +27,8 @@ class pqRenderView;
  *   </PropertyGroup>
  *
  * Positions is a repeatable DoubleVectorProperty of x y z, Input an InputProperty; the hints are in
- * SeedRole.h. The property holds the whole state.
+ * SeedRole.h. The property holds the whole state. Information properties with the functions Result,
+ * Lengths and Middles (ResultNumbers.h) are shown after each run.
  *
  * If several groups of one proxy share their Input, ParaView's panel puts the Input into the last
  * group that names it. So the group that should come first in the panel must be the last in the
@@ -77,6 +78,11 @@ private:
   void finishDrag();
   void showPoints();
   void showLines();
+  /** Shows what the filter's last run has measured. */
+  void showResult();
+  void showLabels();
+  /** Takes away what was measured for other points than those in the table. */
+  void forgetLengths();
 
   std::unique_ptr<Internals> Internal;
 };

@@ -53,8 +53,9 @@ private:
   /** A point in space as pixels from the window's lower left corner, and depth from 0 to 1. */
   Position toWindow(const Position& point) const;
   /**
-   * The depth of what was drawn at a pixel; 1 on the background. It is the farthest depth of 3 x 3
-   * pixels, so that the slope of a surface does not count as something in front of it.
+   * The depth of what was drawn at a pixel; 1 on the background. It is the farthest depth of 9 x 9
+   * pixels, so that neither the slope of a surface counts as something in front of it nor a path of
+   * 4 pixels on it, which is drawn a little in front.
    */
   double drawnDepth(const std::array<int, 2>& pixel) const;
   Position toSpace(double x, double y, double depth) const;

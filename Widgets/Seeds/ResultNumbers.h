@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef seeds_ResultNumbers_h
+#define seeds_ResultNumbers_h
+
+#include "Position.h"
+
+#include <QString>
+#include <QVector>
+
+class vtkSMPropertyGroup;
+class vtkSMProxy;
+
+namespace seeds
+{
+
+/** What a filter's last run has measured, in the data's unit of length. */
+struct ResultNumbers
+{
+  /** The name and value of the number that sums it up, and the number of segments if there are any.
+   */
+  QString summary;
+  /** The length of each segment from a row to the next; negative where no way joins them. */
+  QVector<double> lengths;
+  /** The point in the middle of each segment. */
+  QVector<Position> middles;
+
+  /** All numbers as lines of text, their parts separated by tabs. */
+  QString text() const;
+
+  /**
+   * Asks the server for the information properties of a group with the functions Result (one
+   * number), Lengths (one for each segment) and Middles (three for each). Each may be left out.
+   */
+  static ResultNumbers of(vtkSMProxy* filter, vtkSMPropertyGroup* group);
+};
+
+/** A length with six digits. */
+QString lengthText(double length);
+
+}
+
+#endif
