@@ -25,6 +25,7 @@
 #include "request/CostAndBarriers.h"
 #include "request/PointResolver.h"
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -82,6 +83,8 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  const auto begin = std::chrono::steady_clock::now();
+  this->ErrorText.clear();
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
@@ -91,8 +94,9 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   {
     this->Forget();
     output->Initialize();
-    vtkErrorMacro(<< geodesic::bridge::messageOf(error));
+    this->Report(geodesic::bridge::messageOf(error));
   }
+  this->RunTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return 1;
 }
 
@@ -117,6 +121,19 @@ void vtkSurfaceGeodesicFilter::RunOnAll(geodesic::distributed::RankGroup& ranks,
     geodesic::distributed::identityOf(
       ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
   this->Compute(ranks, *blocks, inputVector, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::Report(const std::string& message)
+{
+  this->ErrorText = message;
+  vtkErrorMacro(<< message);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceGeodesicFilter::GetErrorText()
+{
+  return this->ErrorText.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@
 #include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
 
 #include <memory> // For members
+#include <string> // For members
 #include <vector> // For members
 
 class vtkAlgorithmOutput;
@@ -132,6 +133,15 @@ public:
   vtkBooleanMacro(ConnectBlocks, bool);
   ///@}
 
+  /**
+   * What was wrong with the last run, in full sentences; empty if nothing was.
+   */
+  const char* GetErrorText();
+  /**
+   * How long the last run took, in seconds; 0 before the first.
+   */
+  vtkGetMacro(RunTime, double);
+
 protected:
   vtkSurfaceGeodesicFilter();
   ~vtkSurfaceGeodesicFilter() override;
@@ -149,6 +159,9 @@ protected:
   virtual void DescribeRequest(std::vector<double>& numbers);
   /** Drops the state that is kept from run to run. Called after an error. */
   virtual void Forget() = 0;
+
+  /** Reports an error of this run. */
+  void Report(const std::string& message);
 
   /** Makes the output an object of the given class, unless it is one already. */
   static void SetOutputClass(vtkInformationVector* outputVector, const char* className);
@@ -173,6 +186,9 @@ protected:
   int Method = FAST_MARCHING;
   bool MergeCoincidentPoints = true;
   bool ConnectBlocks = true;
+
+  double RunTime = 0.0;
+  std::string ErrorText;
 
 private:
   /** What the ranks do together. Throws the same error on all. */

@@ -423,9 +423,9 @@ void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
 {
   if (!missing.empty())
   {
-    vtkErrorMacro(<< "No way over the surface leads " << missing
-                  << ". All other segments are there. Connect the parts of the surface, open the "
-                     "barriers, or move the points.");
+    this->Report("No way over the surface leads " + missing +
+      ". All other segments are there. Connect the parts of the surface, open the barriers, or "
+      "move the points.");
   }
 }
 

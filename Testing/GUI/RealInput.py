@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView's playback cannot do, by a real pointer and real keys: P and Ctrl+P in the view, Esc, copying and
+"""What ParaView's playback cannot do, by a real pointer and real keys: P and Ctrl+P in the view, Esc, Ctrl+Z, Delete, copying and
 pasting in the table, and dragging a row of it.
 
 usage: RealInput.py PARAVIEW FOLDER
@@ -94,6 +94,15 @@ xdotool("mousemove", VIEW[0] - 300, VIEW[1] - 200, "click", 1)
 xdotool("mousemove", VIEW[0] + 20, VIEW[1] + 13, "key", "p")
 wait_for(1)
 assert 0.01 < points()[0, 0] < 0.1 and -0.1 < points()[0, 1] < -0.01, points()
+# In the view Ctrl+Z takes back the pick, and Delete removes what is chosen, the last picked point.
+xdotool("key", "ctrl+z")
+wait_for(0)
+xdotool("key", "p")
+wait_for(1)
+xdotool("key", "Delete")
+wait_for(0)
+xdotool("key", "p")
+wait_for(1)
 xdotool("mousemove", VIEW[0] + 60, VIEW[1] - 40, "key", "ctrl+p")
 wait_for(2)
 # The ball's points are turned by a 32nd of a circle from meridian to meridian.

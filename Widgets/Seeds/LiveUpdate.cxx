@@ -33,9 +33,10 @@ LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
   this->connect(&this->WhenIdle, &QTimer::timeout, this, &LiveUpdate::update);
 }
 
-bool LiveUpdate::isWanted()
+bool LiveUpdate::isWanted(double runTime)
 {
-  return pqApplicationCore::instance()->settings()->value(Setting, false).toBool();
+  const bool isFast = runTime > 0.0 && runTime < FastRun;
+  return pqApplicationCore::instance()->settings()->value(Setting, isFast).toBool();
 }
 
 void LiveUpdate::setWanted(bool isWanted)

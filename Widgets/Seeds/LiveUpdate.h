@@ -19,7 +19,8 @@ namespace seeds
  * Gives a filter the points while they are dragged, and draws its results, as often as the filter
  * can keep up and always for the last points. The whole drag is one step to undo.
  *
- * Users turn it on and off by a setting, which is kept among ParaView's settings.
+ * Users turn it on and off by a setting, which is kept among ParaView's settings. Before they do,
+ * it is on where the filter is fast.
  */
 class LiveUpdate : public QObject
 {
@@ -28,7 +29,11 @@ class LiveUpdate : public QObject
 public:
   LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property);
 
-  static bool isWanted();
+  /** Below this a run counts as fast, in seconds. */
+  static constexpr double FastRun = 0.05;
+
+  /** What the user has chosen; without a choice, whether the last run was fast. */
+  static bool isWanted(double runTime);
   static void setWanted(bool isWanted);
 
   /** Whether the filter can be updated without Apply, because it has been applied before. */

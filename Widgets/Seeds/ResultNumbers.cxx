@@ -38,6 +38,13 @@ std::vector<double> valuesOf(vtkSMProxy* filter, vtkSMProperty* property)
 ResultNumbers ResultNumbers::of(vtkSMProxy* filter, vtkSMPropertyGroup* group)
 {
   ResultNumbers result;
+  if (vtkSMProperty* error = group->GetProperty("Error"))
+  {
+    filter->UpdatePropertyInformation(error);
+    result.error = vtkSMPropertyHelper(error).GetAsString();
+  }
+  const std::vector<double> runTimes = valuesOf(filter, group->GetProperty("RunTime"));
+  result.runTime = runTimes.empty() ? 0.0 : runTimes[0];
   vtkSMProperty* property = group->GetProperty("Result");
   const std::vector<double> values = valuesOf(filter, property);
   for (const double length : valuesOf(filter, group->GetProperty("Lengths")))

@@ -25,12 +25,18 @@ struct ResultNumbers
   /** The point in the middle of each segment. */
   QVector<Position> middles;
 
+  /** What was wrong with the run; empty if nothing was. */
+  QString error;
+  /** How long it took, in seconds; 0 if that is not known. */
+  double runTime = 0.0;
+
   /** All numbers as lines of text, their parts separated by tabs. */
   QString text() const;
 
   /**
    * Asks the server for the information properties of a group with the functions Result (one
-   * number), Lengths (one for each segment) and Middles (three for each). Each may be left out.
+   * number), Lengths (one for each segment), Middles (three for each), Error (a text) and RunTime.
+   * Each may be left out.
    */
   static ResultNumbers of(vtkSMProxy* filter, vtkSMPropertyGroup* group);
 };

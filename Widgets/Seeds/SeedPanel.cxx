@@ -15,6 +15,7 @@
 #include "pqSettings.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QHBoxLayout>
@@ -67,6 +68,17 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   this->Table = new SeedTableView(model, this);
   this->Table->setObjectName("Table");
 
+  this->Live = new QCheckBox(tr("Live update"), this);
+  this->Live->setObjectName("LiveUpdate");
+  this->Live->setToolTip(
+    tr("Compute and draw the result while a %1 is dragged. Until you choose, it "
+       "is on where the last run took less than 50 ms.")
+      .arg(role.name));
+  this->Error = new QLabel(this);
+  this->Error->setObjectName("Error");
+  this->Error->setWordWrap(true);
+  this->Error->setVisible(false);
+
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2, 2, 2, 2);
   column->setSpacing(3);
@@ -74,6 +86,8 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   column->addWidget(this->Hint);
   column->addWidget(this->Table);
   column->addLayout(this->buildButtons());
+  column->addWidget(this->Live);
+  column->addWidget(this->Error);
   column->addLayout(this->buildResult());
 
   this->connect(this->Toggle, &QPushButton::toggled, this,
@@ -89,6 +103,7 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   this->connect(model, &QAbstractItemModel::dataChanged, this, &SeedPanel::showHint);
   this->connect(model, &QAbstractItemModel::rowsRemoved, this, &SeedPanel::showHint);
   this->connect(this->Table, &SeedTableView::chosenRowsChanged, this, &SeedPanel::updateButtons);
+  this->connect(this->Live, &QCheckBox::clicked, this, &LiveUpdate::setWanted);
   this->connect(this->Table, &SeedTableView::refused, this, &SeedPanel::complain);
   this->updateButtons();
   this->showHint();
@@ -173,6 +188,24 @@ void SeedPanel::showResult(const ResultNumbers& result)
   this->ResultText->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()));
   this->ResultText->setVisible(!result.summary.isEmpty());
   this->CopyResult->setVisible(!result.summary.isEmpty());
+  this->Error->setText(QString("<b>%1</b>").arg(result.error.toHtmlEscaped()));
+  this->Error->setVisible(!result.error.isEmpty());
+}
+
+void SeedPanel::showLive(bool isLive)
+{
+  this->Live->setChecked(isLive);
+}
+
+bool SeedPanel::isLive() const
+{
+  return this->Live->isChecked();
+}
+
+void SeedPanel::setOthers(const QString& others)
+{
+  this->Others = others;
+  this->showHint();
 }
 
 bool SeedPanel::hasLengthsInView() const
@@ -195,8 +228,6 @@ QMenu* SeedPanel::buildMenu()
   this->Numbers = this->addChoice(menu, "Numbers", NumbersSetting, tr("Show Numbers"));
   this->LengthsInView =
     this->addChoice(menu, "Lengths", LengthsSetting, tr("Show Lengths In View"));
-  this->Live = this->addAction(menu, "LiveUpdate", tr("Live Update While Dragging"));
-  this->Live->setCheckable(true);
 
   this->connect(this->Copy, &QAction::triggered, this->Table, &SeedTableView::copy);
   this->connect(paste, &QAction::triggered, this->Table, &SeedTableView::paste);
@@ -205,14 +236,12 @@ QMenu* SeedPanel::buildMenu()
   this->connect(this->FromSelection, &QAction::triggered, this, &SeedPanel::addFromSelection);
   this->connect(this->Numbers, &QAction::toggled, this, &SeedPanel::numbersToggled);
   this->connect(this->LengthsInView, &QAction::toggled, this, &SeedPanel::lengthsToggled);
-  this->connect(this->Live, &QAction::triggered, this, &LiveUpdate::setWanted);
   this->connect(menu, &QMenu::aboutToShow, this, &SeedPanel::prepareMenu);
   return menu;
 }
 
 void SeedPanel::prepareMenu()
 {
-  this->Live->setChecked(LiveUpdate::isWanted());
   this->FromSelection->setEnabled(
     pqPVApplicationCore::instance()->selectionManager()->hasActiveSelection());
 }
@@ -255,7 +284,11 @@ void SeedPanel::showHint()
   {
     this->Hint->setText(
       tr("<b>Click</b>: add. <b>Ctrl+click</b>: at a mesh point. <b>Shift+click</b>: remove. "
-         "<b>Esc</b>: end."));
+         "<b>Ctrl+Z</b>: take the last back. <b>Esc</b>: end."));
+  }
+  else if (this->Model->rowCount() == 0 && !this->Others.isEmpty())
+  {
+    this->Hint->setText(tr("What counts: %1.").arg(this->Others.toHtmlEscaped()));
   }
   else if (this->Model->rowCount() == 0)
   {
@@ -264,7 +297,9 @@ void SeedPanel::showHint()
   }
   else
   {
-    this->Hint->setText(tr("Drag a %1 in the view to move it.").arg(this->Role.name));
+    const QString drag = tr("Drag a %1 in the view to move it.").arg(this->Role.name);
+    this->Hint->setText(
+      this->Others.isEmpty() ? drag : tr("%1 Also: %2.").arg(drag, this->Others.toHtmlEscaped()));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 class QAction;
+class QCheckBox;
 class QHBoxLayout;
 class QLabel;
 class QLayout;
@@ -41,6 +42,11 @@ public:
   bool hasLengthsInView() const;
   /** Shows what the filter's last run has measured; nothing if @p result is empty. */
   void showResult(const ResultNumbers& result);
+  /** Shows whether the filter follows a drag. */
+  void showLive(bool isLive);
+  bool isLive() const;
+  /** Tells what counts beside the points of the table; see OtherSources. */
+  void setOthers(const QString& others);
 
 public Q_SLOTS:
   /** Shows why a request was not carried out. */
@@ -74,6 +80,9 @@ private:
   SeedTableView* Table = nullptr;
   QPushButton* Toggle = nullptr;
   QLabel* Hint = nullptr;
+  QString Others;
+  QLabel* Error = nullptr;
+  QCheckBox* Live = nullptr;
   QLabel* ResultText = nullptr;
   QToolButton* CopyResult = nullptr;
   ResultNumbers Result;
@@ -86,7 +95,6 @@ private:
   QAction* FromSelection = nullptr;
   QAction* Numbers = nullptr;
   QAction* LengthsInView = nullptr;
-  QAction* Live = nullptr;
 };
 
 }

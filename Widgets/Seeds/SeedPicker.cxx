@@ -89,7 +89,20 @@ bool SeedPicker::eventFilter(QObject* object, QEvent* event)
     case QEvent::Leave:
       this->forgetPreview();
       return false;
+    case QEvent::ShortcutOverride:
+      // Otherwise ParaView's menu has the key, and there is no key press.
+      if (this->IsUndoable && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
+      {
+        event->accept();
+        return true;
+      }
+      return false;
     case QEvent::KeyPress:
+      if (this->pressKey(static_cast<QKeyEvent*>(event)))
+      {
+        return true;
+      }
+      [[fallthrough]];
     case QEvent::KeyRelease:
     {
       auto* key = static_cast<QKeyEvent*>(event);
@@ -111,6 +124,21 @@ bool SeedPicker::eventFilter(QObject* object, QEvent* event)
     default:
       return QObject::eventFilter(object, event);
   }
+}
+
+bool SeedPicker::pressKey(QKeyEvent* event)
+{
+  if (this->IsUndoable && event->matches(QKeySequence::Undo))
+  {
+    Q_EMIT this->undoRequested();
+    return true;
+  }
+  if (event->key() == Qt::Key_Delete)
+  {
+    Q_EMIT this->deleteRequested();
+    return true;
+  }
+  return false;
 }
 
 bool SeedPicker::press(QMouseEvent* event)

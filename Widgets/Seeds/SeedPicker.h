@@ -31,6 +31,8 @@ public:
   ~SeedPicker() override;
 
   void setPicking(bool isOn);
+  /** Whether Ctrl+Z is this picker's; else it is ParaView's undo. */
+  void setUndoable(bool isUndoable) { this->IsUndoable = isUndoable; }
   bool isPicking() const { return this->IsPicking; }
   /** Picks the point under the pointer. */
   void pickUnderPointer(SurfaceProbe::Snap snap);
@@ -45,12 +47,17 @@ Q_SIGNALS:
   void refused(const QString& reason);
   /** The user pressed Escape to stop picking. */
   void escaped();
+  /** The user pressed Delete in the view. */
+  void deleteRequested();
+  /** The user pressed Ctrl+Z in the view, while there is a pick to take back. */
+  void undoRequested();
 
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
   bool press(QMouseEvent* event);
+  bool pressKey(QKeyEvent* event);
   bool move(QMouseEvent* event);
   bool release(QMouseEvent* event);
   void pick(const QPointF& place, SurfaceProbe::Snap snap);
@@ -71,6 +78,7 @@ private:
   QPointer<QWidget> Widget;
   bool IsPicking = false;
   bool HasHand = false;
+  bool IsUndoable = false;
   int DraggedRow = -1;
   /** A press that may become a click. */
   std::unique_ptr<QMouseEvent> Held;

@@ -24,6 +24,10 @@ SeedRole SeedRole::fromHints(vtkPVXMLElement* hints)
   {
     role.color = QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
   }
+  if (const char* others = element->GetAttribute("others"))
+  {
+    role.others = QString(others).split(' ', Qt::SkipEmptyParts);
+  }
   int joined = 0;
   role.isJoined = element->GetScalarAttribute("joined", &joined) && joined != 0;
   return role;

@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QString>
+#include <QStringList>
 
 class vtkPVXMLElement;
 
@@ -26,6 +27,9 @@ struct SeedRole
   QColor color = QColor::fromRgbF(0.9, 0.3, 0.1);
   /** Whether lines join the points in their order while the filter's result is not up to date. */
   bool isJoined = false;
+
+  /** The properties of the filter that also give such points. */
+  QStringList others;
 
   QString plural() const { return this->name + "s"; }
 

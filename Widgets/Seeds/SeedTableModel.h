@@ -44,6 +44,7 @@ public:
   /** Moves rows so that they stand before the row @p to and keep their order. */
   void moveRows(const QVector<int>& rows, int to);
   void clear();
+  void replace(const QVector<double>& values) { this->edit(values); }
   ///@}
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -3,6 +3,8 @@
 #include "SurfaceSeedsWidget.h"
 
 #include "LiveUpdate.h"
+#include "OtherSources.h"
+#include "PickHistory.h"
 #include "ResultNumbers.h"
 #include "SeedOverlay.h"
 #include "SeedPanel.h"
@@ -47,6 +49,7 @@ struct SurfaceSeedsWidget::Internals
     , Surface(proxy, group->GetProperty("Input"))
     , Probe(proxy, this->Surface)
     , Live(proxy, property)
+    , Others(proxy, this->Role.others)
   {
   }
 
@@ -58,6 +61,8 @@ struct SurfaceSeedsWidget::Internals
   ResultNumbers Result;
   LiveUpdate Live;
   bool IsLive = false;
+  OtherSources Others;
+  PickHistory Picks;
   /** The shortcuts of P and Ctrl+P. Enabling or disabling one does the same to the other. */
   QList<QPointer<pqModalShortcut>> Keys;
 
@@ -87,10 +92,7 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   this->connectPanel();
   this->connectKeys();
   this->addPropertyLink(this, "positions", SIGNAL(positionsChanged()), property);
-  if (my.Live.isPossible())
-  {
-    this->showResult();
-  }
+  this->showResult();
 }
 
 SurfaceSeedsWidget::~SurfaceSeedsWidget()
@@ -110,6 +112,14 @@ void SurfaceSeedsWidget::connectPanel()
     });
   this->connect(&my.Model, &QAbstractItemModel::dataChanged, this, &SurfaceSeedsWidget::showPoints);
   this->connect(&my.Model, &QAbstractItemModel::rowsRemoved, this, &SurfaceSeedsWidget::showPoints);
+  for (const auto signal : { &QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved })
+  {
+    this->connect(&my.Model, signal, this, &SurfaceSeedsWidget::showUndo);
+  }
+  this->connect(&my.Model, &QAbstractItemModel::dataChanged, this, &SurfaceSeedsWidget::showUndo);
+  const auto showOthers = [&my] { my.Panel->setOthers(my.Others.text()); };
+  this->connect(&my.Others, &OtherSources::changed, this, showOthers);
+  showOthers();
   this->connect(my.Panel, &SeedPanel::pickToggled, this, &SurfaceSeedsWidget::setPicking);
   this->connect(my.Panel, &SeedPanel::numbersToggled, this, &SurfaceSeedsWidget::showPoints);
   this->connect(my.Panel, &SeedPanel::addRequested, this,
@@ -275,7 +285,9 @@ void SurfaceSeedsWidget::connectPicker()
 {
   Internals& my = *this->Internal;
   SeedPicker* picker = my.Picker.get();
-  this->connect(picker, &SeedPicker::picked, this, &SurfaceSeedsWidget::add);
+  this->connect(picker, &SeedPicker::picked, this, &SurfaceSeedsWidget::pick);
+  this->connect(picker, &SeedPicker::deleteRequested, my.Panel->table(), &SeedTableView::remove);
+  this->connect(picker, &SeedPicker::undoRequested, this, &SurfaceSeedsWidget::undoPick);
   this->connect(
     picker, &SeedPicker::removed, this, [&my](int row) { my.Model.removeRows({ row }); });
   this->connect(picker, &SeedPicker::dragStarted, this, &SurfaceSeedsWidget::startDrag);
@@ -310,11 +322,36 @@ void SurfaceSeedsWidget::add(const Position& point)
   my.Panel->table()->choose(my.Model.numberOfPoints() - 1);
 }
 
+void SurfaceSeedsWidget::pick(const Position& point)
+{
+  Internals& my = *this->Internal;
+  const QVector<double> before = my.Model.values();
+  this->add(point);
+  my.Picks.add(before, my.Model.values());
+  this->showUndo();
+}
+
+void SurfaceSeedsWidget::showUndo()
+{
+  Internals& my = *this->Internal;
+  if (my.Picker)
+  {
+    my.Picker->setUndoable(my.Picks.canUndo(my.Model.values()));
+  }
+}
+
+void SurfaceSeedsWidget::undoPick()
+{
+  Internals& my = *this->Internal;
+  my.Model.replace(my.Picks.undo());
+  this->showUndo();
+}
+
 void SurfaceSeedsWidget::startDrag(int row)
 {
   Internals& my = *this->Internal;
   my.Panel->table()->choose(row);
-  my.IsLive = LiveUpdate::isWanted() && my.Live.isPossible();
+  my.IsLive = my.Panel->isLive() && my.Live.isPossible();
   if (my.IsLive)
   {
     my.Live.begin();
@@ -379,6 +416,7 @@ void SurfaceSeedsWidget::showResult()
   Internals& my = *this->Internal;
   my.Result = ResultNumbers::of(this->proxy(), this->propertyGroup());
   my.Panel->showResult(my.Result);
+  my.Panel->showLive(LiveUpdate::isWanted(my.Result.runTime));
   my.Model.setLengths(my.Result.lengths);
   this->showLabels();
 }

@@ -28,7 +28,7 @@ class pqRenderView;
  *
  * Positions is a repeatable DoubleVectorProperty of x y z, Input an InputProperty; the hints are in
  * SeedRole.h. The property holds the whole state. Information properties with the functions Result,
- * Lengths and Middles (ResultNumbers.h) are shown after each run.
+ * Lengths, Middles, Error and RunTime (ResultNumbers.h) are shown after each run.
  *
  * If several groups of one proxy share their Input, ParaView's panel puts the Input into the last
  * group that names it. So the group that should come first in the panel must be the last in the
@@ -73,6 +73,8 @@ private:
   void attachTo(pqRenderView* view);
   void detach();
   void add(const seeds::Position& point);
+  /** As add, but Ctrl+Z takes it back. */
+  void pick(const seeds::Position& point);
   void startDrag(int row);
   void drag(int row, const seeds::Position& point);
   void finishDrag();
@@ -83,6 +85,9 @@ private:
   void showLabels();
   /** Takes away what was measured for other points than those in the table. */
   void forgetLengths();
+  /** Lets Ctrl+Z in the view take back the last pick if nothing has followed it. */
+  void showUndo();
+  void undoPick();
 
   std::unique_ptr<Internals> Internal;
 };
