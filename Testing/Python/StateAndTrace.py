@@ -80,7 +80,7 @@ def expect_settings(distance, fields):
 surface = make_sources()
 plain = simple.GeodesicDistance(Input=surface)
 others = {"Input", "MaximumDistanceReached", "NumberOfVisitedPoints", "NumberOfRounds", "NumberOfUpdates",
-          "BytesExchanged", "MostPointsOnARank"}
+          "BytesExchanged", "MostPointsOnARank", "ErrorText", "RunTime"}
 assert set(plain.ListProperties()) == {*SETTINGS, *others}, plain.ListProperties()
 for name, value in values().items():
     assert value_of(plain, name) != value, name

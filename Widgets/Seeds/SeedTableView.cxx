@@ -71,6 +71,12 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
   const auto resize = [this] { this->updateGeometry(); };
   this->connect(model, &QAbstractItemModel::rowsInserted, this, resize);
   this->connect(model, &QAbstractItemModel::rowsRemoved, this, resize);
+  this->connect(model, &QAbstractItemModel::columnsInserted, this,
+    [this]
+    {
+      this->selectionModel()->select(this->selectionModel()->selection(),
+        QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    });
   this->connect(this->selectionModel(), &QItemSelectionModel::selectionChanged, this,
     &SeedTableView::chosenRowsChanged);
   this->connect(model, &SeedTableModel::rowsPlaced, this, &SeedTableView::choose);
@@ -79,9 +85,12 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
 QVector<int> SeedTableView::chosenRows() const
 {
   QVector<int> rows;
-  for (const QModelIndex& index : this->selectionModel()->selectedRows())
+  for (const QModelIndex& index : this->selectionModel()->selectedIndexes())
   {
-    rows.append(index.row());
+    if (index.column() == 0)
+    {
+      rows.append(index.row());
+    }
   }
   std::sort(rows.begin(), rows.end());
   return rows;
