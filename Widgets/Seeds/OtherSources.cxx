@@ -53,9 +53,8 @@ QString textOf(vtkSMProperty* property)
     const QString array = count == 5 ? helper.GetAsString(4) : "";
     return array.isEmpty() || array == "None" ? QString() : QString("%1 %2").arg(label, array);
   }
-  return count > 0
-    ? QCoreApplication::translate("OtherSources", "%1 from %2").arg(count).arg(label)
-    : QString();
+  return count > 0 ? QCoreApplication::translate("OtherSources", "%1 from %2").arg(count).arg(label)
+                   : QString();
 }
 
 }
