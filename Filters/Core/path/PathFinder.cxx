@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace geodesic
 {
@@ -128,7 +129,10 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
     path = this->solve({}) ? this->shortestOf(start) : std::nullopt;
   }
   const bool staysTraced = this->Style.order == PathOrder::Edges && !this->Style.straighten;
+  // A round that reaches nothing more is the last one.
+  std::size_t reached = 0;
   while (path && staysTraced && this->Field->stopReason() == StopReason::Targets &&
+    this->Field->reached().size() > std::exchange(reached, this->Field->reached().size()) &&
     this->addTargetsAlong(*path))
   {
     path = this->solve(this->Targets) ? this->shortestOf(start) : std::nullopt;
