@@ -66,7 +66,7 @@ public:
       const auto found = static_cast<std::size_t>(std::popcount(bits));
       for (std::size_t i = 0; i < Usual; ++i)
       {
-        // With no bit left the item is any, and it is not counted.
+        // Where no bit is left, the item is written but not counted.
         constexpr BatchMasks::Some stop = ~(~BatchMasks::Some{ 0 } >> 1);
         this->Items[count + i] = itemOf(std::countr_zero(bits | stop));
         bits &= bits - 1;

@@ -136,7 +136,7 @@ protected:
 
   /** Gives a vertex a value of its best value's label, if that counts. A processor can't predict
    * whether it does, so there is no branch on it.
-   * @pre the vertex is in the queue and not pinned, so it is not excluded either
+   * @pre the vertex is in the queue and not final, so it is not excluded either
    * @return what the vertex then has */
   NeighbourValue lower(const SourceFront& label, Index vertex, double value)
   {
@@ -161,7 +161,7 @@ protected:
   NeighbourValue offer(const SourceFront& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
-    if (!this->state(vertex).isPinned() && !this->isExcluded(vertex) &&
+    if (!this->state(vertex).isFinal() && !this->isExcluded(vertex) &&
       value < this->ceiling(label, vertex, old))
     {
       this->set(label, vertex, value);
@@ -201,7 +201,7 @@ protected:
     {
       this->set(label, first.vertex, first.value);
     }
-    this->state(first.vertex).setPinned(first.isFinal);
+    this->state(first.vertex).setFinal(first.isFinal);
   }
 
   /** @param item  the vertex of a best value, or the number that stands for a secondary value */

@@ -56,8 +56,9 @@ public:
 
   static constexpr bool hasOtherLabels = true;
 
-  /** The label of a number, which is to get a value at @p vertex. Its first such vertex decides on
-   * its group (see FrontQueues): vertices near each other on the surface have near numbers. */
+  /** The label with a number, before it gets a value at @p vertex. The first such vertex decides
+   * which group the label joins (see FrontQueues), as vertices with near numbers are near each
+   * other on the surface. */
   const SourceFront& enter(Index number, Index vertex)
   {
     SourceFront& label = this->Fronts[number];
@@ -175,7 +176,7 @@ public:
       return;
     }
     const Index number = this->Sets.findOrAdd(first.vertex, label.number());
-    this->Sets.secondary(number).state.setPinned(first.isFinal);
+    this->Sets.secondary(number).state.setFinal(first.isFinal);
     this->setSecondary(label, first.vertex, number, first.value);
     if (first.isIdle)
     {
@@ -316,7 +317,7 @@ private:
     {
       number = this->Sets.add(vertex, label.number());
     }
-    else if (this->Sets.secondary(number).state.isPinned())
+    else if (this->Sets.secondary(number).state.isFinal())
     {
       return known;
     }

@@ -36,7 +36,7 @@ public:
   public:
     /** The distance without the value of the label's seed; +infinity if the place is empty. */
     double value = std::numeric_limits<double>::infinity();
-    /** The label, whether the value is queued, and whether it is pinned; no label if the place is
+    /** The label, whether the value is queued, and whether it is final; no label if the place is
      * empty. */
     VertexState state;
 

@@ -12,7 +12,7 @@ namespace geodesic
 
 /**
  * The state of a vertex's value: its label, if there are several, whether it waits in the queue,
- * and whether it is pinned. All is in one number, so that the states of several vertices can be
+ * and whether it is final. All is in one number, so that the states of several vertices can be
  * read and compared at once.
  *
  * The bits of a label are its number plus 1; 0 means that no label is stored.
@@ -42,16 +42,13 @@ public:
   {
     this->Bits = isQueued ? this->Bits | Queued : this->Bits & ~Queued;
   }
-  /** Whether the value waits, is of the label of @p labelBits, and is not pinned. */
+  /** Whether the value waits, is of the label of @p labelBits, and is not final. */
   bool isQueuedFor(Index labelBits) const { return this->Bits == (Queued | labelBits); }
   /** Does setQueued(true) and stores the label of @p labelBits. @pre no other label is stored */
   void queueFor(Index labelBits) { this->Bits |= Queued | labelBits; }
-  /** Whether the value is pinned: no update changes it. */
-  bool isPinned() const { return (this->Bits & Pinned) != 0; }
-  void setPinned(bool isPinned)
-  {
-    this->Bits = isPinned ? this->Bits | Pinned : this->Bits & ~Pinned;
-  }
+  /** Whether the value is final: no update changes it. */
+  bool isFinal() const { return (this->Bits & Final) != 0; }
+  void setFinal(bool isFinal) { this->Bits = isFinal ? this->Bits | Final : this->Bits & ~Final; }
 
   // For code that reads several states at once.
 
@@ -63,7 +60,7 @@ public:
 
 private:
   static constexpr Index Queued = 0x80000000u;
-  static constexpr Index Pinned = 0x40000000u;
+  static constexpr Index Final = 0x40000000u;
   Index Bits = 0;
 };
 

@@ -39,8 +39,8 @@ class PathTracer
 public:
   /**
    * @param field distances, with one at every vertex near the path
-   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed; must
-   *              live as long as this, as the others
+   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed; all
+   *              three must live as long as the tracer
    */
   PathTracer(const WeightedMesh& weighted, const DistanceField& field, const PathEnds& seeds)
     : Surface(weighted)

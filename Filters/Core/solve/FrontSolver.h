@@ -19,8 +19,8 @@ class TriangleMesh;
 
 /**
  * The base of solvers whose fronts carry labels and values (see MarchingFront). It checks a request
- * and turns seeds into labels and starts; a derived class marches. A solver keeps its workspace, so
- * that a second run with it allocates nothing and touches only what its front reaches.
+ * and turns seeds into labels and starts; a derived class marches. A solver keeps its workspace:
+ * a second run needs hardly any new memory, and touches only what its front reaches.
  */
 class FrontSolver : public DistanceSolver
 {

@@ -20,8 +20,8 @@ class TriangleMesh;
 void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
 
 /**
- * @pre the seeds are on the mesh (see makeSeedFront())
  * Checks that a front can start from every seed. Collective.
+ * @pre the seeds are on the mesh (see makeSeedFront())
  * @throws std::invalid_argument with the number of the first seed from which none can: one with a
  *         point at an excluded vertex, on an edge or in a face of excluded vertices only, or inside
  *         closed triangles
