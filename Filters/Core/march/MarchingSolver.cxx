@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -31,47 +33,71 @@ double farthestOf(const DistanceField& field, Partition& partition)
   return *std::max_element(all.begin(), all.end());
 }
 
-/** Gives a vertex the seed of the neighbour through which it is nearest, if any has a seed.
- * @return whether it now has one */
-bool takeSeedOfNeighbour(const TriangleMesh& mesh, Index vertex, DistanceField& field)
+/** The seed of the neighbour through which a vertex is nearest, with the length through it; without
+ * a seed if no neighbour has one. */
+StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
 {
-  double least = DistanceField::Unreached;
+  StartValue nearest{ vertex, NoIndex, DistanceField::Unreached, false };
   for (const RingEntry& entry : mesh.ring(vertex))
   {
     const Index neighbour = entry.neighbour();
-    const double way =
+    const double length =
       field.distance(neighbour) + norm(mesh.position(neighbour) - mesh.position(vertex));
-    if (field.nearestSeed(neighbour) != NoIndex && way < least)
+    if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
     {
-      least = way;
-      field.setNearestSeed(vertex, field.nearestSeed(neighbour));
+      nearest.value = length;
+      nearest.label = field.nearestSeed(neighbour);
     }
   }
-  return least < DistanceField::Unreached;
+  return nearest;
 }
 
-/** Takes over the seeds that other pieces found for vertices without one. Collective.
- * @return whether any piece found one since the last call */
-bool takeSeedsOfOthers(bool foundOne, Partition& partition, DistanceField& field)
+/**
+ * Gives vertices seeds of their neighbours, round by round, so that neither the order of the
+ * vertices nor the pieces decide. Collective.
+ * @param gaps  vertices of this piece that have a distance and no seed
+ */
+void takeSeedsOfNeighbours(
+  const TriangleMesh& mesh, std::vector<Index> gaps, Partition& partition, DistanceField& field)
 {
-  std::vector<StartValue> own;
-  for (const Index vertex : partition.sharedVertices())
+  while (true)
   {
-    if (field.nearestSeed(vertex) != NoIndex)
+    std::vector<StartValue> found;
+    for (const Index vertex : gaps)
     {
-      own.push_back({ vertex, field.nearestSeed(vertex), 0.0, false });
+      if (const StartValue nearest = seedOfNeighbour(mesh, vertex, field); nearest.label != NoIndex)
+      {
+        found.push_back(nearest);
+      }
     }
-  }
-  for (const StartValue& other : partition.exchange(own))
-  {
-    if (field.isReached(other.vertex))
+    const double count = static_cast<double>(found.size());
+    const std::vector<double> counts = partition.gather({ &count, 1 });
+    if (*std::max_element(counts.begin(), counts.end()) == 0.0)
     {
-      field.setNearestSeed(other.vertex, std::min(field.nearestSeed(other.vertex), other.label));
+      return;
     }
+    std::vector<StartValue> shared;
+    if (partition.isDivided())
+    {
+      const auto vertices = partition.sharedVertices();
+      const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
+      std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
+        [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
+    }
+    const std::vector<StartValue> others = partition.exchange(shared);
+    found.insert(found.end(), others.begin(), others.end());
+    std::sort(found.begin(), found.end(),
+      [](const StartValue& x, const StartValue& y)
+      { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
+    for (const StartValue& nearest : found)
+    {
+      if (field.isReached(nearest.vertex) && field.nearestSeed(nearest.vertex) == NoIndex)
+      {
+        field.setNearestSeed(nearest.vertex, nearest.label);
+      }
+    }
+    std::erase_if(gaps, [&](Index vertex) { return field.nearestSeed(vertex) != NoIndex; });
   }
-  const double found = foundOne ? 1.0 : 0.0;
-  const std::vector<double> all = partition.gather({ &found, 1 });
-  return *std::max_element(all.begin(), all.end()) > 0.0;
 }
 
 /**
@@ -94,21 +120,11 @@ void takeFirstMarch(
       field.setDistance(vertex, bounds.first(vertex));
     }
   }
-  std::sort(
-    gaps.begin(), gaps.end(), [&](Index a, Index b) { return bounds.first(a) < bounds.first(b); });
   for (const Index vertex : gaps)
   {
     field.setDistance(vertex, bounds.first(vertex));
   }
-  bool foundOne = !gaps.empty();
-  while (takeSeedsOfOthers(foundOne, partition, field))
-  {
-    foundOne = false;
-    for (const Index vertex : gaps)
-    {
-      foundOne |= field.nearestSeed(vertex) == NoIndex && takeSeedOfNeighbour(mesh, vertex, field);
-    }
-  }
+  takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
 }
 
 }
