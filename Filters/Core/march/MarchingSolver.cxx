@@ -33,6 +33,21 @@ double farthestOf(const DistanceField& field, Partition& partition)
   return *std::max_element(all.begin(), all.end());
 }
 
+/** Lets all pieces know the targets' distances after these were lowered without a march.
+ * Collective.
+ */
+void learnTargets(StopLimit& limit, Partition& partition)
+{
+  std::vector<double> least = limit.targetDistances();
+  const std::vector<double> all = partition.gather(least);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    double& known = least[i % least.size()];
+    known = std::min(known, all[i]);
+  }
+  limit.learn(least);
+}
+
 /** The seed of the neighbour through which a vertex is nearest, with the length through it; without
  * a seed if no neighbour has one. */
 StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
@@ -197,6 +212,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     finished = this->marchFrom(this->Dense.within(this->mesh(), request.front.labels, starts), cost,
       second, &this->Dense, limit, field);
     takeFirstMarch(this->mesh(), this->Dense, request.partition, field);
+    learnTargets(limit, request.partition);
   }
   this->Dense.clear();
   return finished;
