@@ -29,6 +29,7 @@ build_packages=(
 
 # What the tests and the checks of the sources need beside that.
 test_packages=(
+  ccache
   clang-14
   clang-format-14
   clang-tidy-14

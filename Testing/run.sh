@@ -64,6 +64,8 @@ check_labels()
 }
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
+# Several builds compile the same sources with the same flags: once is enough.
+export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1
 if [[ ${1-} == bench ]]; then
   case ${2-} in
     '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks) ;;

@@ -228,10 +228,11 @@ SCENES = (
     Scene("plane", plane, seeds=[(-0.3, -0.3, 0), (0.3, 0.25, 0), (-0.25, 0.3, 0), (0.4, -0.4, 0)],
           targets=[(-0.1, -0.35, 0), (0.1, 0.4, 0)], wall=(0, 0, 0), radius=0.08, step=(0, 1, 0), limit=0.3001,
           tolerances=((1e-9, 1e-9), (5e-2, 1e-2))),
-    Scene("Bunny", testing.bunny(),
+    # The truth of a row on all of the Bunny's points takes half a minute.
+    Scene("Bunny", simple.Decimate(Input=testing.bunny(), TargetReduction=0.78, PreserveTopology=1),
           seeds=[(0, 0.085, 0.058), (0.059, 0.055, 0.01), (-0.05, 0.15, 0), (-0.06, 0.12, 0.04)],
           targets=[(-0.03, 0.05, 0.05), (-0.07, 0.13, 0.03)], wall=(-0.02, 0.11, 0.04), radius=0.006, step=(0, 1, 0), limit=0.0502,
-          tolerances=((1.5e-2, 2e-3), (1.5e-2, 4e-3))),
+          tolerances=((2.5e-2, 4e-3), (2.5e-2, 7e-3))),
 )
 
 cases = {}
