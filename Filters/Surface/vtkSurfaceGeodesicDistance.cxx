@@ -236,7 +236,12 @@ void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
   for (vtkIdList* ids : { this->SeedPointIds.Get(), this->DestinationPointIds.Get() })
   {
     numbers.push_back(static_cast<double>(ids->GetNumberOfIds()));
-    numbers.insert(numbers.end(), ids->begin(), ids->end());
+    for (const vtkIdType id : *ids)
+    {
+      // A double does not hold all ids.
+      numbers.push_back(static_cast<double>(id / (vtkIdType{ 1 } << 32)));
+      numbers.push_back(static_cast<double>(id % (vtkIdType{ 1 } << 32)));
+    }
   }
   numbers.insert(numbers.end(),
     { static_cast<double>(this->DestinationMode), static_cast<double>(this->UseMaximumDistance),

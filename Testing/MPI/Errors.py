@@ -109,6 +109,12 @@ assert {"WaypointPositions", "StartPositions", "MaximumPathLength", "HeightOffse
 
 expect_success(torus, SeedPositions=SEED)
 expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
+# Ids that neither an int nor a double holds.
+LARGE = 2**60 + 1
+with_large_ids = harness.surface("torus", "slabs", LARGE)
+expect_success(with_large_ids, SeedPointIds=[LARGE])
+expect(f"Destination point id {LARGE + 1} ", with_large_ids, SeedPointIds=[LARGE], DestinationPointIds=[LARGE + 1])
+expect("same on all ranks", with_large_ids, SeedPointIds=[LARGE + 3 * harness.IS_FIRST])
 # The source is on one rank, or on all alike.
 expect_success(torus, SeedSource=simple.PointSource(Center=SEED, NumberOfPoints=5, Radius=0.1))
 

@@ -212,7 +212,10 @@ def make(output, surface, cut, with_ids=False, bad_rank=-1):
 
 
 def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
-    """One of as many parts of a surface as there are ranks, with arrays to compute with."""
+    """
+    One of as many parts of a surface as there are ranks, with arrays to compute with.
+    with_ids: whether there are global ids, 10, 13, 16, ...; or the first of them.
+    """
     points, cells = SURFACES[surface]()
     mine = np.flatnonzero(owners(points, cells, cut, ranks) == rank)
     used, corners = np.unique(cells[mine], return_inverse=True)
@@ -238,7 +241,8 @@ def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
     add(data.GetCellData(), "CellWall",
         ((np.abs(middles[:, 0] / size) < 0.05) & (middles[:, 1] > points[:, 1].mean())))
     if with_ids:
-        ids = numpy_to_vtkIdTypeArray((used * 3 + 10).astype(np.int64), deep=True)
+        first = 10 if with_ids is True else with_ids
+        ids = numpy_to_vtkIdTypeArray(used.astype(np.int64) * 3 + first, deep=True)
         ids.SetName("GlobalIds")
         data.GetPointData().SetGlobalIds(ids)
     return data

@@ -119,6 +119,21 @@ zeros = [(name, values_of(leaf, "GlobalPointIds")[values_of(leaf, "GeodesicDista
 assert {i for _, found in zeros for i in found} == {5}, zeros
 assert all(np.isfinite(values_of(leaf, "GeodesicDistance")).all() for leaf in leaves_of(by_id).values())
 
+# An id that neither an int nor a double holds.
+LARGE = 2**60 + 1
+shifted = output_of(ids).NewInstance()
+shifted.DeepCopy(output_of(ids))
+source = simple.TrivialProducer()
+source.GetClientSideObject().SetOutput(shifted)
+for leaf in leaves_of(source).values():
+    values_of(leaf, "GlobalPointIds")[:] += LARGE
+by_large_id = simple.GeodesicDistance(Input=source, SeedPointIds=[LARGE + 5], MergeCoincidentPoints=0)
+for name, leaf in leaves_of(by_id).items():
+    np.testing.assert_array_equal(
+        values_of(leaf, "GeodesicDistance"), values_of(leaves_of(by_large_id)[name], "GeodesicDistance"))
+testing.expect_error(
+    simple.GeodesicDistance(Input=source, SeedPointIds=[5]), "Seed point id 5", "GlobalPointIds")
+
 # --- Arrays: offered in the panel; one that a block lacks is named ---
 
 constant = simple.Calculator(Input=group, ResultArrayName="two", Function="2")

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/BlockNumbering.h"
 
+#include "input/ArrayValues.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <map>
@@ -48,7 +51,8 @@ vtkIdType BlockNumbering::idOfPoint(Index point) const
 {
   const Block& block = this->Blocks[this->blockOfPoint(point)];
   const Index own = point - block.firstPoint;
-  return block.ids ? static_cast<vtkIdType>(block.ids->GetComponent(own, 0)) : own;
+  // GetComponent() would make it a double, which does not hold all ids.
+  return block.ids ? static_cast<vtkIdType>(block.ids->GetVariantValue(own).ToTypeInt64()) : own;
 }
 
 unsigned int BlockNumbering::flatIndexOf(Index point) const
@@ -93,10 +97,14 @@ std::vector<std::vector<Index>> BlockNumbering::pointsWithIds(std::span<const vt
   {
     if (block.ids)
     {
-      const Index end = wanted.empty() ? block.firstPoint : block.firstPoint + block.numberOfPoints;
-      for (Index point = block.firstPoint; point < end; ++point)
+      std::vector<vtkIdType> own;
+      if (!wanted.empty())
       {
-        note(this->idOfPoint(point), point);
+        appendValues(block.ids, block.numberOfPoints, "GlobalPointIds", own);
+      }
+      for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        note(own[i], block.firstPoint + static_cast<Index>(i));
       }
       continue;
     }
