@@ -106,3 +106,22 @@ def path_length(segments):
     expect(all(GetRepresentation(source).Visibility for source in (path, path.Input)))
     path.UpdatePropertyInformation()
     return path.TotalLength
+
+
+def expect_bands(spacing):
+    """The active distances, those of FlatDistance.py, are drawn in bands of this width: each ring has its colour alone. The
+    marker of the seed hides a part of the first."""
+    renderer = GetActiveView().GetRenderer()
+    across = []
+    for x in (-0.5, 0.5):
+        renderer.SetWorldPoint(x, 0, 0, 1)
+        renderer.WorldToDisplay()
+        across.append(renderer.GetDisplayPoint()[0])
+    colors = GetColorTransferFunction("GeodesicDistance").GetClientSideObject()
+    for band in range(1, int(1 / spacing + 1e-9)):
+        inner, outer = spacing * band, spacing * (band + 1)
+        expected = np.pi / 4 * (outer**2 - inner**2) * (across[1] - across[0]) ** 2
+        rgb = [0.0] * 3
+        colors.GetColor((inner + outer) / 2, rgb)
+        found = pixels_of(*np.round(np.multiply(rgb, 255)) / 255, area="1000x520+330+205")
+        expect(abs(found - expected) < 0.03 * expected, spacing, band, found, expected)

@@ -56,6 +56,7 @@ ResultNumbers ResultNumbers::of(vtkSMProxy* filter, vtkSMPropertyGroup* group)
   {
     return result;
   }
+  result.value = values[0];
   const std::vector<double> middles = valuesOf(filter, group->GetProperty("Middles"));
   for (std::size_t i = 0; i + 2 < middles.size(); i += 3)
   {

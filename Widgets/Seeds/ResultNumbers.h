@@ -20,6 +20,8 @@ struct ResultNumbers
   /** The name and value of the number that sums it up, and the number of segments if there are any.
    */
   QString summary;
+  /** That number; 0 where there is none. */
+  double value = 0.0;
   /** The length of each segment from a row to the next; negative where no way joins them. */
   QVector<double> lengths;
   /** The point in the middle of each segment. */

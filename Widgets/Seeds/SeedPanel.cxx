@@ -208,6 +208,11 @@ void SeedPanel::setOthers(const QString& others)
   this->showHint();
 }
 
+void SeedPanel::addRow(QWidget* row)
+{
+  this->layout()->addWidget(row);
+}
+
 bool SeedPanel::hasLengthsInView() const
 {
   return this->LengthsInView->isChecked();

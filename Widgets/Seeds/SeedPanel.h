@@ -45,6 +45,8 @@ public:
   /** Shows whether the filter follows a drag. */
   void showLive(bool isLive);
   bool isLive() const;
+  /** Adds a widget below all others. */
+  void addRow(QWidget* row);
   /** Tells what counts beside the points of the table; see OtherSources. */
   void setOthers(const QString& others);
 

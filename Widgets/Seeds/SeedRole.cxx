@@ -28,6 +28,7 @@ SeedRole SeedRole::fromHints(vtkPVXMLElement* hints)
   {
     role.others = QString(others).split(' ', Qt::SkipEmptyParts);
   }
+  role.distances = element->GetAttribute("distances");
   int joined = 0;
   role.isJoined = element->GetScalarAttribute("joined", &joined) && joined != 0;
   return role;

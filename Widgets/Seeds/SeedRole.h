@@ -30,6 +30,8 @@ struct SeedRole
 
   /** The properties of the filter that also give such points. */
   QStringList others;
+  /** The property of the filter that names its array of distances; empty if it makes none. */
+  QByteArray distances;
 
   QString plural() const { return this->name + "s"; }
 

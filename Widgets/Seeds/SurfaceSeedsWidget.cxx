@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceSeedsWidget.h"
 
+#include "BandsRow.h"
 #include "LiveUpdate.h"
 #include "OtherSources.h"
 #include "PickHistory.h"
@@ -59,6 +60,8 @@ struct SurfaceSeedsWidget::Internals
   SeedTableModel Model;
   SeedPanel* Panel = nullptr;
   ResultNumbers Result;
+  /** Null if the filter makes no distances. */
+  BandsRow* Bands = nullptr;
   LiveUpdate Live;
   bool IsLive = false;
   OtherSources Others;
@@ -87,6 +90,13 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(my.Panel);
+  if (!my.Role.distances.isEmpty())
+  {
+    my.Bands = new BandsRow(proxy, my.Role.distances.constData(), my.Panel);
+    my.Bands->setObjectName("Bands");
+    my.Panel->addRow(my.Bands);
+    this->connect(my.Bands, &BandsRow::refused, my.Panel, &SeedPanel::complain);
+  }
   // A drag is finished only when the button is released.
   this->setChangeAvailableAsChangeFinished(false);
   this->connectPanel();
@@ -214,6 +224,10 @@ void SurfaceSeedsWidget::setView(pqView* view)
   pqPropertyGroupWidget::setView(view);
   Internals& my = *this->Internal;
   auto* renderView = qobject_cast<pqRenderView*>(view);
+  if (my.Bands)
+  {
+    my.Bands->setView(view);
+  }
   my.Panel->setPickable(renderView);
   if (renderView != my.View)
   {
@@ -418,6 +432,10 @@ void SurfaceSeedsWidget::showResult()
   my.Panel->showResult(my.Result);
   my.Panel->showLive(LiveUpdate::isWanted(my.Result.runTime));
   my.Model.setLengths(my.Result.lengths);
+  if (my.Bands)
+  {
+    my.Bands->showLargest(my.Result.value);
+  }
   this->showLabels();
 }
 
