@@ -9,12 +9,15 @@
 #include "vtkObjectFactory.h"
 
 #include "filter/ErrorMessage.h"
+#include "input/ArrayValues.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 using geodesic::Vector3;
@@ -27,7 +30,24 @@ struct Hit
 {
   double distance = std::numeric_limits<double>::infinity();
   Vector3 position;
+  double value = std::numeric_limits<double>::quiet_NaN();
 };
+
+/** The value of an array of points at a point of the mesh. */
+double valueAt(const geodesic::TriangleMesh& mesh, std::span<const double> values,
+  const geodesic::SurfacePoint& point)
+{
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    // A corner without weight may have no value.
+    if (point.weights[i] > 0.0)
+    {
+      sum += point.weights[i] * values[mesh.pointOfVertex(mesh.triangle(point.triangle)[i])];
+    }
+  }
+  return sum;
+}
 
 Vector3 nearestCorner(
   const geodesic::TriangleMesh& mesh, const geodesic::ClosestPointTree::Result& hit)
@@ -48,16 +68,16 @@ Hit nearestOfAllRanks(const Hit& mine)
   {
     return mine;
   }
-  const std::vector<double> sent{ mine.distance, mine.position.x, mine.position.y,
-    mine.position.z };
-  std::vector<double> received(4 * ranks);
-  controller->Gather(sent.data(), received.data(), 4, 0);
+  const std::vector<double> sent{ mine.distance, mine.position.x, mine.position.y, mine.position.z,
+    mine.value };
+  std::vector<double> received(5 * ranks);
+  controller->Gather(sent.data(), received.data(), 5, 0);
   Hit nearest = mine;
-  for (auto rank = received.begin(); rank != received.end(); rank += 4)
+  for (auto rank = received.begin(); rank != received.end(); rank += 5)
   {
     if (controller->GetLocalProcessId() == 0 && rank[0] < nearest.distance)
     {
-      nearest = { rank[0], { rank[1], rank[2], rank[3] } };
+      nearest = { rank[0], { rank[1], rank[2], rank[3] }, rank[4] };
     }
   }
   return nearest;
@@ -72,27 +92,36 @@ struct vtkSurfacePointPicker::Internals
   vtkMTimeType DataTime = 0;
   /** Null if the data have no faces. */
   std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::string ArrayName;
+  /** The array's value at each point of all blocks; empty if no array of that name is there. */
+  std::vector<double> Values;
 
   /** Builds the surface of the input's present data, unless it is there already. */
-  void prepare()
+  void prepare(const std::string& arrayName)
   {
     vtkDataObject* data = this->Input
       ? this->Input->GetProducer()->GetOutputDataObject(this->Input->GetIndex())
       : nullptr;
     const vtkMTimeType time = data ? data->GetMTime() : 0;
-    if (data == this->Data && time == this->DataTime)
+    if (data == this->Data && time == this->DataTime && arrayName == this->ArrayName)
     {
       return;
     }
     this->Surface = nullptr;
     this->Data = data;
     this->DataTime = time;
+    this->ArrayName = arrayName;
+    this->Values.clear();
     const geodesic::bridge::InputBlocks blocks(data);
     if (blocks.numberWithFaces() > 0)
     {
       // The same defaults as those of this module's filters, so that they share the surface.
       this->Surface = geodesic::bridge::InputSurface::of(
         blocks, geodesic::bridge::identityOf(blocks, true, true));
+      if (!arrayName.empty())
+      {
+        this->Values = geodesic::bridge::chosenArray(blocks, "ArrayName", arrayName, false).values;
+      }
     }
   }
 };
@@ -111,6 +140,8 @@ void vtkSurfacePointPicker::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SnapToPoint: " << this->SnapToPoint << "\n";
   os << indent << "Met a surface: " << this->Answer[0] << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "Value: " << this->Value << "\n";
 }
 
 void vtkSurfacePointPicker::SetInputConnection(vtkAlgorithmOutput* input)
@@ -122,6 +153,12 @@ void vtkSurfacePointPicker::SetInputConnection(vtkAlgorithmOutput* input)
   }
 }
 
+void vtkSurfacePointPicker::SetArrayName(const char* name)
+{
+  this->ArrayName = name ? name : "";
+  this->Modified();
+}
+
 void vtkSurfacePointPicker::Pick()
 {
   const Vector3 origin{ this->Origin[0], this->Origin[1], this->Origin[2] };
@@ -129,7 +166,7 @@ void vtkSurfacePointPicker::Pick()
   Hit nearest;
   try
   {
-    this->Internal->prepare();
+    this->Internal->prepare(this->ArrayName);
     const auto& surface = this->Internal->Surface;
     const auto hit =
       surface ? surface->closestPoints().firstOnRay(origin, direction) : std::nullopt;
@@ -137,6 +174,10 @@ void vtkSurfacePointPicker::Pick()
     {
       nearest = { hit->distance,
         this->SnapToPoint ? nearestCorner(*surface->mesh(), *hit) : hit->position };
+      if (!this->Internal->Values.empty())
+      {
+        nearest.value = valueAt(*surface->mesh(), this->Internal->Values, hit->point);
+      }
     }
   }
   catch (const std::exception& error)
@@ -150,4 +191,5 @@ void vtkSurfacePointPicker::Pick()
   this->Answer[1] = nearest.position.x;
   this->Answer[2] = nearest.position.y;
   this->Answer[3] = nearest.position.z;
+  this->Value = nearest.value;
 }

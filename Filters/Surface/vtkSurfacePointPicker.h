@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSurfacePointPicker
- * @brief Where a ray first meets the surface of a data set.
+ * @brief Where a ray first meets the surface of a data set, and the value of an array there.
  *
  * An interactive widget asks this class where the data are: on a server, on all of its ranks. The
  * answer lies on a face, up to rounding. The first pick on an input builds a search tree, which the
@@ -19,6 +19,7 @@
 #include "vtkSmartPointer.h" // For members
 
 #include <memory> // For members
+#include <string> // For members
 
 class vtkAlgorithmOutput;
 
@@ -56,6 +57,13 @@ public:
   ///@}
 
   /**
+   * The point array whose value at the answer is wanted, interpolated on the triangle. Default:
+   * none.
+   */
+  void SetArrayName(const char* name);
+  const char* GetArrayName() { return this->ArrayName.c_str(); }
+
+  /**
    * Sets the answer. Must be called on all ranks; the first rank then has the answer.
    */
   void Pick();
@@ -64,6 +72,10 @@ public:
    * 1 and x, y, z of the point, or four zeros if the ray misses.
    */
   vtkGetVector4Macro(Answer, double);
+  /**
+   * The value of the array at the answer; NaN if the ray misses, or the data have no such array.
+   */
+  vtkGetMacro(Value, double);
 
 protected:
   vtkSurfacePointPicker();
@@ -73,6 +85,8 @@ protected:
   double Direction[3] = { 0.0, 0.0, 1.0 };
   bool SnapToPoint = false;
   double Answer[4] = { 0.0, 0.0, 0.0, 0.0 };
+  double Value = 0.0;
+  std::string ArrayName;
 
 private:
   struct Internals;

@@ -5,9 +5,11 @@
 #include "Inputs.h"
 
 #include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSurfacePointPicker.h"
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
@@ -17,6 +19,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 using namespace geodesic::testing;
@@ -82,6 +86,37 @@ TEST_F(PointPicker, SnapsToTheNearestCornerOfTheFace)
   this->Picker->SnapToPointOn();
   EXPECT_EQ(this->pickFromAbove(2.1, 1.8), (Point{ 2.0, 2.0, 0.0 }));
   EXPECT_EQ(this->pickFromAbove(2.9, 1.2), (Point{ 3.0, 1.0, 0.0 }));
+}
+
+TEST_F(PointPicker, InterpolatesAnArrayOnTheFace)
+{
+  // A linear function is itself on every triangle.
+  const auto surface = square(5);
+  vtkNew<vtkDoubleArray> slope;
+  slope->SetName("Slope");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double* point = surface->GetPoint(i);
+    slope->InsertNextValue(2.0 * point[0] - point[1]);
+  }
+  surface->GetPointData()->AddArray(slope);
+  this->show(surface);
+  EXPECT_TRUE(this->pickFromAbove(2.25, 1.5));
+  EXPECT_TRUE(std::isnan(this->Picker->GetValue()));
+  this->Picker->SetArrayName("Slope");
+  EXPECT_TRUE(this->pickFromAbove(2.25, 1.5));
+  EXPECT_NEAR(this->Picker->GetValue(), 3.0, 1e-12);
+  EXPECT_FALSE(this->pickFromAbove(5.5, 1.5));
+  EXPECT_TRUE(std::isnan(this->Picker->GetValue()));
+
+  // A corner without a value leaves the opposite edge alone.
+  slope->SetValue(0, std::numeric_limits<double>::quiet_NaN());
+  slope->Modified();
+  this->show(surface);
+  EXPECT_TRUE(this->pickFromAbove(1.0, 0.5));
+  EXPECT_NEAR(this->Picker->GetValue(), 1.5, 1e-12);
+  EXPECT_TRUE(this->pickFromAbove(0.25, 0.25));
+  EXPECT_TRUE(std::isnan(this->Picker->GetValue()));
 }
 
 TEST_F(PointPicker, AnswersOnTheOutsideOfVolumes)

@@ -125,3 +125,18 @@ def expect_bands(spacing):
         colors.GetColor((inner + outer) / 2, rgb)
         found = pixels_of(*np.round(np.multiply(rgb, 255)) / 255, area="1000x520+330+205")
         expect(abs(found - expected) < 0.03 * expected, spacing, band, found, expected)
+
+
+def aim():
+    """Moves the camera so that 0 is drawn where the playback's pointer is at (0.5, 0.5): at whole pixels."""
+    view = GetActiveView()
+    renderer = view.GetRenderer()
+    width, height = view.GetRenderWindow().GetSize()
+    renderer.SetWorldPoint(0, 0, 0, 1)
+    renderer.WorldToDisplay()
+    renderer.SetDisplayPoint(width // 2, height - height // 2, renderer.GetDisplayPoint()[2])
+    renderer.DisplayToWorld()
+    x, y, _, w = renderer.GetWorldPoint()
+    view.CameraPosition = np.subtract(view.CameraPosition, [x / w, y / w, 0])
+    view.CameraFocalPoint = np.subtract(view.CameraFocalPoint, [x / w, y / w, 0])
+    Render()

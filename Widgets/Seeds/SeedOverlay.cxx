@@ -154,6 +154,29 @@ void SeedOverlay::setPreview(const std::optional<Preview>& preview)
   this->Shown = preview;
 }
 
+void SeedOverlay::setNote(const QString& text, const QPointF& place)
+{
+  this->update(this->rectOfNote().toAlignedRect());
+  this->Note = text;
+  this->NotePlace = place;
+  this->update(this->rectOfNote().toAlignedRect());
+}
+
+QRectF SeedOverlay::rectOfNote() const
+{
+  if (this->Note.isEmpty())
+  {
+    return {};
+  }
+  // To the right of the pointer and below it, but inside the view.
+  const QFontMetrics metrics = this->fontMetrics();
+  QRectF rect(this->NotePlace + QPointF(14.0, 14.0),
+    QSizeF(metrics.horizontalAdvance(this->Note) + 6.0, metrics.height() + 4.0));
+  rect.moveRight(std::min(rect.right(), this->width() - 2.0));
+  rect.moveBottom(std::min(rect.bottom(), this->height() - 2.0));
+  return rect;
+}
+
 QRectF SeedOverlay::rectOf(const Preview& preview) const
 {
   const double size = PreviewRadius + 4.0;
@@ -225,6 +248,10 @@ void SeedOverlay::paintEvent(QPaintEvent*)
   {
     this->drawPreview(painter);
   }
+  if (!this->Note.isEmpty())
+  {
+    this->drawNote(painter);
+  }
 }
 
 void SeedOverlay::drawLines(QPainter& painter) const
@@ -251,6 +278,13 @@ void SeedOverlay::drawLabels(QPainter& painter) const
       drawOutlined(painter, *label.place + QPointF(6.0, -6.0), this->LabelTexts[i]);
     }
   }
+}
+
+void SeedOverlay::drawNote(QPainter& painter) const
+{
+  const QRectF rect = this->rectOfNote();
+  drawOutlined(
+    painter, { rect.left() + 3.0, rect.top() + 2.0 + this->fontMetrics().ascent() }, this->Note);
 }
 
 void SeedOverlay::drawMarker(QPainter& painter, int row) const

@@ -48,6 +48,7 @@ struct Preview
 class SeedOverlay : public QWidget
 {
   Q_OBJECT
+  Q_PROPERTY(QString note READ note)
 
 public:
   SeedOverlay(pqRenderView* view, const SeedRole& role);
@@ -61,6 +62,9 @@ public:
   void setNumbered(bool isNumbered);
   /** Writes texts at points in the coordinates of the view, where nothing is in front of them. */
   void setLabels(const QVector<Position>& points, const QStringList& texts);
+  /** Writes a text beside the pointer; an empty one for none. */
+  void setNote(const QString& text, const QPointF& place);
+  QString note() const { return this->Note; }
   void setJoined(bool isJoined);
   void setPreview(const std::optional<Preview>& preview);
   /** Sets the row that a click would remove; -1 for none. */
@@ -87,9 +91,11 @@ private:
 
   void place();
   QRectF rectOf(const Preview& preview) const;
+  QRectF rectOfNote() const;
   void drawLines(QPainter& painter) const;
   void drawMarker(QPainter& painter, int row) const;
   void drawLabels(QPainter& painter) const;
+  void drawNote(QPainter& painter) const;
   void drawPreview(QPainter& painter) const;
 
   QPointer<pqRenderView> View;
@@ -105,6 +111,8 @@ private:
   bool IsJoined = false;
   int DoomedRow = -1;
   std::optional<Preview> Shown;
+  QString Note;
+  QPointF NotePlace;
 };
 
 }

@@ -33,6 +33,7 @@ namespace
 
 constexpr const char* NumbersSetting = "SurfaceSeeds/ShowNumbers";
 constexpr const char* LengthsSetting = "SurfaceSeeds/ShowLengths";
+constexpr const char* DistanceSetting = "SurfaceSeeds/ShowDistanceAtPointer";
 
 /** Makes an icon that looks like the preview at the pointer. */
 QIcon targetIcon(const QColor& color)
@@ -218,6 +219,11 @@ bool SeedPanel::hasLengthsInView() const
   return this->LengthsInView->isChecked();
 }
 
+bool SeedPanel::hasDistanceAtPointer() const
+{
+  return this->DistanceAtPointer->isVisible() && this->DistanceAtPointer->isChecked();
+}
+
 QMenu* SeedPanel::buildMenu()
 {
   auto* menu = new QMenu(this);
@@ -233,6 +239,9 @@ QMenu* SeedPanel::buildMenu()
   this->Numbers = this->addChoice(menu, "Numbers", NumbersSetting, tr("Show Numbers"));
   this->LengthsInView =
     this->addChoice(menu, "Lengths", LengthsSetting, tr("Show Lengths In View"));
+  this->DistanceAtPointer =
+    this->addChoice(menu, "DistanceAtPointer", DistanceSetting, tr("Show Distance At Pointer"));
+  this->DistanceAtPointer->setVisible(!this->Role.distances.isEmpty());
 
   this->connect(this->Copy, &QAction::triggered, this->Table, &SeedTableView::copy);
   this->connect(paste, &QAction::triggered, this->Table, &SeedTableView::paste);
@@ -241,6 +250,8 @@ QMenu* SeedPanel::buildMenu()
   this->connect(this->FromSelection, &QAction::triggered, this, &SeedPanel::addFromSelection);
   this->connect(this->Numbers, &QAction::toggled, this, &SeedPanel::numbersToggled);
   this->connect(this->LengthsInView, &QAction::toggled, this, &SeedPanel::lengthsToggled);
+  this->connect(
+    this->DistanceAtPointer, &QAction::toggled, this, &SeedPanel::distanceAtPointerToggled);
   this->connect(menu, &QMenu::aboutToShow, this, &SeedPanel::prepareMenu);
   return menu;
 }

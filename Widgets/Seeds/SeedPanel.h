@@ -40,6 +40,8 @@ public:
   bool isNumbered() const;
   /** Whether the lengths of segments are written in the view. */
   bool hasLengthsInView() const;
+  /** Whether the distance under the pointer is written in the view. */
+  bool hasDistanceAtPointer() const;
   /** Shows what the filter's last run has measured; nothing if @p result is empty. */
   void showResult(const ResultNumbers& result);
   /** Shows whether the filter follows a drag. */
@@ -60,6 +62,7 @@ Q_SIGNALS:
   void pickToggled(bool isOn);
   void numbersToggled(bool isOn);
   void lengthsToggled(bool isOn);
+  void distanceAtPointerToggled(bool isOn);
   void addRequested();
 
 private:
@@ -97,6 +100,7 @@ private:
   QAction* FromSelection = nullptr;
   QAction* Numbers = nullptr;
   QAction* LengthsInView = nullptr;
+  QAction* DistanceAtPointer = nullptr;
 };
 
 }

@@ -88,6 +88,7 @@ bool SeedPicker::eventFilter(QObject* object, QEvent* event)
       return this->release(static_cast<QMouseEvent*>(event));
     case QEvent::Leave:
       this->forgetPreview();
+      Q_EMIT this->pointedAway();
       return false;
     case QEvent::ShortcutOverride:
       // Otherwise ParaView's menu has the key, and there is no key press.
@@ -146,6 +147,7 @@ bool SeedPicker::press(QMouseEvent* event)
   if (event->button() != Qt::LeftButton)
   {
     this->forgetPreview();
+    Q_EMIT this->pointedAway();
     return false;
   }
   const bool isRemoval = this->IsPicking && (event->modifiers() & Qt::ShiftModifier);
@@ -159,6 +161,7 @@ bool SeedPicker::press(QMouseEvent* event)
   }
   if (!this->IsPicking)
   {
+    Q_EMIT this->pointedAway();
     return false;
   }
   // A click must not reach the view, which would draw the scene twice. The press of a drag is
@@ -178,6 +181,7 @@ bool SeedPicker::move(QMouseEvent* event)
     {
       Q_EMIT this->dragged(this->DraggedRow, *probed.point);
     }
+    Q_EMIT this->pointed(event->localPos());
     return true;
   }
   if (this->Held)
@@ -192,6 +196,7 @@ bool SeedPicker::move(QMouseEvent* event)
   else if (event->buttons() == Qt::NoButton)
   {
     this->preview(event->localPos(), event->modifiers());
+    Q_EMIT this->pointed(event->localPos());
   }
   return false;
 }
@@ -230,6 +235,7 @@ void SeedPicker::passPressOn()
 {
   const auto held = std::move(this->Held);
   this->forgetPreview();
+  Q_EMIT this->pointedAway();
   this->IsPassingOn = true;
   QApplication::sendEvent(this->Widget, held.get());
   this->IsPassingOn = false;

@@ -43,6 +43,10 @@ Q_SIGNALS:
   void dragStarted(int row);
   void dragged(int row, const seeds::Position& point);
   void dragFinished(int row);
+  /** The pointer moved over the view without turning the camera, or a marker with it. */
+  void pointed(const QPointF& place);
+  /** The pointer does something else now. */
+  void pointedAway();
   /** Nothing was picked, for the given reason. */
   void refused(const QString& reason);
   /** The user pressed Escape to stop picking. */

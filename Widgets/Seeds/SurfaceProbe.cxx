@@ -31,15 +31,35 @@ Ray transformedRay(vtkMatrix4x4* matrix, const Ray& ray)
   return { origin, transformed(matrix, ray.origin + ray.direction) - origin };
 }
 
+/** Has a proxy SurfacePointPicker answer; none where the ray misses. */
+std::optional<Position> pick(vtkSMProxy* picker, const Ray& ray)
+{
+  vtkSMPropertyHelper(picker, "Origin").Set(ray.origin.data(), 3);
+  vtkSMPropertyHelper(picker, "Direction").Set(ray.direction.data(), 3);
+  picker->UpdateVTKObjects();
+  picker->InvokeCommand("Pick");
+  picker->UpdatePropertyInformation(picker->GetProperty("Answer"));
+  std::array<double, 4> answer{};
+  vtkSMPropertyHelper(picker, "Answer").Get(answer.data(), 4);
+  if (answer[0] == 0.0)
+  {
+    return {};
+  }
+  return Position{ answer[1], answer[2], answer[3] };
+}
+
 }
 
 SurfaceProbe::SurfaceProbe(vtkSMProxy* filter, const ShownSurface& surface)
   : Surface(surface)
+  , Filter(filter)
 {
   SCOPED_UNDO_EXCLUDE();
-  this->Picker.TakeReference(
-    filter->GetSessionProxyManager()->NewProxy("misc", "SurfacePointPicker"));
-  this->Picker->PrototypeOn();
+  for (vtkSmartPointer<vtkSMProxy>* proxy : { &this->Picker, &this->Meter })
+  {
+    proxy->TakeReference(filter->GetSessionProxyManager()->NewProxy("misc", "SurfacePointPicker"));
+    (*proxy)->PrototypeOn();
+  }
 }
 
 Probed SurfaceProbe::at(pqRenderView* view, const QPointF& place, Snap snap, Care care)
@@ -52,21 +72,17 @@ Probed SurfaceProbe::at(pqRenderView* view, const QPointF& place, Snap snap, Car
   {
     return { {}, tr("The surface is hidden in this view") };
   }
-  const Ray ray = ViewGeometry(view).rayThrough(place);
-  const auto placement = this->Surface.placementIn(view);
-  vtkNew<vtkMatrix4x4> toData;
-  vtkMatrix4x4::Invert(placement, toData);
-  const Ray rayInData = transformedRay(toData, ray);
-  const auto met = this->ask(rayInData, Snap::ToSurface);
+  const Ray ray = this->rayThrough(view, place);
+  const auto met = this->ask(ray, Snap::ToSurface);
   if (!met)
   {
     return { {}, tr("The surface is not here"), true };
   }
-  if (this->isCovered(view, place, transformed(placement, *met), care))
+  if (this->isCovered(view, place, transformed(this->Surface.placementIn(view), *met), care))
   {
     return { {}, tr("Another surface is in front") };
   }
-  return { snap == Snap::ToMeshPoint ? this->ask(rayInData, snap) : met, {} };
+  return { snap == Snap::ToMeshPoint ? this->ask(ray, snap) : met, {} };
 }
 
 std::optional<QPointF> SurfaceProbe::placeOf(pqRenderView* view, const Position& point) const
@@ -80,19 +96,35 @@ std::optional<Position> SurfaceProbe::ask(const Ray& ray, Snap snap)
   pqOutputPort* input = this->Surface.inputPort();
   vtkSMPropertyHelper(this->Picker, "Input")
     .Set(input->getSource()->getProxy(), static_cast<unsigned int>(input->getPortNumber()));
-  vtkSMPropertyHelper(this->Picker, "Origin").Set(ray.origin.data(), 3);
-  vtkSMPropertyHelper(this->Picker, "Direction").Set(ray.direction.data(), 3);
   vtkSMPropertyHelper(this->Picker, "SnapToPoint").Set(snap == Snap::ToMeshPoint ? 1 : 0);
-  this->Picker->UpdateVTKObjects();
-  this->Picker->InvokeCommand("Pick");
-  this->Picker->UpdatePropertyInformation(this->Picker->GetProperty("Answer"));
-  std::array<double, 4> answer{};
-  vtkSMPropertyHelper(this->Picker, "Answer").Get(answer.data(), 4);
-  if (answer[0] == 0.0)
+  return pick(this->Picker, ray);
+}
+
+Ray SurfaceProbe::rayThrough(pqRenderView* view, const QPointF& place) const
+{
+  vtkNew<vtkMatrix4x4> toData;
+  vtkMatrix4x4::Invert(this->Surface.placementIn(view), toData);
+  return transformedRay(toData, ViewGeometry(view).rayThrough(place));
+}
+
+std::optional<double> SurfaceProbe::valueAt(
+  pqRenderView* view, const QPointF& place, const QByteArray& arrayName)
+{
+  if (!this->Surface.inputPort() || !this->Surface.representationIn(view))
   {
     return {};
   }
-  return Position{ answer[1], answer[2], answer[3] };
+  SCOPED_UNDO_EXCLUDE();
+  vtkSMPropertyHelper(this->Meter, "Input").Set(this->Filter.Get());
+  vtkSMPropertyHelper(this->Meter, "ArrayName").Set(arrayName.constData());
+  const auto met = pick(this->Meter, this->rayThrough(view, place));
+  if (!met ||
+    this->isCovered(view, place, transformed(this->Surface.placementIn(view), *met), Care::Preview))
+  {
+    return {};
+  }
+  this->Meter->UpdatePropertyInformation(this->Meter->GetProperty("Value"));
+  return vtkSMPropertyHelper(this->Meter, "Value").GetAsDouble();
 }
 
 bool SurfaceProbe::isCovered(

@@ -26,8 +26,9 @@ struct Probed
 };
 
 /**
- * Finds the point of a filter's surface under the pointer. The server finds where the ray from the
- * camera meets the surface; what a view has drawn tells whether something else is in front.
+ * Finds the point of a filter's surface under the pointer, and the filter's distance there. The
+ * server finds where the ray from the camera meets the surface; what a view has drawn tells whether
+ * something else is in front.
  */
 class SurfaceProbe
 {
@@ -50,17 +51,27 @@ public:
     Pick
   };
 
+  /**
+   * What an array of points of the filter's output has at a place of the view; none where the
+   * pointer is beside the surface or something is in front. NaN where the array has no value.
+   */
+  std::optional<double> valueAt(
+    pqRenderView* view, const QPointF& place, const QByteArray& arrayName);
   Probed at(pqRenderView* view, const QPointF& place, Snap snap, Care care);
   /** The place where a view draws a point of the data; none if the point is behind the camera. */
   std::optional<QPointF> placeOf(pqRenderView* view, const Position& point) const;
 
 private:
   std::optional<Position> ask(const Ray& ray, Snap snap);
+  Ray rayThrough(pqRenderView* view, const QPointF& place) const;
   bool isCovered(pqRenderView* view, const QPointF& place, const Position& point, Care care) const;
 
   ShownSurface Surface;
-  /** The proxy SurfacePointPicker. */
+  vtkSmartPointer<vtkSMProxy> Filter;
+  /** Proxies SurfacePointPicker: one for the filter's input, and one for its output, as each keeps
+   * the surface of its data. */
   vtkSmartPointer<vtkSMProxy> Picker;
+  vtkSmartPointer<vtkSMProxy> Meter;
 };
 
 }

@@ -26,12 +26,16 @@
 #include "vtkMatrix4x4.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QPointer>
 #include <QVBoxLayout>
+
+#include <cmath>
+#include <optional>
 
 using namespace seeds;
 
@@ -64,6 +68,8 @@ struct SurfaceSeedsWidget::Internals
   BandsRow* Bands = nullptr;
   LiveUpdate Live;
   bool IsLive = false;
+  /** Where the pointer is in the view; none if it is not there, or does something else. */
+  std::optional<QPointF> Pointer;
   OtherSources Others;
   PickHistory Picks;
   /** The shortcuts of P and Ctrl+P. Enabling or disabling one does the same to the other. */
@@ -147,6 +153,8 @@ void SurfaceSeedsWidget::connectPanel()
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::showLines);
   this->connect(my.Panel, &SeedPanel::lengthsToggled, this, &SurfaceSeedsWidget::showLabels);
+  this->connect(
+    my.Panel, &SeedPanel::distanceAtPointerToggled, this, &SurfaceSeedsWidget::showDistance);
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::dataUpdated, this,
     [this](pqPipelineSource* source)
@@ -307,6 +315,18 @@ void SurfaceSeedsWidget::connectPicker()
   this->connect(picker, &SeedPicker::dragStarted, this, &SurfaceSeedsWidget::startDrag);
   this->connect(picker, &SeedPicker::dragged, this, &SurfaceSeedsWidget::drag);
   this->connect(picker, &SeedPicker::dragFinished, this, &SurfaceSeedsWidget::finishDrag);
+  this->connect(picker, &SeedPicker::pointed, this,
+    [this](const QPointF& place)
+    {
+      this->Internal->Pointer = place;
+      this->showDistance();
+    });
+  this->connect(picker, &SeedPicker::pointedAway, this,
+    [this]
+    {
+      this->Internal->Pointer.reset();
+      this->showDistance();
+    });
   this->connect(picker, &SeedPicker::refused, my.Panel, &SeedPanel::complain);
   this->connect(picker, &SeedPicker::escaped, this, [&my] { my.Panel->setPicking(false); });
 }
@@ -437,6 +457,27 @@ void SurfaceSeedsWidget::showResult()
     my.Bands->showLargest(my.Result.value);
   }
   this->showLabels();
+  this->showDistance();
+}
+
+void SurfaceSeedsWidget::showDistance()
+{
+  Internals& my = *this->Internal;
+  if (!my.Overlay || !my.View)
+  {
+    return;
+  }
+  std::optional<double> distance;
+  if (my.Pointer && my.Panel->hasDistanceAtPointer())
+  {
+    const QByteArray array =
+      vtkSMPropertyHelper(this->proxy(), my.Role.distances.constData()).GetAsString();
+    distance = array.isEmpty() ? std::nullopt : my.Probe.valueAt(my.View, *my.Pointer, array);
+  }
+  const QString text = !distance ? QString()
+    : std::isnan(*distance)      ? tr("no distance")
+                                 : lengthText(*distance);
+  my.Overlay->setNote(text, my.Pointer.value_or(QPointF()));
 }
 
 void SurfaceSeedsWidget::showLabels()

@@ -83,6 +83,8 @@ private:
   /** Shows what the filter's last run has measured. */
   void showResult();
   void showLabels();
+  /** Writes the distance under the pointer beside it, if the user wants that. */
+  void showDistance();
   /** Takes away what was measured for other points than those in the table. */
   void forgetLengths();
   /** Lets Ctrl+Z in the view take back the last pick if nothing has followed it. */
