@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSurfacePointPicker: rays onto data of every kind, on planes where the answer is known.
+// vtkNearestOnLines.
 
 #include "Inputs.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNearestOnLines.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSurfacePointPicker.h"
@@ -153,6 +158,47 @@ TEST_F(PointPicker, NoticesThatTheInputHasChanged)
   vtkNew<vtkPolyData> nothing;
   this->show(nothing);
   EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+}
+
+TEST(NearestOnLines, AnswersWithTheLineAndThePointOnIt)
+{
+  // From (0, 0) to (4, 0), of number 7, and from (0, 3) over (4, 3) to (4, 5), of number 2.
+  vtkNew<vtkPoints> points;
+  for (const Point& point :
+    { Point{ 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 }, { 4, 3, 0 }, { 4, 5, 0 } })
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  lines->InsertNextCell({ 2, 3, 4 });
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  numbers->InsertNextValue(7);
+  numbers->InsertNextValue(2);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetCellData()->AddArray(numbers);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(data);
+
+  vtkNew<vtkNearestOnLines> nearest;
+  const auto answerAt = [&](double x, double y)
+  {
+    nearest->SetPosition(x, y, 1.0);
+    nearest->Find();
+    const double* answer = nearest->GetAnswer();
+    return std::array<double, 4>{ answer[0], answer[1], answer[2], answer[3] };
+  };
+  const std::array<double, 4> nothing{ -1, 0, 0, 0 };
+  EXPECT_EQ(answerAt(1, 1), nothing);
+  nearest->SetInputConnection(producer->GetOutputPort());
+  EXPECT_EQ(answerAt(1, 1), nothing);
+  nearest->SetArrayName("Number");
+  EXPECT_EQ(answerAt(1, 1), (std::array<double, 4>{ 7, 1, 0, 0 }));
+  EXPECT_EQ(answerAt(-3, 1), (std::array<double, 4>{ 7, 0, 0, 0 }));
+  EXPECT_EQ(answerAt(5, 4.5), (std::array<double, 4>{ 2, 4, 4.5, 0 }));
 }
 
 TEST_F(PointPicker, WithoutInputThereIsNoAnswer)

@@ -328,6 +328,13 @@ void SeedOverlay::drawPreview(QPainter& painter) const
       path.addRect(QRectF(center - QPointF(PreviewRadius, PreviewRadius),
         QSizeF(2.0 * PreviewRadius, 2.0 * PreviewRadius)));
       break;
+    case Preview::OnPath:
+      path.addEllipse(center, PreviewRadius, PreviewRadius);
+      path.moveTo(center - QPointF(PreviewRadius, 0.0));
+      path.lineTo(center + QPointF(PreviewRadius, 0.0));
+      path.moveTo(center - QPointF(0.0, PreviewRadius));
+      path.lineTo(center + QPointF(0.0, PreviewRadius));
+      break;
     case Preview::Refused:
       path.addEllipse(center, PreviewRadius, PreviewRadius);
       path.moveTo(center + QPointF(-0.7, 0.7) * PreviewRadius);

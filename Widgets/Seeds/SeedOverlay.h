@@ -26,6 +26,7 @@ struct Preview
   {
     OnSurface,
     AtMeshPoint,
+    OnPath,
     Refused
   };
   Kind kind;

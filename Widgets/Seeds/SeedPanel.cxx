@@ -26,6 +26,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace seeds
 {
 namespace
@@ -294,29 +296,53 @@ void SeedPanel::updateButtons()
   this->Save->setEnabled(hasRows);
 }
 
+void SeedPanel::setOffer(const Offer& offer)
+{
+  this->AtPointer = offer;
+  this->showHint();
+}
+
 void SeedPanel::showHint()
 {
+  this->Hint->setText(this->hintText());
+  // What is below must not jump while the pointer moves over points and paths.
+  const int height = this->Hint->heightForWidth(this->Hint->width());
+  this->Hint->setMinimumHeight(
+    this->isPicking() ? std::max(height, this->Hint->minimumHeight()) : 0);
+}
+
+QString SeedPanel::hintText() const
+{
+  const int row = this->AtPointer.row;
+  if (this->AtPointer.kind == Offer::Insert)
+  {
+    const int next = row < this->Model->numberOfPoints() ? row : 0;
+    return tr("<b>Click</b>: insert a %1 between %2 and %3.")
+      .arg(this->Role.name)
+      .arg(row - 1)
+      .arg(next);
+  }
+  if (this->AtPointer.kind == Offer::Move)
+  {
+    return (this->isPicking() ? tr("<b>Drag</b>: move %1 %2. <b>Shift+click</b>: remove it.")
+                              : tr("<b>Drag</b>: move %1 %2. <b>Click, Delete</b>: remove it."))
+      .arg(this->Role.name)
+      .arg(row);
+  }
   if (this->isPicking())
   {
-    this->Hint->setText(
-      tr("<b>Click</b>: add. <b>Ctrl+click</b>: at a mesh point. <b>Shift+click</b>: remove. "
-         "<b>Ctrl+Z</b>: take the last back. <b>Esc</b>: end."));
+    return tr("<b>Click</b>: add. <b>Ctrl+click</b>: at a mesh point. <b>Shift+click</b>: remove. "
+              "<b>Ctrl+Z</b>: take the last back. <b>Esc</b>: end.");
   }
-  else if (this->Model->rowCount() == 0 && !this->Others.isEmpty())
+  if (this->Model->rowCount() == 0)
   {
-    this->Hint->setText(tr("What counts: %1.").arg(this->Others.toHtmlEscaped()));
+    return this->Others.isEmpty()
+      ? tr("No %1 picked yet: press <b>Pick %2</b>, then click on the surface.")
+          .arg(this->Role.name, this->Role.plural())
+      : tr("What counts: %1.").arg(this->Others.toHtmlEscaped());
   }
-  else if (this->Model->rowCount() == 0)
-  {
-    this->Hint->setText(tr("No %1 picked yet: press <b>Pick %2</b>, then click on the surface.")
-                          .arg(this->Role.name, this->Role.plural()));
-  }
-  else
-  {
-    const QString drag = tr("Drag a %1 in the view to move it.").arg(this->Role.name);
-    this->Hint->setText(
-      this->Others.isEmpty() ? drag : tr("%1 Also: %2.").arg(drag, this->Others.toHtmlEscaped()));
-  }
+  const QString drag = tr("Drag a %1 in the view to move it.").arg(this->Role.name);
+  return this->Others.isEmpty() ? drag : tr("%1 Also: %2.").arg(drag, this->Others.toHtmlEscaped());
 }
 
 void SeedPanel::complain(const QString& reason)

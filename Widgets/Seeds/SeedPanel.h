@@ -5,6 +5,7 @@
 
 #include "Position.h"
 #include "ResultNumbers.h"
+#include "SeedPicker.h"
 #include "SeedRole.h"
 
 #include <QVector>
@@ -52,6 +53,9 @@ public:
   /** Tells what counts beside the points of the table; see OtherSources. */
   void setOthers(const QString& others);
 
+  /** Shows what the mouse does at the pointer. */
+  void setOffer(const Offer& offer);
+
 public Q_SLOTS:
   /** Shows why a request was not carried out. */
   void complain(const QString& reason);
@@ -66,6 +70,7 @@ Q_SIGNALS:
   void addRequested();
 
 private:
+  QString hintText() const;
   QLayout* buildButtons();
   QLayout* buildResult();
   /** A choice of the menu that is kept among ParaView's settings. */
@@ -86,6 +91,7 @@ private:
   QPushButton* Toggle = nullptr;
   QLabel* Hint = nullptr;
   QString Others;
+  Offer AtPointer;
   QLabel* Error = nullptr;
   QCheckBox* Live = nullptr;
   QLabel* ResultText = nullptr;

@@ -24,8 +24,10 @@ Snap snapOf(Qt::KeyboardModifiers modifiers)
 
 }
 
-SeedPicker::SeedPicker(SurfaceProbe& probe, pqRenderView* view, SeedOverlay* overlay)
+SeedPicker::SeedPicker(
+  SurfaceProbe& probe, const PathProbe& path, pqRenderView* view, SeedOverlay* overlay)
   : Probe(probe)
+  , Path(path)
   , View(view)
   , Overlay(overlay)
   , Widget(drawingWidgetOf(view))
@@ -247,7 +249,16 @@ void SeedPicker::pick(const QPointF& place, Snap snap)
   const Probed probed = this->Probe.at(this->View, place, snap, Care::Pick);
   if (probed.point)
   {
-    Q_EMIT this->picked(*probed.point);
+    const auto onPath =
+      snap == Snap::ToSurface ? this->Path.at(this->View, place, *probed.point) : std::nullopt;
+    if (onPath)
+    {
+      Q_EMIT this->inserted(onPath->row, onPath->point);
+    }
+    else
+    {
+      Q_EMIT this->picked(*probed.point);
+    }
     return;
   }
   this->Overlay->setPreview(Preview{ Preview::Refused, place, probed.reason });
@@ -260,6 +271,7 @@ void SeedPicker::preview(const QPointF& place, Qt::KeyboardModifiers modifiers)
   const int row = this->Overlay->rowAt(place);
   this->Overlay->setDoomedRow(isRemoval ? row : -1);
   this->showHand(row >= 0 && !isRemoval);
+  this->offer(row >= 0 && !isRemoval ? Offer{ Offer::Move, row } : Offer());
   if (row >= 0 || isRemoval || !this->IsPicking)
   {
     this->Overlay->setPreview({});
@@ -275,6 +287,15 @@ void SeedPicker::preview(const QPointF& place, Qt::KeyboardModifiers modifiers)
   if (!probed.point)
   {
     this->Overlay->setPreview(Preview{ Preview::Refused, place, probed.reason });
+    return;
+  }
+  const auto onPath =
+    snap == Snap::ToSurface ? this->Path.at(this->View, place, *probed.point) : std::nullopt;
+  if (onPath)
+  {
+    this->offer({ Offer::Insert, onPath->row });
+    this->Overlay->setPreview(Preview{
+      Preview::OnPath, this->Probe.placeOf(this->View, onPath->point).value_or(place), {} });
     return;
   }
   const auto drawn = this->Probe.placeOf(this->View, *probed.point);
@@ -304,8 +325,18 @@ void SeedPicker::showHand(bool isOverMarker)
   }
 }
 
+void SeedPicker::offer(const Offer& offer)
+{
+  if (!(offer == this->Offered))
+  {
+    this->Offered = offer;
+    Q_EMIT this->offered(offer);
+  }
+}
+
 void SeedPicker::forgetPreview()
 {
+  this->offer({});
   if (this->Overlay)
   {
     this->Overlay->setPreview({});

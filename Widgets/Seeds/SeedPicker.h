@@ -3,6 +3,7 @@
 #ifndef seeds_SeedPicker_h
 #define seeds_SeedPicker_h
 
+#include "PathProbe.h"
 #include "SeedOverlay.h"
 #include "SurfaceProbe.h"
 
@@ -17,17 +18,37 @@ class pqRenderView;
 namespace seeds
 {
 
+/** What the mouse does at a place that is more than what it does everywhere. */
+struct Offer
+{
+  enum Kind
+  {
+    Nothing,
+    /** A click inserts a point on the path before a row. */
+    Insert,
+    /** A drag moves the point of a row. */
+    Move
+  };
+  Kind kind = Nothing;
+  int row = -1;
+
+  bool operator==(const Offer& other) const
+  {
+    return this->kind == other.kind && this->row == other.row;
+  }
+};
+
 /**
- * Turns mouse gestures in a render view into points. While picking is on, a click adds a point, and
- * a click with Shift removes one. A marker can always be dragged. All other gestures reach the
- * view.
+ * Turns mouse gestures in a render view into points. While picking is on, a click adds a point, on
+ * the path between two points one between them, and a click with Shift removes one. A marker can
+ * always be dragged. All other gestures reach the view.
  */
 class SeedPicker : public QObject
 {
   Q_OBJECT
 
 public:
-  SeedPicker(SurfaceProbe& probe, pqRenderView* view, SeedOverlay* overlay);
+  SeedPicker(SurfaceProbe& probe, const PathProbe& path, pqRenderView* view, SeedOverlay* overlay);
   ~SeedPicker() override;
 
   void setPicking(bool isOn);
@@ -39,10 +60,14 @@ public:
 
 Q_SIGNALS:
   void picked(const seeds::Position& point);
+  /** A point of the path was picked, for a new row. */
+  void inserted(int row, const seeds::Position& point);
   void removed(int row);
   void dragStarted(int row);
   void dragged(int row, const seeds::Position& point);
   void dragFinished(int row);
+  /** What the mouse would do has changed. */
+  void offered(const seeds::Offer& offer);
   /** The pointer moved over the view without turning the camera, or a marker with it. */
   void pointed(const QPointF& place);
   /** The pointer does something else now. */
@@ -68,6 +93,7 @@ private:
   /** Shows what a click would do. */
   void preview(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void forgetPreview();
+  void offer(const Offer& offer);
   /**
    * Shows the hand cursor over a marker. The cursor is changed only when the pointer enters or
    * leaves a marker, because others set the cursor, too.
@@ -77,6 +103,7 @@ private:
   void passPressOn();
 
   SurfaceProbe& Probe;
+  const PathProbe& Path;
   QPointer<pqRenderView> View;
   QPointer<SeedOverlay> Overlay;
   QPointer<QWidget> Widget;
@@ -84,6 +111,7 @@ private:
   bool HasHand = false;
   bool IsUndoable = false;
   int DraggedRow = -1;
+  Offer Offered;
   /** A press that may become a click. */
   std::unique_ptr<QMouseEvent> Held;
   bool IsPassingOn = false;

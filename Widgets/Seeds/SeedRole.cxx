@@ -29,6 +29,7 @@ SeedRole SeedRole::fromHints(vtkPVXMLElement* hints)
     role.others = QString(others).split(' ', Qt::SkipEmptyParts);
   }
   role.distances = element->GetAttribute("distances");
+  role.segments = element->GetAttribute("segments");
   int joined = 0;
   role.isJoined = element->GetScalarAttribute("joined", &joined) && joined != 0;
   return role;

@@ -32,6 +32,9 @@ struct SeedRole
   QStringList others;
   /** The property of the filter that names its array of distances; empty if it makes none. */
   QByteArray distances;
+  /** The cell array that numbers the segments of a path through the points; empty if there is none.
+   */
+  QByteArray segments;
 
   QString plural() const { return this->name + "s"; }
 

@@ -107,6 +107,14 @@ void SeedTableModel::append(const QVector<Position>& points)
   this->edit(values);
 }
 
+void SeedTableModel::insert(int row, const Position& point)
+{
+  QVector<double> values = this->Values.mid(0, 3 * row);
+  values += QVector<double>(point.begin(), point.end());
+  values += this->Values.mid(3 * row);
+  this->edit(values);
+}
+
 void SeedTableModel::removeRows(const QVector<int>& rows)
 {
   QVector<double> values;

@@ -40,6 +40,7 @@ public:
   ///@{
   /** Edits. Each call emits edited() once. */
   void append(const QVector<Position>& points);
+  void insert(int row, const Position& point);
   void removeRows(const QVector<int>& rows);
   /** Moves rows so that they stand before the row @p to and keep their order. */
   void moveRows(const QVector<int>& rows, int to);

@@ -5,6 +5,7 @@
 #include "BandsRow.h"
 #include "LiveUpdate.h"
 #include "OtherSources.h"
+#include "PathProbe.h"
 #include "PickHistory.h"
 #include "ResultNumbers.h"
 #include "SeedOverlay.h"
@@ -53,6 +54,7 @@ struct SurfaceSeedsWidget::Internals
     : Role(SeedRole::fromHints(group->GetHints()))
     , Surface(proxy, group->GetProperty("Input"))
     , Probe(proxy, this->Surface)
+    , Path(proxy, this->Surface, this->Role.segments)
     , Live(proxy, property)
     , Others(proxy, this->Role.others)
   {
@@ -61,6 +63,7 @@ struct SurfaceSeedsWidget::Internals
   SeedRole Role;
   ShownSurface Surface;
   SurfaceProbe Probe;
+  PathProbe Path;
   SeedTableModel Model;
   SeedPanel* Panel = nullptr;
   ResultNumbers Result;
@@ -285,7 +288,7 @@ void SurfaceSeedsWidget::attachTo(pqRenderView* view)
   }
   my.View = view;
   my.Overlay = new SeedOverlay(view, my.Role);
-  my.Picker = std::make_unique<SeedPicker>(my.Probe, view, my.Overlay);
+  my.Picker = std::make_unique<SeedPicker>(my.Probe, my.Path, view, my.Overlay);
   for (pqModalShortcut* key : my.Keys)
   {
     key->setContextWidget(view->widget());
@@ -308,6 +311,8 @@ void SurfaceSeedsWidget::connectPicker()
   Internals& my = *this->Internal;
   SeedPicker* picker = my.Picker.get();
   this->connect(picker, &SeedPicker::picked, this, &SurfaceSeedsWidget::pick);
+  this->connect(picker, &SeedPicker::inserted, this, &SurfaceSeedsWidget::insert);
+  this->connect(picker, &SeedPicker::offered, my.Panel, &SeedPanel::setOffer);
   this->connect(picker, &SeedPicker::deleteRequested, my.Panel->table(), &SeedTableView::remove);
   this->connect(picker, &SeedPicker::undoRequested, this, &SurfaceSeedsWidget::undoPick);
   this->connect(
@@ -361,6 +366,21 @@ void SurfaceSeedsWidget::pick(const Position& point)
   Internals& my = *this->Internal;
   const QVector<double> before = my.Model.values();
   this->add(point);
+  this->notePick(before);
+}
+
+void SurfaceSeedsWidget::insert(int row, const Position& point)
+{
+  Internals& my = *this->Internal;
+  const QVector<double> before = my.Model.values();
+  my.Model.insert(row, point);
+  my.Panel->table()->choose(row);
+  this->notePick(before);
+}
+
+void SurfaceSeedsWidget::notePick(const QVector<double>& before)
+{
+  Internals& my = *this->Internal;
   my.Picks.add(before, my.Model.values());
   this->showUndo();
 }
@@ -452,6 +472,7 @@ void SurfaceSeedsWidget::showResult()
   my.Panel->showResult(my.Result);
   my.Panel->showLive(LiveUpdate::isWanted(my.Result.runTime));
   my.Model.setLengths(my.Result.lengths);
+  my.Path.setCounts(my.Model.numberOfPoints(), my.Result.lengths.size());
   if (my.Bands)
   {
     my.Bands->showLargest(my.Result.value);

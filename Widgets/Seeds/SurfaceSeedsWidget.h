@@ -75,6 +75,9 @@ private:
   void add(const seeds::Position& point);
   /** As add, but Ctrl+Z takes it back. */
   void pick(const seeds::Position& point);
+  void insert(int row, const seeds::Position& point);
+  /** Lets Ctrl+Z take back what was just done to the table. */
+  void notePick(const QVector<double>& before);
   void startDrag(int row);
   void drag(int row, const seeds::Position& point);
   void finishDrag();
