@@ -128,6 +128,47 @@ TEST_F(Events, AbortedPathIsFoundByTheNextRunWhateverChanged)
   }
 }
 
+// A path along a strip has many bends: to trace and straighten it takes longer than the march.
+TEST_F(Events, APathIsAbortedWhileItIsStraightened)
+{
+  constexpr geodesic::Index cells = 40000;
+  const vtkSmartPointer<vtkPolyData> strip = polyDataOf(planeGrid(cells, 1, cells, 1.0));
+  vtkNew<vtkSurfaceGeodesicPath> path;
+  path->SetInputDataObject(strip);
+  for (const double coordinate : { 0.0, 0.0, 0.0, double{ cells }, 1.0, 0.0 })
+  {
+    path->AddWaypointCoordinate(coordinate);
+  }
+  int errors = 0;
+  Observer errorObserver(path, vtkCommand::ErrorEvent, [&] { ++errors; });
+  // At nine tenths the march has taken each point.
+  constexpr double afterMarch = 0.91;
+  int reports = 0;
+  bool aborts = true;
+  Observer observer(path, vtkCommand::ProgressEvent,
+    [&]
+    {
+      // The executive itself reports 1 at the end.
+      if (path->GetProgress() > afterMarch && path->GetProgress() < 1.0)
+      {
+        ++reports;
+        path->SetAbortExecute(aborts);
+      }
+    });
+  path->Update();
+  auto* output = vtkPolyData::SafeDownCast(path->GetOutputDataObject(0));
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  EXPECT_EQ(errors, 0);
+  EXPECT_EQ(reports, 1);
+  aborts = false;
+  path->SetAbortExecute(0);
+  path->Modified();
+  path->Update();
+  EXPECT_GT(reports, 1);
+  EXPECT_EQ(errors, 0);
+  EXPECT_NEAR(path->GetTotalLength(), std::hypot(cells, 1.0), 1e-6);
+}
+
 TEST_F(Events, NothingIsDoneTwice)
 {
   int runs = 0;

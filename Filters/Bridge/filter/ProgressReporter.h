@@ -9,12 +9,17 @@
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 
 namespace geodesic::bridge
 {
 
-/** Reports the progress of a march to a filter's observers, about a hundred times a run. */
+/**
+ * Reports the progress of a march, or of a search for a path, to a filter's observers: about a
+ * hundred times a run, and every tenth of a second at least, so that they can abort it. How much
+ * there is to do is not known before, so the progress only comes near to 1.
+ */
 class ProgressReporter
 {
 public:
@@ -25,25 +30,39 @@ public:
   }
 
   /**
-   * @param taken number of vertices taken from the queue so far; few vertices are taken twice
+   * @param taken number of vertices taken from the queue, and of other steps, so far; few vertices
+   *              are usually taken twice
    * @return false if the filter must abort
    */
   bool report(std::size_t taken)
   {
-    const double fraction = std::min(static_cast<double>(taken) / this->Total, 1.0);
-    if (fraction < this->Reported + 0.01)
+    const double fraction = this->fractionOf(static_cast<double>(taken));
+    const auto now = Clock::now();
+    if (fraction < this->Reported + 0.01 && now < this->LastReport + std::chrono::milliseconds(100))
     {
       return true;
     }
-    this->Reported = fraction;
-    this->Filter.UpdateProgress(fraction);
+    this->Reported = std::max(this->Reported, fraction);
+    this->LastReport = now;
+    this->Filter.UpdateProgress(this->Reported);
     return !checkAbort(this->Filter);
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  /** Rises up to nine tenths as expected, and then ever more slowly. */
+  double fractionOf(double taken) const
+  {
+    constexpr double expected = 0.9;
+    return taken < this->Total ? expected * taken / this->Total
+                               : 1.0 - (1.0 - expected) * this->Total / taken;
+  }
+
   vtkAlgorithm& Filter;
   double Total;
   double Reported = 0.0;
+  Clock::time_point LastReport = Clock::now();
 };
 
 }

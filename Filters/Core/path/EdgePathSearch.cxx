@@ -104,6 +104,7 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
       last = trial.vertex;
     }
     const std::span<const RingEntry> ring = weighted.ring(trial.vertex);
+    weighted.countSteps(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index neighbour = ring[i].neighbour();

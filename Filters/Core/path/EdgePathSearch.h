@@ -25,6 +25,7 @@ namespace geodesic
  * @param from, to  ends of the path
  * @param length    to be shorter than, in mesh length units
  * @return the path from @p from to @p to; nothing if none is shorter
+ * @throws SearchCancelled
  */
 std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const DistanceField& field,
   const PathPoint& from, const PathPoint& to, double length);

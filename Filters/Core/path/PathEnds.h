@@ -42,9 +42,8 @@ public:
   {
     for (const Index corner : face)
     {
-      auto entry = std::lower_bound(
-        this->ByCarrier.begin(), this->ByCarrier.end(), std::pair{ corner, Index{ 0 } });
-      for (; entry != this->ByCarrier.end() && entry->first == corner; ++entry)
+      for (auto entry = this->firstAt(corner);
+           entry != this->ByCarrier.end() && entry->first == corner; ++entry)
       {
         WorkCount::add(1);
         if (liesIn(this->Points[entry->second], face))
@@ -55,10 +54,35 @@ public:
     }
   }
 
+  /** The least number of an end at a point; NoIndex if there is none. Time O(log n) for n ends, and
+   * the same again for each end with the same first carrier. */
+  Index find(const PathPoint& point) const
+  {
+    const Index carrier = point.carriers()[0];
+    auto entry = this->firstAt(carrier);
+    while (entry != this->ByCarrier.end() && entry->first == carrier)
+    {
+      if (this->Points[entry->second] == point)
+      {
+        return entry->second;
+      }
+      ++entry;
+    }
+    return NoIndex;
+  }
+
 private:
+  using Entry = std::pair<Index, Index>;
+
+  std::vector<Entry>::const_iterator firstAt(Index carrier) const
+  {
+    return std::lower_bound(
+      this->ByCarrier.begin(), this->ByCarrier.end(), Entry{ carrier, Index{ 0 } });
+  }
+
   std::vector<PathPoint> Points;
   /** The first carrier of each end, and the number of the end; sorted. */
-  std::vector<std::pair<Index, Index>> ByCarrier;
+  std::vector<Entry> ByCarrier;
 };
 
 }

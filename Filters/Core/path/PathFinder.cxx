@@ -49,7 +49,8 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
   const SolveOptions& options, const PathStyle& style)
   : Solver(solver)
   , Options(options)
-  , Surface(solver.mesh(), this->Options)
+  , Progress(this->Options)
+  , Surface(solver.mesh(), this->Options, this->Progress)
   , Style(style)
   , Ends(solver.mesh(), seeds)
 {
@@ -68,9 +69,16 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
 bool PathFinder::march(std::span<const SurfacePoint> points)
 {
   this->Targets.clear();
-  for (const SurfacePoint& point : points)
+  try
   {
-    this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point));
+    for (const SurfacePoint& point : points)
+    {
+      this->addTargetsRound(PathPoint::at(this->Solver.mesh(), point));
+    }
+  }
+  catch (const SearchCancelled&)
+  {
+    return false;
   }
   return this->solve(this->Targets);
 }
@@ -88,10 +96,15 @@ bool PathFinder::addTargetsAlong(const SurfacePath& path)
 
 bool PathFinder::solve(std::span<const Triangle> targets)
 {
-  this->Options.targets = targets;
-  this->Options.targetMode = TargetMode::All;
-  this->Field = &this->Solver.solve(this->Seeds, this->Options);
-  this->Options.targets = {};
+  SolveOptions options = this->Options;
+  options.targets = targets;
+  options.targetMode = TargetMode::All;
+  if (options.onProgress)
+  {
+    options.onProgress = [this](std::size_t taken) { return this->Progress.report(taken); };
+  }
+  this->Field = &this->Solver.solve(this->Seeds, options);
+  this->Progress.endMarch();
   return this->Field->stopReason() != StopReason::Cancelled;
 }
 
@@ -122,6 +135,18 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
     throw std::invalid_argument("The path begins at excluded point " +
       std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
   }
+  try
+  {
+    return this->searchFrom(start);
+  }
+  catch (const SearchCancelled&)
+  {
+    return std::nullopt;
+  }
+}
+
+std::optional<SurfacePath> PathFinder::searchFrom(const PathPoint& start)
+{
   auto path = this->shortestOf(start);
   if (!path && this->Field->stopReason() == StopReason::Targets)
   {

@@ -36,12 +36,15 @@ public:
   /**
    * @param solver  its field is overwritten; both must live as long as this
    * @param seeds   points at which paths end
-   * @param options cost, barriers, maximum distance, progress; targets are set here
+   * @param options cost, barriers, maximum distance and progress, which marches report, and tracing
+   *                and straightening every some thousand steps; targets are set here
    * @throws std::invalid_argument if @p style straightens paths of varying cost or of
    *         PathOrder::Vertices
    */
   PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,
     const SolveOptions& options, const PathStyle& style);
+  PathFinder(const PathFinder&) = delete;
+  PathFinder& operator=(const PathFinder&) = delete;
 
   /**
    * Marches as far as paths from these points need.
@@ -53,16 +56,22 @@ public:
   /** The field that the last march made. */
   const DistanceField& field() const { return *this->Field; }
 
+  /** The number of the seed at which a path ends, the least of several at one point. */
+  Index seedAtEnd(const SurfacePath& path) const { return this->Ends.find(path.back()); }
+
   /**
    * @param point one of those given to march()
    * @return the path from the point to a seed, with both among its points (one point if the point
-   * is a vertex and a seed); nothing if there is no path. If the path is straightened, or goes
-   *         along edges without costs, no path along edges to that seed is shorter.
+   * is a vertex and a seed); nothing if there is no path or the search was cancelled. If the path
+   *         is straightened, or goes along edges without costs, no path along edges to that seed is
+   *         shorter.
    * @throws std::invalid_argument for a point at an excluded vertex
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
 private:
+  /** As pathFrom(). @throws SearchCancelled */
+  std::optional<SurfacePath> searchFrom(const PathPoint& start);
   /** The shortest of the paths to the seeds that may be the nearest; nothing if there is none. */
   std::optional<SurfacePath> shortestOf(const PathPoint& start) const;
   /** Solves the field as far as @p targets, everywhere if there are none. @return false when
@@ -93,6 +102,7 @@ private:
 
   DistanceSolver& Solver;
   SolveOptions Options;
+  SearchProgress Progress;
   WeightedMesh Surface;
   PathStyle Style;
   std::vector<Seed> Seeds;

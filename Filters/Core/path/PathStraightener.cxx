@@ -66,6 +66,7 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path) const
   SurfacePath straight{ path.front() };
   const auto append = [&](const PathPoint& point)
   {
+    this->Surface.countSteps(1);
     if (!isSameVertex(straight.back(), point))
     {
       straight.push_back(point);
@@ -86,10 +87,11 @@ PathStraightener::Pieces PathStraightener::tautPieces(const SurfacePath& path) c
   std::size_t first = 0;
   for (std::size_t i = 1; i < path.size(); ++i)
   {
+    this->Surface.countSteps(1);
     appendFace(faces, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
     if (i + 1 == path.size() || isVertex(path[i]))
     {
-      append(pieces, shortestInStrip(this->Surface.mesh(), path[first], path[i], faces));
+      append(pieces, shortestInStrip(this->Surface, path[first], path[i], faces));
       faces.clear();
       first = i;
     }
@@ -173,7 +175,7 @@ PathStraightener::Pieces PathStraightener::shortestOf(
   {
     faces.push_back(faceOf(this->Surface.mesh(), start, end));
   }
-  return shortestInStrip(this->Surface.mesh(), start, end, faces);
+  return shortestInStrip(this->Surface, start, end, faces);
 }
 
 std::optional<std::vector<Triangle>> PathStraightener::turnBetween(

@@ -40,7 +40,8 @@ public:
   {
   }
 
-  /** @return a path with the same ends, no longer than @p path */
+  /** @return a path with the same ends, no longer than @p path
+   * @throws SearchCancelled */
   SurfacePath straightened(const SurfacePath& path) const;
 
 private:

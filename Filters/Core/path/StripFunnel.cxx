@@ -3,7 +3,6 @@
 #include "path/StripFunnel.h"
 
 #include "base/PlanePoint.h"
-#include "base/WorkCount.h"
 
 #include <cmath>
 #include <span>
@@ -67,12 +66,13 @@ SharedEdge sharedEdge(const Triangle& face, const Triangle& next)
 class Unfolding
 {
 public:
-  Unfolding(const TriangleMesh& mesh, std::span<const Triangle> faces)
-    : Mesh(mesh)
+  Unfolding(const WeightedMesh& surface, std::span<const Triangle> faces)
+    : Mesh(surface.mesh())
   {
     this->Portals.reserve(faces.size());
     for (std::size_t i = 0; i + 1 < faces.size(); ++i)
     {
+      surface.countSteps(1);
       const SharedEdge edge = sharedEdge(faces[i], faces[i + 1]);
       if (i == 0)
       {
@@ -165,8 +165,8 @@ struct Bend
  * The bends of the shortest path through the portals. A vertex that the path only touches counts as
  * a bend, because the path may be shorter on the vertex's other side.
  */
-std::vector<Bend> bendsThrough(
-  std::span<const Portal> portals, const PlanePoint& start, const PlanePoint& end)
+std::vector<Bend> bendsThrough(const WeightedMesh& surface, std::span<const Portal> portals,
+  const PlanePoint& start, const PlanePoint& end)
 {
   std::vector<Bend> bends;
   PlanePoint apex = start;
@@ -174,6 +174,7 @@ std::vector<Bend> bendsThrough(
   Bend right = left;
   for (std::size_t i = 0; i <= portals.size(); ++i)
   {
+    surface.countSteps(1);
     const bool isEnd = i == portals.size();
     const Bend newLeft{ isEnd ? NoIndex : portals[i].left, isEnd ? end : portals[i].flatLeft, i };
     const Bend newRight{ isEnd ? NoIndex : portals[i].right, isEnd ? end : portals[i].flatRight,
@@ -268,12 +269,12 @@ void appendFace(std::vector<Triangle>& faces, const Triangle& face)
   faces.push_back(face);
 }
 
-std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathPoint& start,
+std::vector<StraightPiece> shortestInStrip(const WeightedMesh& surface, const PathPoint& start,
   const PathPoint& end, const std::vector<Triangle>& faces)
 {
+  const TriangleMesh& mesh = surface.mesh();
   const Range whole = trimmed(faces, { 0, faces.size() }, start, end);
   const std::span<const Triangle> strip(faces.data() + whole.first, whole.last - whole.first);
-  WorkCount::add(strip.size());
   if (strip.size() == 1)
   {
     if (isSameVertex(start, end))
@@ -282,7 +283,7 @@ std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathP
     }
     return { { start, end, { strip[0] }, {}, norm(end.position(mesh) - start.position(mesh)) } };
   }
-  const Unfolding unfolding(mesh, strip);
+  const Unfolding unfolding(surface, strip);
   const std::span<const Portal> portals = unfolding.portals();
   const PlanePoint flatStart = unfolding.start(start);
   const PlanePoint flatEnd = unfolding.end(end);
@@ -305,6 +306,7 @@ std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathP
     piece.crossings.reserve(range.last - range.first - 1);
     for (std::size_t i = range.first; i + 1 < range.last; ++i)
     {
+      surface.countSteps(1);
       piece.crossings.push_back(crossingOf(portals[i], flatFrom, flatTo));
     }
     pieces.push_back(std::move(piece));
@@ -312,7 +314,7 @@ std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathP
     flatFrom = flatTo;
     firstFace = lastFace;
   };
-  for (const Bend& bend : bendsThrough(portals, flatStart, flatEnd))
+  for (const Bend& bend : bendsThrough(surface, portals, flatStart, flatEnd))
   {
     addPiece(PathPoint::atVertex(bend.vertex), bend.flat, bend.portal + 1);
   }

@@ -4,6 +4,7 @@
 #define geodesic_StripFunnel_h
 
 #include "path/PathPoint.h"
+#include "path/WeightedMesh.h"
 
 #include <vector>
 
@@ -44,9 +45,10 @@ void appendFace(std::vector<Triangle>& faces, const Triangle& face);
  * @param faces the strip: consecutive faces share an edge; the first contains start, the last end
  * @return straight pieces that join at vertices of the strip. No piece begins and ends at the same
  *         vertex; there is no piece if start and end are the same vertex.
+ * @throws SearchCancelled
  * Time O(number of faces) but for contrived strips.
  */
-std::vector<StraightPiece> shortestInStrip(const TriangleMesh& mesh, const PathPoint& start,
+std::vector<StraightPiece> shortestInStrip(const WeightedMesh& surface, const PathPoint& start,
   const PathPoint& end, const std::vector<Triangle>& faces);
 
 }

@@ -3,7 +3,6 @@
 #include "path/VertexLink.h"
 
 #include "base/SortUnique.h"
-#include "base/WorkCount.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +33,7 @@ VertexLink::VertexLink(const WeightedMesh& weighted, Index vertex)
     this->Nodes.push_back(entry.neighbour());
   }
   sortUnique(this->Nodes);
-  WorkCount::add(ring.size());
+  weighted.countSteps(ring.size());
   this->Arcs.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
@@ -121,7 +120,7 @@ VertexLink::Sweep VertexLink::sweepFrom(const Direction& source) const
   bool changes = true;
   for (int pass = 0; pass < mostPasses && changes; ++pass)
   {
-    WorkCount::add(2 * this->Arcs.size());
+    this->Surface.countSteps(2 * this->Arcs.size());
     changes = false;
     for (auto arc = this->Arcs.begin(); arc != this->Arcs.end(); ++arc)
     {
@@ -161,7 +160,7 @@ void VertexLink::settle(Sweep& sweep) const
     {
       continue;
     }
-    WorkCount::add(arcsOf[node].size());
+    this->Surface.countSteps(arcsOf[node].size());
     for (const std::size_t number : arcsOf[node])
     {
       const Arc& arc = this->Arcs[number];

@@ -3,9 +3,9 @@
 #ifndef geodesic_WeightedMesh_h
 #define geodesic_WeightedMesh_h
 
-#include "base/WorkCount.h"
 #include "mesh/TriangleMesh.h"
 #include "path/PathPoint.h"
+#include "path/SearchProgress.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/SolveOptions.h"
 
@@ -15,20 +15,24 @@
 namespace geodesic
 {
 
-/** A mesh with the costs and barriers that paths on it must respect. */
+/** A mesh with the costs and barriers that paths on it must respect, and the progress of the search
+ * for them. */
 class WeightedMesh
 {
 public:
-  /** @param options those with which the field was solved; they and the mesh must live as long as
-   * this object */
-  WeightedMesh(const TriangleMesh& mesh, const SolveOptions& options)
+  /** @param options those with which the field was solved; they, the mesh and the progress must
+   * live as long as this object */
+  WeightedMesh(const TriangleMesh& mesh, const SolveOptions& options, SearchProgress& progress)
     : Mesh(mesh)
     , Options(options)
     , Closed(mesh, options.closedTriangles)
+    , Progress(progress)
   {
   }
 
   const TriangleMesh& mesh() const { return this->Mesh; }
+  /** See SearchProgress::add(). */
+  void countSteps(std::size_t steps) const { this->Progress.add(steps); }
   /** The ring of a vertex. @throws IncompleteRing if the mesh lacks triangles of the surface there
    */
   std::span<const RingEntry> ring(Index vertex) const
@@ -73,6 +77,7 @@ private:
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
   ClosedTriangles Closed;
+  SearchProgress& Progress;
 };
 
 /** The carrier of a point round which the faces of the point are sought: the first one, or where
@@ -90,18 +95,20 @@ inline Index centreOf(const WeightedMesh& surface, const Carriers& carriers)
 template <class Visit>
 inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visit&& visit)
 {
-  const Index centre = centreOf(surface, point.carriers());
+  const Carriers carriers = point.carriers();
+  const Index centre = centreOf(surface, carriers);
   const std::span<const RingEntry> ring = surface.ring(centre);
-  WorkCount::add(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  surface.countSteps(ring.size());
+  // The last entry of a ring opens no triangle.
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
   {
-    if (surface.isOpen(centre, i))
+    const Triangle face{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+    const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
+      [&](Index carrier)
+      { return carrier == face[0] || carrier == face[1] || carrier == face[2]; });
+    if (hasAll && surface.isOpen(centre, i))
     {
-      const Triangle face{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-      if (liesIn(point, face))
-      {
-        visit(face);
-      }
+      visit(face);
     }
   }
 }

@@ -66,7 +66,8 @@ struct SolveOptions
   TargetMode targetMode = TargetMode::Any;
   /**
    * Called each time that the march has taken another progressInterval vertices from its queue,
-   * with the number of vertices so far. Returning false cancels the run.
+   * with the number of vertices so far. A search for paths (PathFinder) also calls it between
+   * marches, and counts what it looks at there. Returning false cancels the run.
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;

@@ -55,14 +55,6 @@ std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
   return local;
 }
 
-/** Returns the number of the end point that a path leads to. */
-Index endOf(const SurfacePath& path, const TriangleMesh& mesh, std::span<const SurfacePoint> ends)
-{
-  const auto isThere = [&](const SurfacePoint& end)
-  { return PathPoint::at(mesh, end) == path.back(); };
-  return static_cast<Index>(std::find_if(ends.begin(), ends.end(), isThere) - ends.begin());
-}
-
 }
 
 /** A solver on the corridor, which returns the field that all ranks solve together. */
@@ -137,8 +129,8 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
     {
       return std::nullopt;
     }
+    traced.end = this->Whole->seedAtEnd(*path);
     traced.path = std::move(*path);
-    traced.end = endOf(traced.path, this->Request.solver.mesh(), localPoints(this->Ends));
     return traced;
   }
   traced.end = this->onCorridor({ &start, 1 },
@@ -151,7 +143,7 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
         return NoIndex;
       }
       this->takeToInput(*path, *corridor, traced);
-      return endOf(*path, corridor->mesh(), corridor->pointsOf(this->Ends));
+      return finder.seedAtEnd(*path);
     });
   return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
 }
@@ -192,7 +184,9 @@ Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Act
     try
     {
       CorridorSolver source(*this, corridor, *mesh);
-      PathFinder finder(source, mesh->pointsOf(this->Ends), mesh->options(), this->Request.style);
+      SolveOptions options = mesh->options();
+      options.onProgress = this->Request.options.onProgress;
+      PathFinder finder(source, mesh->pointsOf(this->Ends), options, this->Request.style);
       return action(finder, mesh);
     }
     catch (const IncompleteRing& end)
