@@ -167,14 +167,14 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
 std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
 {
   const TriangleMesh& mesh = this->Surface.mesh();
+  const Vector3 position = point.position(mesh);
   std::optional<Step> best;
   const auto tryEnd = [&](Index seed, const Triangle& face)
   {
     if (seed != NoIndex && liesIn(this->Seeds[seed], face))
     {
       const PathPoint& end = this->Seeds[seed];
-      const double total =
-        this->Surface.costOf(face) * norm(end.position(mesh) - point.position(mesh));
+      const double total = this->Surface.costOf(face) * norm(end.position(mesh) - position);
       if (!best || total < best->total)
       {
         best = Step{ end, 0.0, total };
@@ -199,22 +199,23 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) c
 
 std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(const PathPoint& point) const
 {
+  const Carriers carriers = point.carriers();
+  const Vector3 position = point.position(this->Surface.mesh());
   std::optional<Step> best;
   visitFaces(this->Surface, point,
     [&](const Triangle& face)
     {
-      const Carriers carriers = point.carriers();
       for (int c = 0; c < 3; ++c)
       {
         const Index a = face[(c + 1) % 3];
         const Index b = face[(c + 2) % 3];
         if (carriers.contains(face[c]))
         {
-          this->tryEdge(point, face, a, b, best);
+          this->tryEdge(position, face, a, b, best);
         }
-        if (!isVertex(point) || carriers[0] != face[c])
+        if (carriers.size() > 1 || carriers[0] != face[c])
         {
-          this->tryVertex(point, face[c], this->Surface.costOf(face), best);
+          this->tryVertex(position, face[c], this->Surface.costOf(face), best);
         }
       }
     });
@@ -225,6 +226,7 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
 {
   std::optional<Step> best;
   const Carriers carriers = point.carriers();
+  const Vector3 position = point.position(this->Surface.mesh());
   const auto tryEnd = [&](Index vertex)
   {
     const bool isLower =
@@ -232,12 +234,13 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
     if (isLower)
     {
       const double cost = 0.5 * (costAt(this->Surface, point) + this->Surface.costOf(vertex));
-      this->tryVertex(point, vertex, cost, best);
+      this->tryVertex(position, vertex, cost, best);
     }
   };
   if (carriers.size() == 1)
   {
     const std::span<const RingEntry> ring = this->Surface.ring(carriers[0]);
+    this->Surface.countSteps(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       if (this->Surface.isOpenEdge(carriers[0], i))
@@ -282,6 +285,7 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
       return descent;
     }
     const std::span<const RingEntry> ring = this->Surface.ring(here);
+    this->Surface.countSteps(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index next = ring[i].neighbour();
@@ -302,7 +306,7 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
 }
 
 void PathTracer::tryEdge(
-  const PathPoint& point, const Triangle& face, Index a, Index b, std::optional<Step>& best) const
+  const Vector3& position, const Triangle& face, Index a, Index b, std::optional<Step>& best) const
 {
   if (!this->leadsToAim(a) || !this->leadsToAim(b) ||
     this->Field.nearestSeed(a) != this->Field.nearestSeed(b))
@@ -314,7 +318,7 @@ void PathTracer::tryEdge(
   const double fromA = this->Field.distance(a) / cost;
   const double fromB = this->Field.distance(b) / cost;
   const Vector3 edge = mesh.position(b) - mesh.position(a);
-  const Vector3 toPoint = point.position(mesh) - mesh.position(a);
+  const Vector3 toPoint = position - mesh.position(a);
   const double length = norm(edge);
   if (!(std::abs(fromA - fromB) < length))
   {
@@ -331,12 +335,15 @@ void PathTracer::tryEdge(
 }
 
 void PathTracer::tryVertex(
-  const PathPoint& point, Index vertex, double cost, std::optional<Step>& best) const
+  const Vector3& position, Index vertex, double cost, std::optional<Step>& best) const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
   const double left = this->Field.distance(vertex);
-  const double total = left + cost * norm(point.position(mesh) - mesh.position(vertex));
-  if (this->leadsToAim(vertex) && (!best || total < best->total))
+  if (!this->leadsToAim(vertex) || (best && !(left < best->total)))
+  {
+    return;
+  }
+  const double total = left + cost * norm(position - this->Surface.mesh().position(vertex));
+  if (!best || total < best->total)
   {
     best = Step{ PathPoint::atVertex(vertex), left, total };
   }

@@ -91,12 +91,13 @@ private:
    * with a seed, without @p vertex itself; empty if there is none
    */
   std::vector<Index> descentAlongEdges(Index vertex) const;
-  /** Replaces @p best by the step to the best point inside an edge, if that has a lower total. */
-  void tryEdge(const PathPoint& point, const Triangle& face, Index a, Index b,
+  /** Replaces @p best by the step from a place to the best point inside an edge, if that has a
+   * lower total. */
+  void tryEdge(const Vector3& position, const Triangle& face, Index a, Index b,
     std::optional<Step>& best) const;
   /** The same for the step to a vertex. @param cost of a unit of length of the step */
   void tryVertex(
-    const PathPoint& point, Index vertex, double cost, std::optional<Step>& best) const;
+    const Vector3& position, Index vertex, double cost, std::optional<Step>& best) const;
 
   const WeightedMesh& Surface;
   const DistanceField& Field;
