@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedPanel.h"
 
+#include "ErrorNote.h"
 #include "LiveUpdate.h"
 #include "PointText.h"
 #include "SeedTableModel.h"
@@ -191,8 +192,14 @@ void SeedPanel::showResult(const ResultNumbers& result)
   this->ResultText->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()));
   this->ResultText->setVisible(!result.summary.isEmpty());
   this->CopyResult->setVisible(!result.summary.isEmpty());
-  this->Error->setText(QString("<b>%1</b>").arg(result.error.toHtmlEscaped()));
-  this->Error->setVisible(!result.error.isEmpty());
+  this->showError({});
+}
+
+void SeedPanel::showError(const QString& error)
+{
+  this->Error->setStyleSheet(ErrorNote::styleFor(this));
+  this->Error->setText(QString("<b>%1</b>").arg(error.toHtmlEscaped()));
+  this->Error->setVisible(!error.isEmpty());
 }
 
 void SeedPanel::showLive(bool isLive)

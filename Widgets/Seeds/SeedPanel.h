@@ -43,8 +43,10 @@ public:
   bool hasLengthsInView() const;
   /** Whether the distance under the pointer is written in the view. */
   bool hasDistanceAtPointer() const;
-  /** Shows what the filter's last run has measured; nothing if @p result is empty. */
+  /** Shows what the filter's last run has measured, and no error; nothing if @p result is empty. */
   void showResult(const ResultNumbers& result);
+  /** Shows what was wrong with the last run; nothing if @p error is empty. */
+  void showError(const QString& error);
   /** Shows whether the filter follows a drag. */
   void showLive(bool isLive);
   bool isLive() const;

@@ -3,6 +3,7 @@
 #include "SurfaceSeedsWidget.h"
 
 #include "BandsRow.h"
+#include "ErrorNote.h"
 #include "LiveUpdate.h"
 #include "OtherSources.h"
 #include "PathProbe.h"
@@ -67,6 +68,8 @@ struct SurfaceSeedsWidget::Internals
   SeedTableModel Model;
   SeedPanel* Panel = nullptr;
   ResultNumbers Result;
+  /** In the widget of another property; null if there is no error, or the property has changed. */
+  QPointer<ErrorNote> Error;
   /** Null if the filter makes no distances. */
   BandsRow* Bands = nullptr;
   LiveUpdate Live;
@@ -117,6 +120,7 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
 SurfaceSeedsWidget::~SurfaceSeedsWidget()
 {
   this->detach();
+  delete this->Internal->Error;
 }
 
 void SurfaceSeedsWidget::connectPanel()
@@ -470,6 +474,7 @@ void SurfaceSeedsWidget::showResult()
   Internals& my = *this->Internal;
   my.Result = ResultNumbers::of(this->proxy(), this->propertyGroup());
   my.Panel->showResult(my.Result);
+  this->showError();
   my.Panel->showLive(LiveUpdate::isWanted(my.Result.runTime));
   my.Model.setLengths(my.Result.lengths);
   my.Path.setCounts(my.Model.numberOfPoints(), my.Result.lengths.size());
@@ -479,6 +484,20 @@ void SurfaceSeedsWidget::showResult()
   }
   this->showLabels();
   this->showDistance();
+}
+
+void SurfaceSeedsWidget::showError()
+{
+  Internals& my = *this->Internal;
+  delete my.Error;
+  if (pqPropertyWidget* widget = ErrorNote::namedWidget(this, my.Result.error))
+  {
+    my.Error = new ErrorNote(widget, my.Result.error);
+  }
+  else
+  {
+    my.Panel->showError(my.Result.error);
+  }
 }
 
 void SurfaceSeedsWidget::showDistance()

@@ -85,6 +85,8 @@ private:
   void showLines();
   /** Shows what the filter's last run has measured. */
   void showResult();
+  /** Shows the last run's error where its property is, or here. */
+  void showError();
   void showLabels();
   /** Writes the distance under the pointer beside it, if the user wants that. */
   void showDistance();
