@@ -20,6 +20,8 @@ namespace
 
 constexpr int FewestRows = 3;
 constexpr int MostRows = 8;
+/** For the rounding of heights on scaled screens, which would cost a scroll bar. */
+constexpr int Slack = 2;
 
 /**
  * Shows a number with as many of its digits as there is room for, because an ellipsis would tell
@@ -64,6 +66,8 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
   this->setDragDropOverwriteMode(false);
   this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  // Else a moment of being narrow would leave a vertical one behind.
+  this->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   this->horizontalHeader()->setHighlightSections(false);
   this->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
@@ -71,6 +75,7 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
   const auto resize = [this] { this->updateGeometry(); };
   this->connect(model, &QAbstractItemModel::rowsInserted, this, resize);
   this->connect(model, &QAbstractItemModel::rowsRemoved, this, resize);
+  this->connect(model, &QAbstractItemModel::columnsInserted, this, resize);
   this->connect(model, &QAbstractItemModel::columnsInserted, this,
     [this]
     {
@@ -112,7 +117,7 @@ QSize SeedTableView::sizeHint() const
   return { this->verticalHeader()->sizeHint().width() +
       3 * this->fontMetrics().horizontalAdvance("0000"),
     this->horizontalHeader()->sizeHint().height() +
-      rows * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth() };
+      rows * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth() + Slack };
 }
 
 void SeedTableView::copy()

@@ -17,6 +17,7 @@
 #include "SeedTableView.h"
 #include "ShownSurface.h"
 #include "SurfaceProbe.h"
+#include "VisibleWidth.h"
 
 #include "pqApplicationCore.h"
 #include "pqKeySequences.h"
@@ -102,6 +103,7 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(my.Panel);
+  new VisibleWidth(my.Panel, this);
   if (!my.Role.distances.isEmpty())
   {
     my.Bands = new BandsRow(proxy, my.Role.distances.constData(), my.Panel);
