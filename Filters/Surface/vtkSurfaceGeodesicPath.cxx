@@ -31,9 +31,12 @@
 #include "request/SolveSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 /** The input of a run. */
 struct vtkSurfaceGeodesicPath::Run
@@ -92,12 +95,26 @@ struct vtkSurfaceGeodesicPath::Internals
     return path;
   }
 
-  const Segment* find(const geodesic::distributed::GlobalPoint& from,
-    const geodesic::distributed::GlobalPoint& to) const
+  using Place =
+    std::pair<std::array<geodesic::distributed::GlobalVertex, 3>, std::array<double, 3>>;
+  /** The places at which a segment begins and ends. */
+  using Ends = std::pair<Place, Place>;
+
+  static Ends endsOf(
+    const geodesic::distributed::GlobalPoint& from, const geodesic::distributed::GlobalPoint& to)
   {
-    const auto found = std::find_if(this->Segments.begin(), this->Segments.end(),
-      [&](const Segment& segment) { return segment.From.isAt(from) && segment.To.isAt(to); });
-    return found == this->Segments.end() ? nullptr : &*found;
+    return { { from.corners, from.weights }, { to.corners, to.weights } };
+  }
+
+  /** The segments of the last run by their ends. */
+  std::map<Ends, const Segment*> segmentsByEnds() const
+  {
+    std::map<Ends, const Segment*> segments;
+    for (const Segment& segment : this->Segments)
+    {
+      segments.emplace(endsOf(segment.From, segment.To), &segment);
+    }
+    return segments;
   }
 };
 
@@ -329,15 +346,17 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   const Internals& internal = *this->Internal;
   const Points points = this->OpenPoints(run, waypoints, "Waypoint");
   geodesic::distributed::PathRequest request = this->MakeRequest(run);
+  const auto knownSegments = internal.segmentsByEnds();
   std::vector<Segment> segments;
   std::string missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
   for (std::size_t i = 0; i < count && !this->IsAborted(run); ++i)
   {
     const std::size_t next = (i + 1) % waypoints.size();
-    if (const Segment* known = internal.find(waypoints[i], waypoints[next]))
+    const auto known = knownSegments.find(Internals::endsOf(waypoints[i], waypoints[next]));
+    if (known != knownSegments.end())
     {
-      segments.push_back(*known);
+      segments.push_back(*known->second);
     }
     else
     {

@@ -35,12 +35,6 @@ struct GlobalPoint
   std::array<double, 3> weights;
   /** The longest edge at any of the corners. */
   double longestEdge;
-
-  /** Whether both are the same point of the surface. */
-  bool isAt(const GlobalPoint& other) const
-  {
-    return this->corners == other.corners && this->weights == other.weights;
-  }
 };
 
 /**
