@@ -130,11 +130,10 @@ void slice(const Arguments& arguments)
       : std::vector<Seed>{ seedAlong(trial.mesh(), segments) }));
 }
 
-/** All boundary edges of a hilly grid, each for itself: CELLS. */
+/** All boundary edges, each for itself: SURFACE. */
 void border(const Arguments& arguments)
 {
-  const Index cells = arguments.count(0);
-  Trial trial(hillyGrid(cells, cells));
+  Trial trial(arguments.surface(0).surface);
   printUnits(trial);
   const std::vector<Segment> segments = boundarySegments(trial.mesh());
   print("items", static_cast<double>(segments.size()));
@@ -164,23 +163,52 @@ void edges(const Arguments& arguments)
   print(trial.solve(looseSeeds(segments)));
 }
 
+/** Vertices on a random walk along edges. @param steps from each to the next */
+std::vector<SurfacePoint> randomWalk(Trial& trial, Index count, int steps)
+{
+  const TriangleMesh& mesh = trial.mesh();
+  Index vertex = mesh.numberOfVertices() / 2;
+  std::vector<SurfacePoint> points;
+  for (Index i = 0; i < count; ++i)
+  {
+    points.push_back(mesh.pointAtVertex(vertex));
+    for (int step = 0; step < steps; ++step)
+    {
+      const std::span<const RingEntry> ring = mesh.ring(vertex);
+      vertex = ring[trial.random()() % ring.size()].neighbour();
+    }
+  }
+  return points;
+}
+
 /** One curve that wanders from vertex to vertex and crosses itself: SURFACE BENDS. */
 void wanderingCurve(const Arguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
-  const TriangleMesh& mesh = trial.mesh();
   const Index bends = arguments.count(1);
-  Index vertex = mesh.numberOfVertices() / 2;
-  std::vector<SurfacePoint> points;
-  for (Index i = 0; i < bends; ++i)
-  {
-    points.push_back(mesh.pointAtVertex(vertex));
-    const std::span<const RingEntry> ring = mesh.ring(vertex);
-    vertex = ring[trial.random()() % ring.size()].neighbour();
-  }
   print("items", bends);
-  print(trial.solve({ Seed::alongCurve(std::move(points)) }));
+  print(trial.solve({ Seed::alongCurve(randomWalk(trial, bends, 1)) }));
+}
+
+/** Paths through waypoints, each some edges from the one before: SURFACE WAYPOINTS. */
+void waypoints(const Arguments& arguments)
+{
+  constexpr int edges = 20;
+  Trial trial(arguments.surface(0).surface);
+  printUnits(trial);
+  const std::vector<SurfacePoint> points = randomWalk(trial, arguments.count(1), edges);
+  print("items", static_cast<double>(points.size()));
+  print(trial.run(
+    [&](const SolveOptions& options)
+    {
+      for (std::size_t i = 1; i < points.size(); ++i)
+      {
+        shortestPath(trial.solver(), points[i - 1], points[i], options, Straight);
+        // As a caller would between paths.
+        options.onProgress(0);
+      }
+    }));
 }
 
 /** Triangles apart, some of them with a seed: TRIANGLES SEEDS. */
@@ -349,6 +377,7 @@ const std::map<std::string, std::function<void(const Arguments&)>> Cases{
   { "targets", targets },
   { "path", path },
   { "starts", starts },
+  { "waypoints", waypoints },
   { "flat", flat },
   { "flat-error", flatError },
 };

@@ -124,6 +124,8 @@ Surface flattened(Surface surface, double Vector3::*axis, double factor)
 WorstSurface worstSurface(const std::string& name, bool tiny)
 {
   static const std::map<std::string, std::function<WorstSurface(bool)>> makers{
+    { "hilly grid 10k",
+      [](bool small) { return atEnds(small ? hillyGrid(9, 9) : hillyGrid(100, 100)); } },
     { "hilly grid 40k",
       [](bool small) { return atEnds(small ? hillyGrid(9, 9) : hillyGrid(199, 199)); } },
     { "hilly grid 160k",

@@ -97,7 +97,8 @@ TIMED = {
     "Lines of seeds": [
         Case("slice through a hilly grid of 100 x 100, loose segments", ["slice", 100, "loose"], SEGMENTS),
         Case("slice through a hilly grid of 200 x 200, one curve", ["slice", 200, "curve"], SEGMENTS),
-        Case("border of a hilly grid of 100 x 100, loose edges", ["border", 100], SEGMENTS),
+        Case("border of a hilly grid of 100 x 100, loose edges", ["border", "hilly grid 10k"], SEGMENTS),
+        Case("border of the Bunny, loose edges", ["border", "Bunny 35k"], SEGMENTS),
         Case("contour on a hilly grid, loose segments", ["contour", "hilly grid 160k", 2.2], SEGMENTS),
         Case("10,000 edges at random", ["edges", "hilly grid 160k", 10000], SEGMENTS),
         Case("one curve of 100,000 bends that crosses itself", ["wandering-curve", "hilly grid 160k", 100000]),
@@ -120,6 +121,8 @@ TIMED = {
     "Much of what a loop runs over": [
         Case("10,000 starts to the nearest of 5 seeds", ["starts", "hilly grid 40k", 10000, 5], STARTS, "start"),
         Case("10,000 starts to the nearest of 10,000 seeds", ["starts", "hilly grid 40k", 10000, 10000], each="start"),
+        Case("10,000 waypoints, 20 random edges from one to the next", ["waypoints", "hilly grid 160k", 10000],
+             each="waypoint"),
         Case("10,000 seeds in one face", ["seeds-of-one-face", "hilly grid 40k", 10000]),
         Case("every vertex a target", ["targets", "hilly grid 40k", 40000]),
         Case("100,000 triangles on one edge, path between two", ["path", "pages 100k"]),
