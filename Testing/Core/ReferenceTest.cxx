@@ -71,6 +71,34 @@ TEST(Reference, BatchedSolverGivesTheSameFieldFromSeveralSeeds)
   expectOneField(250, 500, CaseLimits{ 50 }, 1e-7);
 }
 
+// A limit leaves all values below it as they are. On needles they depend on values far above it;
+// see StopReach.h. Values nearer to the limit than rounding are left out.
+TEST(Reference, LimitLeavesWhatIsBelowIt)
+{
+  for (unsigned seed = 0; seed < 500; ++seed)
+  {
+    const RandomCase test = randomCase(seed, CaseLimits{});
+    FastMarchingSolver unlimited(test.mesh);
+    FastMarchingSolver limited(test.mesh);
+    const DistanceField& whole = unlimited.solve(test.seeds, test.options());
+    for (const double part : { 0.1, 0.4 })
+    {
+      SolveOptions options = test.options();
+      options.maximumDistance = part * whole.largestDistance();
+      const DistanceField& field = limited.solve(test.seeds, options);
+      for (Index v = 0; v < test.mesh->numberOfVertices(); ++v)
+      {
+        if (whole.isReached(v) && whole.distance(v) < (1.0 - 1e-9) * options.maximumDistance)
+        {
+          ASSERT_NEAR(field.distance(v), whole.distance(v), 1e-9 * whole.largestDistance())
+            << "case " << seed << ": " << test.description() << ", vertex " << v << ", part "
+            << part;
+        }
+      }
+    }
+  }
+}
+
 // Costs that differ by orders of magnitude have queues in the order of the values. By buckets the
 // two tiers took 48 and 19 updates a vertex on this grid.
 TEST(Reference, BatchedSolverGivesTheSameFieldWhereCostsDifferWidely)

@@ -122,11 +122,8 @@ protected:
   double ceiling(const SourceFront& label, Index vertex, double old) const
   {
     const double counts = old * this->Control.keptFraction();
-    // The reach needs not be read as long as no target is reached, as there is no limit then.
-    return this->MayStop && this->Context.limit.isKnown()
-      ? std::min(
-          counts, this->Context.limit.with(this->Context.cost.reach(vertex)) - label.seedValue)
-      : counts;
+    return this->MayStop ? std::min(counts, this->Context.limit.with(vertex) - label.seedValue)
+                         : counts;
   }
 
   bool isExcluded(Index vertex) const

@@ -4,6 +4,7 @@
 
 #include "march/LabelDensity.h"
 #include "march/LabelReach.h"
+#include "march/StopReach.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/CostedStart.h"
 #include "solve/Partition.h"
@@ -157,6 +158,10 @@ bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceFie
   if (!request.hasCost)
   {
     const UnitCost cost(this->mesh(), margins.ofVertices(), request.partition);
+    if (limit.isPossible())
+    {
+      limit.setReaches(this->unitReaches(request.partition));
+    }
     const auto starts = unitStarts(request.front, request.partition);
     return this->marchAtCost(starts, cost, request, limit, field);
   }
@@ -166,9 +171,26 @@ bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceFie
   }
   const VertexCost cost(
     this->mesh(), request.options.cost, margins.ofVertices(), request.partition);
+  std::vector<float> reaches;
+  if (limit.isPossible())
+  {
+    reaches = stopReaches(this->mesh(), request.options.cost, request.partition);
+    limit.setReaches(reaches);
+  }
   const auto starts = costedStarts(
     this->mesh(), request.front, request.options, request.partition, *this->DiscSolver);
   return this->marchAtCost(starts, cost, request, limit, field);
+}
+
+std::span<const float> MarchingSolver::unitReaches(Partition& partition)
+{
+  const double isMissing = this->UnitReaches ? 0.0 : 1.0;
+  const std::vector<double> all = partition.gather({ &isMissing, 1 });
+  if (*std::max_element(all.begin(), all.end()) > 0.0)
+  {
+    this->UnitReaches = stopReaches(this->mesh(), {}, partition);
+  }
+  return *this->UnitReaches;
 }
 
 template <class Cost>
@@ -193,6 +215,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   this->Dense.begin(this->mesh(), request.front.labels, starts, request.partition);
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(options, field);
+  firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
   bool finished = this->marchFrom(this->Dense.starts(), cost, first, nullptr, firstLimit, field);
   if (finished)

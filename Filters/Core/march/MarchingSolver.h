@@ -10,7 +10,9 @@
 #include "solve/StartValue.h"
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace geodesic
 {
@@ -49,7 +51,11 @@ private:
   bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
     StopLimit& limit, DistanceField& field);
 
+  /** The reaches of a cost of 1 everywhere, made at the first run that may stop. Collective. */
+  std::span<const float> unitReaches(Partition& partition);
+
   std::shared_ptr<const UpdateBounds> Bounds;
+  std::optional<std::vector<float>> UnitReaches;
   /** Measures the lengths in the discs round seeds (see CostedStart.h); made at the first run with
    * a cost. */
   std::unique_ptr<FrontSolver> DiscSolver;

@@ -178,7 +178,7 @@ private:
     const double seedValue = this->Labels[label].value;
     const double known = this->Values.valueOf(vertex, label);
     const double kept = this->keptUpTo(vertex) - seedValue;
-    const double mayMatter = this->Limit.with(this->TriangleCost.reach(vertex)) - seedValue;
+    const double mayMatter = this->Limit.with(vertex) - seedValue;
     const bool counts =
       value < std::min(std::min(known, kept) * this->Control.keptFraction(), mayMatter);
     if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex))

@@ -32,9 +32,8 @@ public:
 
   /** The cost of the triangle of three vertices. */
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
-  /** How far a value at a vertex can lie above values that it leads to: the longest side of the
-   * triangles round it, times the largest cost there. A value that is more above a limit leads to
-   * none below the limit. */
+  /** How far a value at a vertex can lie above values that it leads to at its neighbours: the
+   * longest side of the triangles round it, times the largest cost there. */
   double reach(Index vertex) const { return this->LongestSides[vertex]; }
   /** How much a label's value at a vertex may exceed the best one there and be kept; see
    * labelMargin(). */

@@ -38,11 +38,19 @@ public:
   bool isPossible() const { return this->isKnown() || !this->Options.targets.empty(); }
 
   /**
-   * The largest value that may still matter at a vertex: the limit plus @p reach. A value above the
-   * limit can still lead to values below it at neighbours.
-   * @param reach the most that the vertex's value can lie above values that it leads to
+   * Sets how far a value at each vertex can lie above the limit and still matter to values below
+   * it. The numbers must live as long as this object is used.
    */
-  double with(double reach) const { return this->Limit + reach; }
+  void setReaches(std::span<const float> ofVertices) { this->Reaches = ofVertices; }
+  std::span<const float> reaches() const { return this->Reaches; }
+  /**
+   * The largest value that may still matter at a vertex; infinity where there is no limit yet.
+   * @pre reaches are set
+   */
+  double with(Index vertex) const
+  {
+    return this->isKnown() ? this->Limit + this->Reaches[vertex] : this->Limit;
+  }
 
   /** Lowers the limit to what the targets' present distances allow. The march calls this regularly.
    */
@@ -120,6 +128,7 @@ private:
   const SolveOptions& Options;
   const DistanceField& Field;
   double Limit;
+  std::span<const float> Reaches;
   /** For each target the distance that other pieces know. */
   std::vector<double> Elsewhere;
   /** The number of a target that was not reached when this was last looked at. */
