@@ -13,6 +13,7 @@
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace geodesic;
@@ -84,6 +85,7 @@ TEST(SolverTable, NumbersStay)
 {
   EXPECT_EQ(solverOfName("FastMarching").number, 0);
   EXPECT_EQ(solverOfName("Dijkstra").number, 1);
+  EXPECT_EQ(solverOfName("VirtualSources").number, 3);
   EXPECT_EQ(solverOfInterpolator(0).name, std::string("Dijkstra"));
   EXPECT_EQ(solverOfInterpolator(1).name, std::string("FastMarching"));
   std::map<int, int> count;
@@ -101,9 +103,9 @@ TEST(SolverTable, UnknownMethodsAreNamedWithThoseThereAre)
   EXPECT_NE(byNumber.find(numbers), std::string::npos) << byNumber;
   const std::string byName = errorOf([] { solverOfName("Exakt"); });
   EXPECT_NE(byName.find("Exakt"), std::string::npos) << byName;
-  EXPECT_NE(byName.find("FastMarching, Dijkstra."), std::string::npos) << byName;
+  EXPECT_NE(byName.find("FastMarching, Dijkstra, VirtualSources."), std::string::npos) << byName;
   const std::string byInterpolator = errorOf([] { solverOfInterpolator(-1); });
-  EXPECT_NE(byInterpolator.find("1 (FastMarching), 0 (Dijkstra)"), std::string::npos)
+  EXPECT_NE(byInterpolator.find("1 (FastMarching), 0 (Dijkstra)."), std::string::npos)
     << byInterpolator;
 }
 
@@ -111,12 +113,14 @@ TEST(SolverTable, SaysWhatASolverCannotDoAndWhichCan)
 {
   const SolverTraits plain = plainSolver();
   EXPECT_EQ(errorOf([&] { checkServes(plain, {}); }), "");
-  for (const auto& [demands, what] : std::vector<std::pair<SolverDemands, std::string>>{
-         { { true, false, false }, "costs" }, { { false, true, false }, "barriers" },
-         { { false, false, true }, "a surface on several ranks" } })
+  for (const auto& [demands, what, able] :
+    std::vector<std::tuple<SolverDemands, std::string, std::string>>{
+      { { true, false, false }, "costs", "FastMarching, Dijkstra" },
+      { { false, true, false }, "barriers", "FastMarching, Dijkstra, VirtualSources" },
+      { { false, false, true }, "a surface on several ranks", "FastMarching, Dijkstra" } })
   {
     EXPECT_EQ(errorOf([&, asked = demands] { checkServes(plain, asked); }),
-      "The method Plain can't work with " + what + "; these can: FastMarching, Dijkstra.");
+      "The method Plain can't work with " + what + "; these can: " + able + ".");
     EXPECT_EQ(errorOf([asked = demands] { checkServes(solverOfName("Dijkstra"), asked); }), "");
   }
 }

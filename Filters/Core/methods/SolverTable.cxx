@@ -5,6 +5,7 @@
 #include "march/FastMarchingSolver.h"
 #include "march/ReferenceSolver.h"
 #include "solve/DijkstraSolver.h"
+#include "sources/VirtualSourceSolver.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,17 @@ constexpr std::array Solvers{
     .ranks = RankSupport::Partition,
     .bytesPerVertex = 19.0,
     .make = &make<DijkstraSolver> },
+  SolverTraits{ .number = 3,
+    .name = "VirtualSources",
+    .interpolatorNumber = -1,
+    .isOffered = true,
+    .crossesFaces = true,
+    .isExact = false,
+    .takesCosts = false,
+    .takesBarriers = true,
+    .ranks = RankSupport::None,
+    .bytesPerVertex = 450.0,
+    .make = &make<VirtualSourceSolver> },
   SolverTraits{ .number = 100,
     .name = "Reference",
     .interpolatorNumber = -1,
@@ -110,7 +122,10 @@ const SolverTraits& solverOfInterpolator(int interpolatorNumber)
     { return solver.interpolatorNumber >= 0 && solver.interpolatorNumber == interpolatorNumber; },
     std::to_string(interpolatorNumber),
     [](const SolverTraits& solver)
-    { return numberAndName(solver.interpolatorNumber, solver.name); });
+    {
+      return solver.interpolatorNumber >= 0 ? numberAndName(solver.interpolatorNumber, solver.name)
+                                            : std::string();
+    });
 }
 
 const SolverTraits& solverOfName(std::string_view name)
