@@ -55,7 +55,7 @@ constexpr std::array Solvers{
     .takesCosts = false,
     .takesBarriers = true,
     .ranks = RankSupport::None,
-    .bytesPerVertex = 450.0,
+    .bytesPerVertex = 720.0,
     .make = &make<VirtualSourceSolver> },
   SolverTraits{ .number = 100,
     .name = "Reference",

@@ -20,9 +20,9 @@ namespace
 /** Lengths and distances that differ by less, relatively, count as equal. It is well above rounding
  * errors, so that these decide nothing. */
 constexpr double Rounding = 1e-9;
-/** See VirtualSource::fit(). More joins more sources that are not one: on meshes flattened 100
- * times 0.01, 0.03 and 0.1 made values too small by at most 0.6, 2 and 13 per cent, while mean
- * errors on usual meshes were least at 0.03. */
+/** See VirtualSource::fit(). More joins more sources that are not one: on surfaces flattened 100
+ * times a prototype had values too small by at most 0.6, 2 and 13 % with 0.01, 0.03 and 0.1, and
+ * the least mean errors on usual ones with 0.03. */
 constexpr double MostMoved = 0.03;
 /** Width of a bucket, in mean longest edges of vertices. A round number would put borders of
  * buckets at distances that are frequent on grids, where rounding would tell which bucket comes
