@@ -253,6 +253,26 @@ TEST_F(SurfaceFilter, DijkstraFollowsEdges)
   EXPECT_NEAR(this->run(surface)->GetComponent(2 * 7 + 1, 0), std::sqrt(5.0), 1e-12);
 }
 
+TEST_F(SurfaceFilter, VirtualSourcesGoAcrossFacesAndTakeNoCosts)
+{
+  const auto surface = square(6);
+  this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::VIRTUAL_SOURCES);
+  EXPECT_NEAR(this->run(surface)->GetComponent(2 * 7 + 1, 0), std::sqrt(5.0), 1e-12);
+  vtkNew<vtkDoubleArray> cost;
+  cost->SetName("cost");
+  cost->SetNumberOfTuples(surface->GetNumberOfPoints());
+  cost->Fill(2.0);
+  surface->GetPointData()->AddArray(cost);
+  this->Filter->SetInputArrayToProcess(
+    vtkSurfaceGeodesicDistance::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "cost");
+  this->Filter->SetInputDataObject(surface);
+  const std::string error = errorsOf(this->Filter.Get());
+  EXPECT_NE(error.find("VirtualSources can't work with costs; these can: FastMarching, Dijkstra."),
+    std::string::npos)
+    << error;
+}
+
 // The reference solver is for tests: number 100 of the table of solvers, which XML does not offer.
 TEST_F(SurfaceFilter, TheReferenceSolverGivesTheSameField)
 {

@@ -12,6 +12,14 @@
 namespace geodesic
 {
 
+/** The shortest way from a virtual source to a point. */
+struct WayFromSource
+{
+  double distance;
+  /** The distance at its last bend, or at the source where it is straight. */
+  double offset;
+};
+
 /**
  * A source as it is seen through a side of a triangle: unfolded into the triangle's plane, on the
  * other side of that side. Coordinates are those of the side's SideFrame. From the source straight
@@ -49,26 +57,28 @@ struct VirtualSource
                       : std::clamp(this->x, this->first, this->last);
   }
 
-  /** The distance at a point with toY >= 0: that of the straight line, or of one bent at an end of
-   * the lit part. */
-  double distanceAt(double toX, double toY) const
+  /** The way to a point with toY >= 0: a straight line, or one bent at an end of the lit part. */
+  WayFromSource wayTo(double toX, double toY) const
   {
     const double meets = this->crossing(toX, toY);
     if (meets >= this->first && meets <= this->last)
     {
-      return this->offset + this->lineTo(toX, toY);
+      return { this->offset + this->lineTo(toX, toY), this->offset };
     }
     const double bend = meets < this->first ? this->first : this->last;
-    return this->onSide(bend) + std::sqrt((toX - bend) * (toX - bend) + toY * toY);
+    const double atBend = this->onSide(bend);
+    return { atBend + std::sqrt((toX - bend) * (toX - bend) + toY * toY), atBend };
   }
-
-  /** The distance at the last bend of the way to such a point. */
-  double lastBend(double toX, double toY) const
+  /** The same to the side's corners. */
+  WayFromSource wayToFirst() const
   {
-    const double meets = this->crossing(toX, toY);
-    return meets < this->first ? this->onSide(this->first)
-      : meets > this->last     ? this->onSide(this->last)
-                               : this->offset;
+    const double atBend = this->onSide(this->first);
+    return { atBend + this->first, this->first > 0.0 ? atBend : this->offset };
+  }
+  WayFromSource wayToSecond(double length) const
+  {
+    const double atBend = this->onSide(this->last);
+    return { atBend + (length - this->last), this->last < length ? atBend : this->offset };
   }
 
   /** The least distance of the lit part. */
