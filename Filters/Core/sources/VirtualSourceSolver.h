@@ -28,9 +28,9 @@ namespace geodesic
  *    the order of points and triangles, but for rounding.
  *
  * Every distance is the length of a line on the surface, but for what VirtualSource::fit() moves:
- * on surfaces flattened up to 1000 times values are too small by 1.1 % at most. They are never more
- * than the length of a path along edges. Planes, developable surfaces and the shadows of barriers
- * on them are exact.
+ * on surfaces flattened up to 1000 times values were too small by 1.5 % at most. They are never
+ * more than the length of a path along edges. Planes, developable surfaces and the shadows of
+ * barriers on them are exact.
  *
  * Only for points as seeds, at cost 1, and for a surface in one piece. Time O(n) on usual meshes
  * and on needles, for any number of seeds: three to six items of the queue a vertex. Memory 400 to
