@@ -5,6 +5,7 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "solve/DijkstraSolver.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ protected:
 
 }
 
-using Solvers = ::testing::Types<FastMarchingSolver, DijkstraSolver>;
+using Solvers = ::testing::Types<FastMarchingSolver, DijkstraSolver, ExactSolver>;
 TYPED_TEST_SUITE(Barrier, Solvers);
 
 TYPED_TEST(Barrier, AClosedStripSeparates)

@@ -6,6 +6,7 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "solve/DijkstraSolver.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ protected:
   const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 1500), seedAt(*mesh, 2900) };
 };
 
-using Solvers = ::testing::Types<FastMarchingSolver, DijkstraSolver>;
+using Solvers = ::testing::Types<FastMarchingSolver, DijkstraSolver, ExactSolver>;
 TYPED_TEST_SUITE(Request, Solvers);
 
 TYPED_TEST(Request, MaximumDistanceCutsTheField)

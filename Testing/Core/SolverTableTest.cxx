@@ -103,7 +103,8 @@ TEST(SolverTable, UnknownMethodsAreNamedWithThoseThereAre)
   EXPECT_NE(byNumber.find(numbers), std::string::npos) << byNumber;
   const std::string byName = errorOf([] { solverOfName("Exakt"); });
   EXPECT_NE(byName.find("Exakt"), std::string::npos) << byName;
-  EXPECT_NE(byName.find("FastMarching, Dijkstra, VirtualSources."), std::string::npos) << byName;
+  EXPECT_NE(byName.find("FastMarching, Dijkstra, Exact, VirtualSources."), std::string::npos)
+    << byName;
   const std::string byInterpolator = errorOf([] { solverOfInterpolator(-1); });
   EXPECT_NE(byInterpolator.find("1 (FastMarching), 0 (Dijkstra)."), std::string::npos)
     << byInterpolator;
@@ -113,14 +114,15 @@ TEST(SolverTable, SaysWhatASolverCannotDoAndWhichCan)
 {
   const SolverTraits plain = plainSolver();
   EXPECT_EQ(errorOf([&] { checkServes(plain, {}); }), "");
-  for (const auto& [demands, what, able] :
+  const std::string two = "FastMarching, Dijkstra";
+  for (const auto& [demands, what, who] :
     std::vector<std::tuple<SolverDemands, std::string, std::string>>{
-      { { true, false, false }, "costs", "FastMarching, Dijkstra" },
-      { { false, true, false }, "barriers", "FastMarching, Dijkstra, VirtualSources" },
-      { { false, false, true }, "a surface on several ranks", "FastMarching, Dijkstra" } })
+      { { true, false, false }, "costs", two },
+      { { false, true, false }, "barriers", two + ", Exact, VirtualSources" },
+      { { false, false, true }, "a surface on several ranks", two } })
   {
     EXPECT_EQ(errorOf([&, asked = demands] { checkServes(plain, asked); }),
-      "The method Plain can't work with " + what + "; these can: " + able + ".");
+      "The method Plain can't work with " + what + "; these can: " + who + ".");
     EXPECT_EQ(errorOf([asked = demands] { checkServes(solverOfName("Dijkstra"), asked); }), "");
   }
 }

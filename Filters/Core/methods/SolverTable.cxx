@@ -6,6 +6,7 @@
 #include "march/ReferenceSolver.h"
 #include "solve/DijkstraSolver.h"
 #include "sources/VirtualSourceSolver.h"
+#include "windows/ExactSolver.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,17 @@ constexpr std::array Solvers{
     .ranks = RankSupport::Partition,
     .bytesPerVertex = 19.0,
     .make = &make<DijkstraSolver> },
+  SolverTraits{ .number = 2,
+    .name = "Exact",
+    .interpolatorNumber = -1,
+    .isOffered = true,
+    .crossesFaces = true,
+    .isExact = true,
+    .takesCosts = false,
+    .takesBarriers = true,
+    .ranks = RankSupport::None,
+    .bytesPerVertex = 250.0,
+    .make = &make<ExactSolver> },
   SolverTraits{ .number = 3,
     .name = "VirtualSources",
     .interpolatorNumber = -1,

@@ -71,6 +71,9 @@ struct SolveOptions
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;
+  /** The most memory that the windows of exact distances may take, in bytes. 0: three quarters of
+   * the machine's. Other methods need little and don't look at it. */
+  std::size_t memoryLimit = 0;
   /**
    * How to solve together with the other pieces of the surface. Each piece is given the same seeds,
    * targets and limits; a target that only other pieces have has the vertices NoIndex. Null: the

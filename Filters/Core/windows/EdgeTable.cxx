@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "windows/EdgeTable.h"
+
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+namespace geodesic
+{
+namespace
+{
+
+/** A side of a triangle, seen from its lower end. */
+struct Side
+{
+  Index higher;
+  Index apex;
+  Index halfEdge;
+
+  friend bool operator<(const Side& a, const Side& b)
+  {
+    return std::tie(a.higher, a.apex, a.halfEdge) < std::tie(b.higher, b.apex, b.halfEdge);
+  }
+};
+
+/** Whether the triangles round a vertex are one fan that closes. */
+bool isInside(std::span<const RingEntry> ring)
+{
+  const auto fans = std::count_if(
+    ring.begin(), ring.end(), [](const RingEntry& entry) { return !entry.opensTriangle(); });
+  return fans == 1 && ring.front().neighbour() == ring.back().neighbour();
+}
+
+double angleBetween(const Vector3& a, const Vector3& b)
+{
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+}
+
+EdgeTable::EdgeTable(const TriangleMesh& mesh)
+  : Starts(mesh.numberOfVertices() + 1, 0)
+  , Around(3 * static_cast<std::size_t>(mesh.numberOfTriangles()))
+  , Next(3 * static_cast<std::size_t>(mesh.numberOfTriangles()))
+  , Repeated(mesh.numberOfTriangles(), false)
+  , Turning(mesh.numberOfVertices(), 0)
+{
+  this->collectTriangles(mesh);
+  this->linkEdges(mesh);
+  this->findTurns(mesh);
+}
+
+void EdgeTable::collectTriangles(const TriangleMesh& mesh)
+{
+  for (const Triangle& t : mesh.triangles())
+  {
+    for (const Index corner : t)
+    {
+      ++this->Starts[corner + 1];
+    }
+  }
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+  std::vector<Index> place(this->Starts.begin(), this->Starts.end() - 1);
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    for (const Index corner : mesh.triangle(t))
+    {
+      this->Around[place[corner]++] = t;
+    }
+  }
+}
+
+void EdgeTable::linkEdges(const TriangleMesh& mesh)
+{
+  std::iota(this->Next.begin(), this->Next.end(), Index{ 0 });
+  std::vector<Side> sides;
+  for (Index lower = 0; lower < mesh.numberOfVertices(); ++lower)
+  {
+    sides.clear();
+    for (const Index t : this->trianglesAt(lower))
+    {
+      const Triangle& corners = mesh.triangle(t);
+      for (Index k = 0; k < 3; ++k)
+      {
+        const Index a = corners[(k + 1) % 3];
+        const Index b = corners[(k + 2) % 3];
+        if (std::min(a, b) == lower)
+        {
+          sides.push_back({ std::max(a, b), corners[k], 3 * t + k });
+        }
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < sides.size(); ++i)
+    {
+      if (sides[i].higher != sides[first].higher)
+      {
+        first = i;
+      }
+      else if (sides[i].apex == sides[i - 1].apex)
+      {
+        this->Repeated[sides[i].halfEdge / 3] = true;
+      }
+      else
+      {
+        std::swap(this->Next[sides[first].halfEdge], this->Next[sides[i].halfEdge]);
+      }
+    }
+  }
+}
+
+void EdgeTable::findTurns(const TriangleMesh& mesh)
+{
+  // Where the sum is a full turn, it comes out as more or less by rounding. To turn at such a
+  // vertex would be right as well, but cost time.
+  constexpr double fullTurn = 2.0 * std::numbers::pi + 1e-9;
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    const std::span<const RingEntry> ring = mesh.ring(v);
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    {
+      sum += angleBetween(mesh.position(ring[i].neighbour()) - mesh.position(v),
+        mesh.position(ring[i + 1].neighbour()) - mesh.position(v));
+    }
+    this->Turning[v] = ring.empty() || !isInside(ring) || sum > fullTurn ? 1 : 0;
+  }
+}
+
+}

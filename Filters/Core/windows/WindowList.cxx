@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "windows/WindowList.h"
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+
+namespace geodesic
+{
+namespace
+{
+
+/** By which fraction a window must be nearer than one that is there. Of equal ones the first
+ * stays. */
+constexpr double LeastGain = 1e-14;
+
+/** Whether the same straight lines make two windows, except for rounding. */
+bool haveOneSource(const Window& a, const Window& b)
+{
+  constexpr double rounding = 1e-13;
+  const double size = rounding * (std::abs(a.x) + a.y + a.last);
+  return a.offset == b.offset && a.seed == b.seed && std::abs(a.x - b.x) <= size &&
+    std::abs(a.y - b.y) <= size;
+}
+
+/** Two windows over a part of the edge that both have. */
+class Contest
+{
+public:
+  Contest(const Window& present, const Window& added)
+    : Present(present)
+    , Added(added)
+  {
+  }
+
+  /** By how much the added window is farther at a point. */
+  double excess(double at) const
+  {
+    return (this->Added.offset - this->Present.offset) +
+      (this->Added.lineTo(at) - this->Present.lineTo(at));
+  }
+
+  /** Whether the added window counts at a point. */
+  bool wins(double at) const
+  {
+    return this->excess(at) < -LeastGain * this->Present.distanceAt(at);
+  }
+
+  /** The point where the lines from both sources have one direction: between it and either end of
+   * the edge's line, the excess grows or falls throughout. */
+  double turningPoint() const
+  {
+    const Window& p = this->Present;
+    const Window& a = this->Added;
+    return (p.x * a.y - a.x * p.y) / (a.y - p.y);
+  }
+
+  /** A point from @p from to @p to where both are equally near. @pre they differ in who wins */
+  double crossing(double from, double to) const
+  {
+    for (const double root : this->roots())
+    {
+      if (root > from && root < to && this->isTie(root))
+      {
+        return root;
+      }
+    }
+    // Both are equally near at an end, or rounding spoilt the formula.
+    if (this->isTie(from) || this->isTie(to))
+    {
+      return this->isTie(from) ? from : to;
+    }
+    const bool winsFirst = this->wins(from);
+    constexpr int mostSteps = 60;
+    for (int i = 0; i < mostSteps; ++i)
+    {
+      const double middle = 0.5 * (from + to);
+      (this->wins(middle) == winsFirst ? from : to) = middle;
+    }
+    return 0.5 * (from + to);
+  }
+
+private:
+  bool isTie(double at) const
+  {
+    constexpr double rounding = 1e-13;
+    return std::abs(this->excess(at)) <= rounding * this->Present.distanceAt(at);
+  }
+
+  /** Where the edge's line may cross the hyperbola of points to which both are equally near. */
+  std::array<double, 2> roots() const
+  {
+    const Window& p = this->Present;
+    const Window& a = this->Added;
+    const double apart = a.x - p.x;
+    const double gain = p.offset - a.offset;
+    const double k = apart * apart + (a.y - p.y) * (a.y + p.y) - gain * gain;
+    if (gain == 0.0)
+    {
+      const double root = p.x + 0.5 * k / apart;
+      return { root, root };
+    }
+    const double square = (apart - gain) * (apart + gain);
+    const double root = std::sqrt(std::max(0.0, k * k + 4.0 * p.y * p.y * square));
+    const double q = k * apart + std::copysign(gain * root, k * apart);
+    const double product = (0.5 * k - gain * p.y) * (0.5 * k + gain * p.y);
+    return { p.x + 0.5 * q / square, p.x + 2.0 * product / q };
+  }
+
+  const Window& Present;
+  const Window& Added;
+};
+
+/** Joins the parts of windows that are kept, one after the other, into windows. */
+class Pieces
+{
+public:
+  /** @param owner a number for the window, the same for all its parts */
+  void add(const Window& window, std::ptrdiff_t owner, double first, double last)
+  {
+    if (!(first < last))
+    {
+      return;
+    }
+    if (this->LastOwner == owner && !this->Windows.empty() && this->Windows.back().last == first)
+    {
+      this->Windows.back().last = last;
+      return;
+    }
+    this->LastOwner = owner;
+    this->Windows.push_back(window);
+    this->Windows.back().first = first;
+    this->Windows.back().last = last;
+  }
+
+  void clear()
+  {
+    this->Windows.clear();
+    this->LastOwner = NoOwner;
+  }
+
+  std::vector<Window> Windows;
+
+private:
+  static constexpr std::ptrdiff_t NoOwner = -2;
+  std::ptrdiff_t LastOwner = NoOwner;
+};
+
+/** Gives each point from @p first to @p last to the nearer of two windows.
+ * @param owner the number of the present window; the added one has -1 */
+void divide(const Window& present, std::ptrdiff_t owner, const Window& added, double first,
+  double last, Pieces& pieces)
+{
+  const Contest contest(present, added);
+  const auto give = [&](bool toAdded, double from, double to)
+  { pieces.add(toAdded ? added : present, toAdded ? -1 : owner, from, to); };
+  std::array<double, 3> ends{ first, last, last };
+  std::size_t parts = 1;
+  if (present.offset != added.offset)
+  {
+    // Two sources of one offset have at most one crossing; others may have one on either side.
+    const double turn = contest.turningPoint();
+    if (turn > first && turn < last)
+    {
+      ends[1] = turn;
+      parts = 2;
+    }
+  }
+  bool before = contest.wins(first);
+  for (std::size_t i = 0; i < parts; ++i)
+  {
+    const double to = ends[i + 1];
+    const bool after = contest.wins(to);
+    const double middle = before == after ? to : contest.crossing(ends[i], to);
+    give(before, ends[i], middle);
+    give(after, middle, to);
+    before = after;
+  }
+}
+
+}
+
+void WindowList::append(std::vector<Window>& windows, const Window& window)
+{
+  if (!windows.empty() && haveOneSource(windows.back(), window))
+  {
+    constexpr double gap = 1e-13;
+    Window& last = windows.back();
+    if (window.first - last.last <= gap * window.last)
+    {
+      last.last = window.last;
+      return;
+    }
+  }
+  windows.push_back(window);
+}
+
+bool WindowList::insertBehind(const Window& window)
+{
+  Window& present = this->Windows.back();
+  if (present.offset != window.offset || present.first > window.first || present.last > window.last)
+  {
+    return false;
+  }
+  // The difference of the squared lengths is linear along the edge.
+  const double apart = window.x - present.x;
+  const double atOrigin =
+    apart * (window.x + present.x) + (window.y - present.y) * (window.y + present.y);
+  const double middle = 0.5 * atOrigin / apart;
+  if (!(apart > 0.0 && middle > window.first && middle < present.last))
+  {
+    return false;
+  }
+  Window added = window;
+  present.last = middle;
+  added.first = middle;
+  this->Windows.push_back(added);
+  return true;
+}
+
+void WindowList::insertAmong(const Window& window)
+{
+  static thread_local Pieces pieces;
+  pieces.clear();
+  std::vector<Window>& all = this->Windows;
+  auto begin = all.end();
+  while (begin != all.begin() && std::prev(begin)->last > window.first)
+  {
+    --begin;
+  }
+  double reached = window.first;
+  auto end = begin;
+  for (; end != all.end() && end->first < window.last; ++end)
+  {
+    const std::ptrdiff_t owner = end - all.begin();
+    pieces.add(*end, owner, end->first, std::min(end->last, reached));
+    pieces.add(window, -1, reached, end->first);
+    reached = std::max(reached, end->first);
+    const double last = std::min(window.last, end->last);
+    divide(*end, owner, window, reached, last, pieces);
+    pieces.add(*end, owner, last, end->last);
+    reached = std::max(reached, end->last);
+  }
+  pieces.add(window, -1, reached, window.last);
+  // The list from begin to end is replaced; most often it is one window by one or two.
+  const std::size_t old = static_cast<std::size_t>(end - begin);
+  const std::size_t same = std::min(old, pieces.Windows.size());
+  const auto newEnd = pieces.Windows.begin() + static_cast<std::ptrdiff_t>(same);
+  const auto next = std::copy(pieces.Windows.begin(), newEnd, begin);
+  if (same < old)
+  {
+    all.erase(next, end);
+  }
+  else
+  {
+    all.insert(next, newEnd, pieces.Windows.end());
+  }
+}
+
+}

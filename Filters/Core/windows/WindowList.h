@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowList_h
+#define geodesic_WindowList_h
+
+#include "windows/Window.h"
+
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * The windows that wait at a half-edge, in the order of their places on the edge. Of two that
+ * overlap, each point keeps the one that is nearer: windows of a list never overlap. Adjacent
+ * windows of one source, as they come past a vertex in a plane, become one.
+ */
+class WindowList
+{
+public:
+  std::span<const Window> windows() const { return this->Windows; }
+  bool isEmpty() const { return this->Windows.empty(); }
+  void clear() { this->Windows.clear(); }
+  std::size_t bytes() const { return this->Windows.capacity() * sizeof(Window); }
+
+  /** Adds those parts of a window that are nearer than what the list has there. Time O(1) if the
+   * window belongs at the end, else linear in what comes behind it. */
+  void insert(const Window& window)
+  {
+    if (this->Windows.empty() || this->Windows.back().last <= window.first)
+    {
+      append(this->Windows, window);
+    }
+    else if (!this->insertBehind(window))
+    {
+      this->insertAmong(window);
+    }
+  }
+
+  /** Exchanges the windows of two lists. */
+  void swap(WindowList& other) { this->Windows.swap(other.Windows); }
+
+private:
+  /** Adds a window behind the others, or makes the last one longer if that has the same source. */
+  static void append(std::vector<Window>& windows, const Window& window);
+  /** Divides the end of the last window and the beginning of another one between them, if they are
+   * parts of the same front that met behind a vertex. That is what happens most often on curved
+   * surfaces. @return false if they are not, and nothing is changed */
+  bool insertBehind(const Window& window);
+  void insertAmong(const Window& window);
+
+  std::vector<Window> Windows;
+};
+
+}
+
+#endif
