@@ -61,6 +61,7 @@ public:
   {
     FAST_MARCHING = 0,
     DIJKSTRA = 1,
+    EXACT = 2,
     VIRTUAL_SOURCES = 3
   };
 
@@ -105,8 +106,9 @@ public:
   ///@{
   /**
    * FAST_MARCHING measures across the faces. DIJKSTRA measures along the edges only, so its
-   * distances are never too short. VIRTUAL_SOURCES measures across the faces with smaller errors,
-   * above all on thin triangles, but needs points as seeds, no costs, and one rank. Default:
+   * distances are never too short. EXACT gives the shortest distance over the triangles, right to
+   * rounding; VIRTUAL_SOURCES is faster than that and has smaller errors than FAST_MARCHING, above
+   * all on thin triangles. Both need points as seeds, no costs, and one rank. Default:
    * FAST_MARCHING. A number that no solver has is an error when the filter runs, which names those
    * there are; see geodesic::solverTable().
    */
