@@ -62,7 +62,9 @@ public:
     auto entry = this->firstAt(carrier);
     while (entry != this->ByCarrier.end() && entry->first == carrier)
     {
-      if (this->Points[entry->second] == point)
+      // A path along edges can end at a vertex that is written in another way.
+      const PathPoint& end = this->Points[entry->second];
+      if (end == point || isSameVertex(end, point))
       {
         return entry->second;
       }
