@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -261,6 +262,27 @@ TEST(Path, AlongEdgesHasTheLengthOfDijkstrasField)
     const Seed seed = Seed::atPoint(from);
     EXPECT_NEAR(lengthOf(*mesh, *path),
       solver.solve({ &seed, 1 }).distance(mesh->vertexOfPoint(target)), 1e-12);
+  }
+}
+
+// Also where a search along edges found a shorter path, whose ends are written in its own way.
+TEST(Path, AlongEdgesNamesTheEndThatItLeadsTo)
+{
+  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  std::mt19937 random(3);
+  std::uniform_int_distribution<Index> pick(0, mesh->numberOfPoints() - 1);
+  for (int i = 0; i < 30; ++i)
+  {
+    const std::array ends{ pointAt(mesh, pick(random)), pointAt(mesh, pick(random)) };
+    const SurfacePoint start = pointAt(mesh, pick(random));
+    FastMarchingSolver solver(mesh);
+    PathFinder finder(solver, ends, {}, AlongEdges);
+    ASSERT_TRUE(finder.march({ &start, 1 }));
+    const auto path = finder.pathFrom(start);
+    ASSERT_TRUE(path);
+    const Index end = finder.seedAtEnd(*path);
+    ASSERT_LT(end, ends.size());
+    EXPECT_EQ(path->back().position(*mesh), mesh->positionOf(ends[end]));
   }
 }
 
