@@ -18,7 +18,7 @@ namespace
 
 constexpr std::size_t MostSparseLabels = 24;
 constexpr double VerticesOfSparseLabel = 64.0;
-constexpr double EdgesBetweenSparseLabels = 12.0;
+constexpr double EdgesBetweenSparseLabels = 8.0;
 constexpr std::size_t CloseLabelsOfSparse = 4;
 
 /** The size of a surface in all its pieces. */
