@@ -19,16 +19,6 @@ using namespace geodesic::testing;
 namespace
 {
 
-std::vector<double> straightLines(const Surface& surface, const Vector3& source)
-{
-  std::vector<double> truth;
-  for (const Vector3& p : surface.points)
-  {
-    truth.push_back(norm(p - source));
-  }
-  return truth;
-}
-
 double meanErrorOnSphere(int levels, const Vector3& direction)
 {
   const Surface sphere = icosphere(levels);

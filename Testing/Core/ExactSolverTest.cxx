@@ -3,6 +3,7 @@
 // Exact distances against CGAL, against all face sequences of small meshes, and against themselves.
 
 #include "windows/ExactSolver.h"
+#include "ClosedTwins.h"
 #include "ExactDistances.h"
 #include "FaceSequences.h"
 #include "RandomMeshes.h"
@@ -371,17 +372,8 @@ TEST(Exact, PathsFollowTheField)
 TEST(Exact, RefusesWhatItCannotDo)
 {
   const auto mesh = meshOf(planeGrid(30, 30, 1.0, 1.0));
-  const auto messageOf = [&](const Seed& seed, const SolveOptions& options) -> std::string
-  {
-    try
-    {
-      ExactSolver(mesh).solve({ &seed, 1 }, options);
-    }
-    catch (const std::exception& error)
-    {
-      return error.what();
-    }
-    return "";
+  const auto messageOf = [&](const Seed& seed, const SolveOptions& options) {
+    return errorOf([&] { ExactSolver(mesh).solve({ &seed, 1 }, options); });
   };
   const Seed curve = Seed::alongCurve({ { 3, { 1, 0, 0 } }, { 3, { 0, 1, 0 } } });
   EXPECT_NE(messageOf(curve, {}).find("Seed 0 is a curve"), std::string::npos);
@@ -391,7 +383,11 @@ TEST(Exact, RefusesWhatItCannotDo)
   EXPECT_NE(messageOf(seedAt(*mesh, 0), costly).find("with costs"), std::string::npos);
   SolveOptions tight;
   tight.memoryLimit = 1000;
-  const std::string message = messageOf(seedAt(*mesh, 400), tight);
+  const Seed middle = seedAt(*mesh, 400);
+  const std::string message = errorOf<std::runtime_error>(
+    [&] {
+      ExactSolver(mesh).solve({ &middle, 1 }, tight);
+    });
   EXPECT_NE(message.find("more than the memory limit of 1e-06 GB"), std::string::npos) << message;
   EXPECT_NE(message.find("of 961 vertices"), std::string::npos) << message;
 }
@@ -412,4 +408,38 @@ TEST(Exact, ARunAfterACancelledOneIsWhole)
   EXPECT_EQ(solver.solve({ &seed, 1 }, options).stopReason(), StopReason::Cancelled);
   const auto again = solver.solve({ &seed, 1 }).distances();
   EXPECT_TRUE(std::equal(whole.begin(), whole.end(), again.begin(), again.end()));
+}
+
+TEST(Exact, ARunAfterOneThatNeededTooMuchMemoryIsWhole)
+{
+  const auto mesh = meshOf(icosphere(4));
+  const Seed seed = seedAt(*mesh, 0);
+  ExactSolver solver(mesh);
+  SolveOptions tight;
+  tight.memoryLimit = 1000;
+  EXPECT_NE(errorOf<std::runtime_error>([&] { solver.solve({ &seed, 1 }, tight); }), "");
+  const auto again = solver.solve({ &seed, 1 }).distances();
+  const std::vector<double> whole = distances<ExactSolver>(mesh, { seed });
+  for (Index i = 0; i < mesh->numberOfPoints(); ++i)
+  {
+    ASSERT_EQ(again[mesh->vertexOfPoint(i)], whole[i]);
+  }
+}
+
+// A run can be cancelled while its seeds are placed, and where nothing new is reached for long.
+TEST(Exact, ManySeedsReportProgress)
+{
+  const auto mesh = meshOf(planeGrid(2, 2, 1.0, 1.0));
+  const std::vector<Seed> seeds(20000, Seed::atPoint({ 0, { 0.3, 0.3, 0.4 } }));
+  ExactSolver solver(mesh);
+  std::size_t calls = 0;
+  SolveOptions options;
+  options.onProgress = [&](std::size_t) { return ++calls < 5; };
+  EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+  EXPECT_EQ(calls, 5);
+}
+
+TEST(Exact, ATriangleOnAClosedOneIsClosed)
+{
+  expectClosedTwins<ExactSolver>();
 }

@@ -12,6 +12,7 @@
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 #include "solve/SeedFront.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -68,6 +69,19 @@ TEST(Growth, TrianglesOfADisc)
         EXPECT_EQ(mesh->trianglesWith(std::span(corners).first(2)).size(), 2);
         EXPECT_EQ(mesh->positionOf(mesh->pointAtVertex(corners[1])), mesh->position(corners[1]));
       }
+    });
+}
+
+// No shortest path turns at the rim, but at its seed.
+TEST(Growth, ExactDistancesFromTheRimOfADisc)
+{
+  expectLinear(500,
+    [](Index around)
+    {
+      const Surface surface = disc(around);
+      const std::vector<double> found =
+        distances<ExactSolver>(meshOf(surface), { seedAt(*meshOf(surface), 1) });
+      EXPECT_LT(relativeError(found, straightLines(surface, surface.points[1])).largest, 1e-9);
     });
 }
 

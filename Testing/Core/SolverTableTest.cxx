@@ -39,20 +39,6 @@ std::map<int, std::string> methodsIn(const std::string& file)
   return methods;
 }
 
-template <class Call>
-std::string errorOf(const Call& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 /** A solver that can do nothing but measure. */
 SolverTraits plainSolver()
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Virtual source propagation: its truths, needles, and one field whatever the order.
 
+#include "ClosedTwins.h"
 #include "ExactDistances.h"
 #include "RoundedTube.h"
 #include "Solving.h"
@@ -25,16 +26,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-std::vector<double> straightLines(const Surface& surface, const Vector3& source)
-{
-  std::vector<double> truth;
-  for (const Vector3& p : surface.points)
-  {
-    truth.push_back(norm(p - source));
-  }
-  return truth;
-}
 
 Surface flattened(Surface surface, double Vector3::*axis, double factor)
 {
@@ -98,20 +89,6 @@ void expectSameWhenShuffled(const Surface& surface, const std::vector<Index>& so
       }
     }
   }
-}
-
-template <class Call>
-std::string errorOf(const Call& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 
 const Surface& spot()
@@ -363,4 +340,22 @@ TEST(VirtualSource, WhatItCannotServeIsAnError)
               })
               .find("one piece"),
     std::string::npos);
+}
+
+// A run can be cancelled while its seeds are placed.
+TEST(VirtualSource, ManySeedsReportProgress)
+{
+  const auto mesh = meshOf(planeGrid(2, 2, 1.0, 1.0));
+  const std::vector<Seed> seeds(20000, Seed::atPoint({ 0, { 0.3, 0.3, 0.4 } }));
+  VirtualSourceSolver solver(mesh);
+  std::size_t calls = 0;
+  SolveOptions options;
+  options.onProgress = [&](std::size_t) { return ++calls < 5; };
+  EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+  EXPECT_EQ(calls, 5);
+}
+
+TEST(VirtualSource, ATriangleOnAClosedOneIsClosed)
+{
+  expectClosedTwins<VirtualSourceSolver>();
 }

@@ -27,6 +27,16 @@ Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& po
   return Seed::atPoint(ClosestPointTree(mesh).closestPoint(position).point);
 }
 
+std::vector<double> straightLines(const Surface& surface, const Vector3& source)
+{
+  std::vector<double> truth;
+  for (const Vector3& p : surface.points)
+  {
+    truth.push_back(norm(p - source));
+  }
+  return truth;
+}
+
 Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth)
 {
   Error error;

@@ -9,7 +9,10 @@
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 
+#include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace geodesic::testing
@@ -37,6 +40,24 @@ std::vector<double> distances(const std::shared_ptr<const TriangleMesh>& mesh,
     result.push_back(vertex == NoIndex ? DistanceField::Unreached : field.distance(vertex));
   }
   return result;
+}
+
+/** The lengths of straight lines from a source to all points: the truth in a plane. */
+std::vector<double> straightLines(const Surface& surface, const Vector3& source);
+
+/** What a call complains about by an exception of a class; empty where it throws none. */
+template <class Error = std::invalid_argument>
+std::string errorOf(const std::function<void()>& call)
+{
+  try
+  {
+    call();
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return "";
 }
 
 /** Relative error against the truth: mean over all points, and largest. */

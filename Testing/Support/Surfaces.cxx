@@ -23,6 +23,42 @@ void addCell(Surface& surface, Index a, Index b, Index c, Index d)
   surface.triangles.push_back({ a, c, d });
 }
 
+/**
+ * Cuts each triangle in four.
+ * @param place  returns where the middle of an edge goes
+ */
+template <class Place>
+Surface cutInFour(const Surface& surface, const Place& place)
+{
+  Surface finer{ surface.points, {} };
+  std::unordered_map<std::uint64_t, Index> middles;
+  const auto middle = [&](Index a, Index b)
+  {
+    const std::uint64_t edge = std::uint64_t{ std::min(a, b) } << 32 | std::max(a, b);
+    const auto [found, isNew] = middles.emplace(edge, static_cast<Index>(finer.points.size()));
+    if (isNew)
+    {
+      finer.points.push_back(place(0.5 * (surface.points[a] + surface.points[b])));
+    }
+    return found->second;
+  };
+  finer.triangles.reserve(4 * surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles)
+  {
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    finer.triangles.insert(
+      finer.triangles.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
+  }
+  return finer;
+}
+
+Vector3 onUnitSphere(const Vector3& point)
+{
+  return (1.0 / norm(point)) * point;
+}
+
 }
 
 void addRingCells(Surface& surface, Index first, Index around, Index rings)
@@ -92,33 +128,21 @@ Surface icosphere(int levels)
   Surface surface;
   for (const Vector3& corner : corners)
   {
-    surface.points.push_back((1.0 / norm(corner)) * corner);
+    surface.points.push_back(onUnitSphere(corner));
   }
   surface.triangles.assign(std::begin(faces), std::end(faces));
   for (int level = 0; level < levels; ++level)
   {
-    std::unordered_map<std::uint64_t, Index> middles;
-    const auto middle = [&](Index a, Index b)
-    {
-      const std::uint64_t edge = std::uint64_t{ std::min(a, b) } << 32 | std::max(a, b);
-      const auto [place, isNew] = middles.emplace(edge, static_cast<Index>(surface.points.size()));
-      if (isNew)
-      {
-        const Vector3 sum = surface.points[a] + surface.points[b];
-        surface.points.push_back((1.0 / norm(sum)) * sum);
-      }
-      return place->second;
-    };
-    std::vector<Triangle> finer;
-    finer.reserve(4 * surface.triangles.size());
-    for (const auto& [a, b, c] : surface.triangles)
-    {
-      const Index ab = middle(a, b);
-      const Index bc = middle(b, c);
-      const Index ca = middle(c, a);
-      finer.insert(finer.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
-    }
-    surface.triangles = std::move(finer);
+    surface = cutInFour(surface, onUnitSphere);
+  }
+  return surface;
+}
+
+Surface subdivided(Surface surface, int times)
+{
+  for (int i = 0; i < times; ++i)
+  {
+    surface = cutInFour(surface, [](const Vector3& middle) { return middle; });
   }
   return surface;
 }

@@ -28,6 +28,8 @@ Surface jitteredGrid(
 /** Unit sphere: an icosahedron whose triangles are cut in four @p levels times; 10 4^levels + 2
  * points. */
 Surface icosphere(int levels);
+/** The surface with each triangle cut in four, several times; its shape stays. */
+Surface subdivided(Surface surface, int times);
 /** Torus of the given radii round the z axis. */
 Surface torus(Index around, Index across, double majorRadius, double minorRadius);
 /** Open cylinder round the z axis without a double seam; its cells touch the true surface. */

@@ -20,7 +20,8 @@ with socket.socket() as free:
 server = subprocess.Popen(
     [MPIEXEC, "-n", "2", "--oversubscribe", "--allow-run-as-root",
      PVSERVER, f"--server-port={port}", "--force-offscreen-rendering"],
-    stdout=subprocess.PIPE, text=True, env={**os.environ, "OMPI_MCA_btl_vader_single_copy_mechanism": "none"})
+    stdout=subprocess.PIPE, text=True, env={**os.environ, "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+                                         "OMPI_MCA_mpi_yield_when_idle": "1"})
 for line in server.stdout:
     if "Accepting connection" in line:
         break

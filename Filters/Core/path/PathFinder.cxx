@@ -68,6 +68,7 @@ PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> see
 
 bool PathFinder::march(std::span<const SurfacePoint> points)
 {
+  this->Starts.assign(points.begin(), points.end());
   this->Targets.clear();
   try
   {
@@ -99,6 +100,7 @@ bool PathFinder::solve(std::span<const Triangle> targets)
   SolveOptions options = this->Options;
   options.targets = targets;
   options.targetMode = TargetMode::All;
+  options.pathStarts = this->Starts;
   if (options.onProgress)
   {
     options.onProgress = [this](std::size_t taken) { return this->Progress.report(taken); };
@@ -135,13 +137,66 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
     throw std::invalid_argument("The path begins at excluded point " +
       std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
   }
+  this->IsProvenShortest = false;
   try
   {
-    return this->searchFrom(start);
+    const bool isFound = this->Solver.findsPaths() && this->Style.order == PathOrder::Edges;
+    return isFound ? this->takeFound(point) : this->searchFrom(start);
   }
   catch (const SearchCancelled&)
   {
     return std::nullopt;
+  }
+}
+
+std::optional<SurfacePath> PathFinder::takeFound(const SurfacePoint& point)
+{
+  constexpr double rounding = 1e-9;
+  const TriangleMesh& mesh = this->Solver.mesh();
+  auto found = this->Solver.pathFrom(point);
+  if (!found && this->Field->stopReason() == StopReason::Targets)
+  {
+    // A point inside a face can be farther than all its corners.
+    found = this->solve({}) ? this->Solver.pathFrom(point) : std::nullopt;
+  }
+  if (!found)
+  {
+    return std::nullopt;
+  }
+  const auto isShortest = [&](const SurfacePath& path)
+  { return !path.empty() && lengthOf(mesh, path) <= found->length * (1.0 + rounding); };
+  SurfacePath path;
+  for (const SurfacePoint& along : found->points)
+  {
+    path.push_back(PathPoint::at(mesh, along));
+  }
+  if (path.size() > 1)
+  {
+    path = PathStraightener(this->Surface).straightened(path);
+    path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
+  }
+  if (!isShortest(path))
+  {
+    auto traced = this->searchFrom(PathPoint::at(mesh, point));
+    const bool isBetter =
+      traced && (path.empty() || lengthOf(mesh, *traced) < lengthOf(mesh, path));
+    path = isBetter ? std::move(*traced) : std::move(path);
+  }
+  this->IsProvenShortest = isShortest(path);
+  return path.empty() ? std::nullopt : std::optional(std::move(path));
+}
+
+Index PathFinder::nearestSeed(const SurfacePoint& point) const
+{
+  try
+  {
+    const std::vector<Index> seeds = PathTracer(this->Surface, *this->Field, this->Ends)
+                                       .seedsNear(PathPoint::at(this->Solver.mesh(), point));
+    return seeds.empty() ? NoIndex : seeds.front();
+  }
+  catch (const SearchCancelled&)
+  {
+    return NoIndex;
   }
 }
 

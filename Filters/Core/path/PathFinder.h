@@ -56,6 +56,13 @@ public:
   /** The field that the last march made. */
   const DistanceField& field() const { return *this->Field; }
 
+  /**
+   * The number of the seed that the field says is the nearest, the least of several.
+   * @param point one of those given to march()
+   * @return NoIndex if no seed is reached, or the search was cancelled
+   */
+  Index nearestSeed(const SurfacePoint& point) const;
+
   /** The number of the seed at which a path ends, the least of several at one point. */
   Index seedAtEnd(const SurfacePath& path) const { return this->Ends.find(path.back()); }
 
@@ -69,9 +76,15 @@ public:
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
+  /** Whether the last path of pathFrom() is proven to be the shortest of all: its length is the
+   * exact distance, to 1e-9. */
+  bool isProvenShortest() const { return this->IsProvenShortest; }
+
 private:
   /** As pathFrom(). @throws SearchCancelled */
   std::optional<SurfacePath> searchFrom(const PathPoint& start);
+  /** The same by the path that the solver has found. */
+  std::optional<SurfacePath> takeFound(const SurfacePoint& point);
   /** The shortest of the paths to the seeds that may be the nearest; nothing if there is none. */
   std::optional<SurfacePath> shortestOf(const PathPoint& start) const;
   /** Solves the field as far as @p targets, everywhere if there are none. @return false when
@@ -107,8 +120,10 @@ private:
   PathStyle Style;
   std::vector<Seed> Seeds;
   PathEnds Ends;
+  std::vector<SurfacePoint> Starts;
   std::vector<Triangle> Targets;
   const DistanceField* Field = nullptr;
+  bool IsProvenShortest = false;
 };
 
 /**

@@ -7,12 +7,22 @@
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace geodesic
 {
 
 class TriangleMesh;
+
+/** A shortest path that a solver has found along with its field. */
+struct FoundPath
+{
+  double length;
+  /** From the start to the seed; consecutive points lie in one triangle. */
+  std::vector<SurfacePoint> points;
+};
 
 /** The interface of all solvers: distances from seeds to the vertices of a mesh. */
 class DistanceSolver
@@ -30,6 +40,17 @@ public:
    *         reached or that the run is cancelled: see DistanceField::stopReason.
    */
   virtual const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options) = 0;
+
+  /** Whether pathFrom() gives paths. */
+  virtual bool findsPaths() const { return false; }
+  /**
+   * The shortest path from one of SolveOptions::pathStarts to its nearest seed, of those whose
+   * length is within the stop's distance; nothing if there is none.
+   */
+  virtual std::optional<FoundPath> pathFrom(const SurfacePoint& /*start*/) const
+  {
+    return std::nullopt;
+  }
 };
 
 }

@@ -68,6 +68,18 @@ public:
     return !this->Cancelled;
   }
 
+  /** Reports the progress that was last reported, so that a run can be cancelled between steps too;
+   * false once it is. Cheap enough to be called for each seed. */
+  bool reportAgain()
+  {
+    constexpr std::size_t interval = 256;
+    if (this->NextReport != Never && !this->Cancelled && ++this->Repetitions % interval == 0)
+    {
+      this->Cancelled = !this->Options.onProgress(this->LastReport);
+    }
+    return !this->Cancelled;
+  }
+
   /** How many steps were taken. */
   std::size_t count() const { return this->Count; }
 
@@ -79,6 +91,7 @@ private:
   void report()
   {
     this->Cancelled = !this->Options.onProgress(this->NextReport);
+    this->LastReport = this->NextReport;
     this->NextReport += this->Options.progressInterval;
   }
 
@@ -101,7 +114,9 @@ private:
   StopLimit& Limit;
   /** The number of updates for each value at which the least gain is raised next. */
   std::size_t NextRelaxation = 40;
+  std::size_t LastReport = 0;
   std::size_t NextReport;
+  std::size_t Repetitions = 0;
   double LeastGain = 1e-12;
   double KeptFraction = 1.0 - 1e-12;
   std::size_t Count = 0;

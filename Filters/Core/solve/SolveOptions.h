@@ -4,6 +4,7 @@
 #define geodesic_SolveOptions_h
 
 #include "base/Index.h"
+#include "mesh/SurfacePoint.h"
 
 #include <cstdint>
 #include <exception>
@@ -66,7 +67,8 @@ struct SolveOptions
   TargetMode targetMode = TargetMode::Any;
   /**
    * Called each time that the march has taken another progressInterval vertices from its queue,
-   * with the number of vertices so far. A search for paths (PathFinder) also calls it between
+   * with the number of vertices so far; now and then again with the same number where many seeds
+   * are placed or nothing new is reached. A search for paths (PathFinder) also calls it between
    * marches, and counts what it looks at there. Returning false cancels the run.
    */
   std::function<bool(std::size_t)> onProgress;
@@ -74,6 +76,11 @@ struct SolveOptions
   /** The most memory that the windows of exact distances may take, in bytes. 0: three quarters of
    * the machine's. Other methods need little and don't look at it. */
   std::size_t memoryLimit = 0;
+  /**
+   * Points from which paths to their nearest seeds are wanted, for solvers that find these along
+   * with the field (DistanceSolver::findsPaths()); other solvers have no use for them.
+   */
+  std::span<const SurfacePoint> pathStarts;
   /**
    * How to solve together with the other pieces of the surface. Each piece is given the same seeds,
    * targets and limits; a target that only other pieces have has the vertices NoIndex. Null: the

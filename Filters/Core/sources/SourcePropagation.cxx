@@ -48,7 +48,7 @@ bool isBefore(const DistanceOrigin& a, const DistanceOrigin& b)
 }
 
 SourceWorkspace::SourceWorkspace(const TriangleMesh& mesh)
-  : sides(mesh)
+  : edges(mesh)
   , store(std::size_t{ 3 } * mesh.numberOfTriangles())
   , origins(mesh.numberOfVertices())
   , isQueued(mesh.numberOfVertices())
@@ -65,6 +65,7 @@ SourcePropagation::SourcePropagation(const TriangleMesh& mesh, const SeedFront& 
   , Limit(limit)
   , Field(field)
   , Work(workspace)
+  , Passable(mesh, workspace.edges, options)
   , Control(options, limit)
 {
   const auto [least, most] = std::minmax_element(front.labels.begin(), front.labels.end(),
@@ -89,6 +90,10 @@ bool SourcePropagation::run()
   for (Index number = 0; number < this->Front.labels.size(); ++number)
   {
     this->startAt(this->Front.labels[number], number);
+    if (!this->Control.reportAgain())
+    {
+      return false;
+    }
   }
   this->takeOver();
   while (!this->Queue.isEmpty() &&
@@ -119,7 +124,7 @@ void SourcePropagation::startAt(const Label& label, Index number)
   const Carriers carriers = carriersOf(this->Mesh, label.origin);
   for (const Index triangle : this->Mesh.trianglesWith({ carriers.begin(), carriers.end() }))
   {
-    if (this->isBlocked(triangle))
+    if (!this->Passable.contains(triangle) || this->Work.edges.isRepeated(triangle))
     {
       continue;
     }
@@ -181,8 +186,8 @@ void SourcePropagation::propagate(
   Index side, const Corners& corners, const SideFrame& frame, VirtualSource source)
 {
   this->fit(source, corners, frame.length);
-  const Index second = TriangleSides::following(side);
-  const Exit atFirst{ TriangleSides::following(second), corners.first, 0.0, -1.0 };
+  const Index second = EdgeTable::following(side);
+  const Exit atFirst{ EdgeTable::following(second), corners.first, 0.0, -1.0 };
   const Exit atSecond{ second, corners.second, frame.length, 1.0 };
   const double meets = source.crossing(frame.x, frame.height);
   if (meets > source.first)
@@ -264,10 +269,10 @@ void SourcePropagation::crossEdge(
   mirrored.x = length - source.x;
   mirrored.first = length - source.last;
   mirrored.last = length - source.first;
-  for (Index other = this->Work.sides.next(side); other != side;
-       other = this->Work.sides.next(other))
+  for (Index other = this->Work.edges.next(side); other != side;
+       other = this->Work.edges.next(other))
   {
-    if (!this->isBlocked(TriangleSides::triangleOf(other)))
+    if (this->Passable.contains(EdgeTable::triangleOf(other)))
     {
       this->proposeSource(other, this->cornersOf(other).first == corner ? source : mirrored);
     }
@@ -283,9 +288,9 @@ void SourcePropagation::proposeSource(Index side, VirtualSource source)
   source.last = source.last > frame.length - rounding ? frame.length : source.last;
   source.snap(frame.length, rounding);
   this->fit(source, corners, frame.length);
-  const WayFromSource toThird = source.wayTo(frame.x, frame.height);
-  const WayFromSource toFirst = source.wayToFirst();
-  const WayFromSource toSecond = source.wayToSecond(frame.length);
+  const PathFromSource toThird = source.pathTo(frame.x, frame.height);
+  const PathFromSource toFirst = source.pathToFirst();
+  const PathFromSource toSecond = source.pathToSecond(frame.length);
   this->proposeDistance(corners.third, { source.label, toThird.offset }, toThird.distance);
   this->proposeDistance(corners.first, { source.label, toFirst.offset }, toFirst.distance);
   this->proposeDistance(corners.second, { source.label, toSecond.offset }, toSecond.distance);
@@ -297,10 +302,9 @@ void SourcePropagation::proposeSource(Index side, VirtualSource source)
 }
 
 /**
- * Whether a source can give a shorter way than the present distances at the corners do, to anything
- * behind the side.
- * S.-Q. Xin, G.-J. Wang, Improving Chen and Han's algorithm on the discrete geodesic problem,
- * ACM Trans. Graph. 28 (2009).
+ * Whether a source can give a shorter path than the present distances at the corners do, to
+ * anything behind the side. S.-Q. Xin, G.-J. Wang, Improving Chen and Han's algorithm on the
+ * discrete geodesic problem, ACM Trans. Graph. 28 (2009).
  */
 bool SourcePropagation::isUseful(
   const Corners& corners, const SideFrame& frame, const SeenSource& seen) const
@@ -373,7 +377,7 @@ void SourcePropagation::takeOver()
 }
 
 /** Of equal distances that of the smallest seed is kept, as in fast marching, and of these the one
- * whose way bends first. */
+ * whose path bends first. */
 void SourcePropagation::lower(const ProposedDistance& proposed)
 {
   const double old = this->Field.distance(proposed.vertex);
@@ -402,28 +406,16 @@ void SourcePropagation::push(Index item, double distance)
 
 SourcePropagation::Corners SourcePropagation::cornersOf(Index side) const
 {
-  const Triangle& triangle = this->Mesh.triangle(TriangleSides::triangleOf(side));
-  const Index first = side % 3;
-  const Index second = first == 2 ? 0 : first + 1;
-  return { triangle[first], triangle[second], triangle[3 - first - second] };
+  const Triangle& triangle = this->Mesh.triangle(EdgeTable::triangleOf(side));
+  const Index third = side % 3;
+  const Index first = third == 2 ? 0 : third + 1;
+  return { triangle[first], triangle[3 - first - third], triangle[third] };
 }
 
 SideFrame SourcePropagation::frameOf(const Corners& corners) const
 {
   return { this->Mesh.position(corners.first), this->Mesh.position(corners.second),
     this->Mesh.position(corners.third) };
-}
-
-bool SourcePropagation::isBlocked(Index triangle) const
-{
-  if (this->Options.excluded.empty() && this->Options.closedTriangles.empty())
-  {
-    return false;
-  }
-  const Triangle& corners = this->Mesh.triangle(triangle);
-  return this->Options.isClosed(triangle) ||
-    std::any_of(corners.begin(), corners.end(),
-      [&](Index vertex) { return this->Options.isExcluded(vertex); });
 }
 
 void SourcePropagation::fit(VirtualSource& source, const Corners& corners, double length) const

@@ -5,8 +5,9 @@
 
 #include "base/Index.h"
 #include "march/BucketQueue.h"
-#include "mesh/TriangleSides.h"
+#include "mesh/EdgeTable.h"
 #include "solve/MarchControl.h"
+#include "solve/PassableTriangles.h"
 #include "solve/SeedFront.h"
 #include "solve/SolveOptions.h"
 #include "sources/SideFrame.h"
@@ -24,7 +25,8 @@ class DistanceField;
 class StopLimit;
 class TriangleMesh;
 
-/** Where a distance comes from: a label, and the distance at the last point where the way bends. */
+/** Where a distance comes from: a label, and the distance at the last point where the path bends.
+ */
 struct DistanceOrigin
 {
   Index label;
@@ -51,7 +53,7 @@ struct SourceWorkspace
 {
   explicit SourceWorkspace(const TriangleMesh& mesh);
 
-  TriangleSides sides;
+  EdgeTable edges;
   SourceStore store;
   /** For each vertex the origin of its distance. */
   std::vector<DistanceOrigin> origins;
@@ -107,8 +109,6 @@ private:
   };
   Corners cornersOf(Index side) const;
   SideFrame frameOf(const Corners& corners) const;
-  /** Whether fronts may not cross a triangle. */
-  bool isBlocked(Index triangle) const;
   /** Moves a source to the distances at its side's corners that come from the same place. */
   void fit(VirtualSource& source, const Corners& corners, double length) const;
   /** The distance at a vertex if it comes from the same place as that of a source, else infinity.
@@ -138,6 +138,7 @@ private:
   StopLimit& Limit;
   DistanceField& Field;
   SourceWorkspace& Work;
+  PassableTriangles Passable;
   MarchControl Control;
   /** The least value of any label. The queue's keys are distances less this one. */
   double First = 0.0;

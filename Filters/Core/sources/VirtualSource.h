@@ -12,8 +12,8 @@
 namespace geodesic
 {
 
-/** The shortest way from a virtual source to a point. */
-struct WayFromSource
+/** The shortest path from a virtual source to a point. */
+struct PathFromSource
 {
   double distance;
   /** The distance at its last bend, or at the source where it is straight. */
@@ -23,7 +23,7 @@ struct WayFromSource
 /**
  * A source as it is seen through a side of a triangle: unfolded into the triangle's plane, on the
  * other side of that side. Coordinates are those of the side's SideFrame. From the source straight
- * lines reach the *lit* part of the side. Elsewhere the shortest way is bent at the nearer end of
+ * lines reach the *lit* part of the side. Elsewhere the shortest path is bent at the nearer end of
  * that part.
  */
 struct VirtualSource
@@ -57,8 +57,8 @@ struct VirtualSource
                       : std::clamp(this->x, this->first, this->last);
   }
 
-  /** The way to a point with toY >= 0: a straight line, or one bent at an end of the lit part. */
-  WayFromSource wayTo(double toX, double toY) const
+  /** The path to a point with toY >= 0: a straight line, or one bent at an end of the lit part. */
+  PathFromSource pathTo(double toX, double toY) const
   {
     const double meets = this->crossing(toX, toY);
     if (meets >= this->first && meets <= this->last)
@@ -70,12 +70,12 @@ struct VirtualSource
     return { atBend + std::sqrt((toX - bend) * (toX - bend) + toY * toY), atBend };
   }
   /** The same to the side's corners. */
-  WayFromSource wayToFirst() const
+  PathFromSource pathToFirst() const
   {
     const double atBend = this->onSide(this->first);
     return { atBend + this->first, this->first > 0.0 ? atBend : this->offset };
   }
-  WayFromSource wayToSecond(double length) const
+  PathFromSource pathToSecond(double length) const
   {
     const double atBend = this->onSide(this->last);
     return { atBend + (length - this->last), this->last < length ? atBend : this->offset };

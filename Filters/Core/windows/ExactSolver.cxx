@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "windows/ExactSolver.h"
 
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
+#include "windows/WindowPath.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -40,13 +42,58 @@ bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField&
     }
     first = std::min(first, label.value);
   }
-  WindowFront front(this->mesh(), this->Edges, request.closed, request.options, first, limit, field,
-    this->Workspace);
+  this->Passable.emplace(this->mesh(), this->Edges, request.options);
+  this->keepSeeds(labels);
+  this->Found = &field;
+  this->Reach = -1.0;
+  WindowFront front(this->mesh(), this->Edges, request.closed, *this->Passable, request.options,
+    first, limit, field, this->Workspace);
   for (const Label& label : labels)
   {
     front.startAt(label.origin, label.value, label.seed);
+    if (!front.mayGoOn())
+    {
+      return false;
+    }
   }
-  return front.march();
+  const bool finished = front.march();
+  this->Reach = finished ? limit.value() : -1.0;
+  return finished;
+}
+
+void ExactSolver::keepSeeds(const std::vector<Label>& labels)
+{
+  this->Seeds.clear();
+  for (const Label& label : labels)
+  {
+    this->Seeds.resize(std::max<std::size_t>(this->Seeds.size(), label.seed + std::size_t{ 1 }));
+    this->Seeds[label.seed] = label.origin;
+  }
+}
+
+std::optional<FoundPath> ExactSolver::pathFrom(const SurfacePoint& start) const
+{
+  PathStarts::Start found;
+  if (const Carriers carriers = carriersOf(this->mesh(), start); carriers.size() == 1)
+  {
+    const Index vertex = carriers[0];
+    if (!this->Workspace.arrivals.empty())
+    {
+      found = { this->mesh().position(vertex), this->Found->distance(vertex),
+        this->Found->nearestSeed(vertex), this->Workspace.arrivals[vertex] };
+    }
+  }
+  else if (const PathStarts::Start* kept = this->Workspace.starts.find(start))
+  {
+    found = *kept;
+  }
+  if (!(found.distance < DistanceField::Unreached && found.distance <= this->Reach))
+  {
+    return std::nullopt;
+  }
+  WindowPath path(this->mesh(), this->Edges, *this->Passable, *this->Found, this->Seeds,
+    this->Workspace.arrivals);
+  return FoundPath{ found.distance, path.from(start, found.distance, found.seed, found.arrival) };
 }
 
 }

@@ -3,11 +3,13 @@
 #ifndef geodesic_ExactSolver_h
 #define geodesic_ExactSolver_h
 
+#include "mesh/EdgeTable.h"
 #include "solve/FrontSolver.h"
-#include "windows/EdgeTable.h"
 #include "windows/WindowFront.h"
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace geodesic
 {
@@ -19,10 +21,12 @@ namespace geodesic
  * Seeds are points at vertices, on edges and in faces, with start values. A path may go along the
  * edges and corners of closed triangles, and along the side of a triangle that lies opposite to an
  * excluded vertex, but through neither. Of equally near seeds the nearest
- * one is the smallest at vertices; behind such ties it may be any of them.
+ * one is the smallest at vertices; behind such ties it may be any of them. Paths are the shortest
+ * of all, not only locally.
  *
  * Time O(n^1.5 log n) on smooth surfaces, O(n) on planes, and O(n^2 log n) at worst. Memory: 80
- * bytes a vertex, and 48 for each window that waits: 50 to 180 bytes a vertex on surfaces tried.
+ * bytes a vertex, and 48 for each window that waits: 50 to 180 bytes a vertex on surfaces tried;
+ * 40 bytes a vertex more where paths are wanted.
  */
 class ExactSolver final : public FrontSolver
 {
@@ -30,14 +34,26 @@ public:
   /** Time O(n). */
   explicit ExactSolver(std::shared_ptr<const TriangleMesh> mesh);
 
+  bool findsPaths() const override { return true; }
+  /** See DistanceSolver. The points are left out if rounding led the path astray. */
+  std::optional<FoundPath> pathFrom(const SurfacePoint& start) const override;
+
 protected:
   /** @throws std::invalid_argument for a cost, for seeds that are no points, or on a surface in
    * several pieces; std::runtime_error beyond SolveOptions::memoryLimit */
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
 
 private:
+  void keepSeeds(const std::vector<Label>& labels);
+
   EdgeTable Edges;
   WindowWorkspace Workspace;
+  // Of the last run, for paths.
+  std::optional<PassableTriangles> Passable;
+  std::vector<SurfacePoint> Seeds;
+  const DistanceField* Found = nullptr;
+  /** Up to which distance all was found. */
+  double Reach = 0.0;
 };
 
 }

@@ -6,6 +6,7 @@
 #include "base/NumberText.h"
 #include "mesh/Carriers.h"
 #include "solve/ClosedTriangles.h"
+#include "windows/LaidTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +17,6 @@ namespace geodesic
 {
 namespace
 {
-
-/** By which fraction of the distance another path must be shorter to take the place of a window.
- * It lies above all rounding: a window that is as short as the other path must stay, as nobody else
- * may follow that path further. */
-constexpr double Margin = 1e-11;
-
-/**
- * How far from one end of an edge paths by that end are shorter than the straight lines of a
- * window. The excess of the lines over these paths falls from the end on.
- * @param x, y   the source; the end lies at x = 0 and the edge along the positive axis
- * @param known  the distance at the end less that of the source
- */
-double reachOfEnd(double x, double y, double known)
-{
-  return (x * x + y * y - known * known) / (2.0 * (x + known));
-}
-
 double gigabytes(std::size_t bytes)
 {
   return static_cast<double>(bytes) * 1e-9;
@@ -62,8 +46,8 @@ void WindowWorkspace::empty(std::span<const Index> reached)
 }
 
 WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
-  const ClosedTriangles& closed, const SolveOptions& options, double first, StopLimit& limit,
-  DistanceField& field, WindowWorkspace& workspace)
+  const ClosedTriangles& closed, const PassableTriangles& passable, const SolveOptions& options,
+  double first, StopLimit& limit, DistanceField& field, WindowWorkspace& workspace)
   : Mesh(mesh)
   , Edges(edges)
   , Closed(closed)
@@ -72,62 +56,35 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   , Field(field)
   , Work(workspace)
   , First(first)
+  , Passable(passable)
   , MostBytes(options.memoryLimit > 0 ? options.memoryLimit : machineMemory() / 4 * 3)
   , NextReport(options.progressInterval)
 {
   constexpr double bucket = 0.5;
   const double width = bucket * mesh.meanLongestEdge();
   this->Work.queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength());
-  this->findBarriers();
+  this->findTurnsAtBarriers();
+  this->Work.starts.set(mesh, edges, options.pathStarts);
+  this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
 }
 
-void WindowFront::findBarriers()
+void WindowFront::findTurnsAtBarriers()
 {
-  if (this->Options.excluded.empty() && this->Options.closedTriangles.empty())
+  if (this->Passable.areAll())
   {
     return;
   }
-  this->Passable.assign(this->Mesh.numberOfTriangles(), true);
   this->Turning.assign(this->Mesh.numberOfVertices(), false);
   for (Index t = 0; t < this->Mesh.numberOfTriangles(); ++t)
   {
-    const Triangle& corners = this->Mesh.triangle(t);
-    if (this->Options.isClosed(t) ||
-      std::any_of(corners.begin(), corners.end(),
-        [&](Index corner) { return this->Options.isExcluded(corner); }))
+    if (!this->Passable.contains(t))
     {
-      this->Passable[t] = false;
-      for (const Index corner : corners)
+      for (const Index corner : this->Mesh.triangle(t))
       {
         this->Turning[corner] = true;
       }
     }
   }
-}
-
-double WindowFront::lengthOf(Index a, Index b) const
-{
-  return norm(this->Mesh.position(std::max(a, b)) - this->Mesh.position(std::min(a, b)));
-}
-
-WindowFront::LaidTriangle WindowFront::laid(Index halfEdge) const
-{
-  LaidTriangle laid;
-  laid.triangle = halfEdge / 3;
-  const Triangle& corners = this->Mesh.triangle(laid.triangle);
-  const Index k = halfEdge % 3;
-  laid.apex = corners[k];
-  const Index a = corners[(k + 1) % 3];
-  const Index b = corners[(k + 2) % 3];
-  laid.lower = std::min(a, b);
-  laid.higher = std::max(a, b);
-  const Vector3& origin = this->Mesh.position(laid.lower);
-  const Vector3 edge = this->Mesh.position(laid.higher) - origin;
-  const Vector3 side = this->Mesh.position(laid.apex) - origin;
-  laid.length = norm(edge);
-  laid.x = laid.length > 0.0 ? dot(side, edge) / laid.length : 0.0;
-  laid.y = laid.length > 0.0 ? norm(cross(edge, side)) / laid.length : norm(side);
-  return laid;
 }
 
 WindowFront::Target WindowFront::targetOf(Index halfEdge, Index from, Index to, double length) const
@@ -140,7 +97,7 @@ bool WindowFront::leadsOn(Index halfEdge) const
 {
   for (Index other = this->Edges.next(halfEdge); other != halfEdge; other = this->Edges.next(other))
   {
-    if (this->isPassable(other / 3))
+    if (this->Passable.contains(EdgeTable::triangleOf(other)))
     {
       return true;
     }
@@ -153,7 +110,7 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
   const Carriers carriers = carriersOf(this->Mesh, point);
   if (carriers.size() == 1)
   {
-    this->reach(carriers[0], value, number);
+    this->reach(carriers[0], value, number, {});
     if (this->Field.distance(carriers[0]) == value && !this->Work.isToSend[carriers[0]])
     {
       this->queueVertex(carriers[0], value);
@@ -170,9 +127,12 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
     const Triangle& corners = this->Mesh.triangle(t);
     for (const Index corner : corners)
     {
-      this->reach(corner, value + norm(this->Mesh.position(corner) - position), number);
+      this->reach(corner, value + norm(this->Mesh.position(corner) - position), number, {});
     }
-    for (Index k = 0; k < 3 && this->isPassable(t) && !this->Edges.isRepeated(t); ++k)
+    this->Work.starts.visitIn(t,
+      [&](PathStarts::Start& start)
+      { PathStarts::reach(start, value + norm(start.position - position), number, {}); });
+    for (Index k = 0; k < 3 && this->Passable.contains(t) && !this->Edges.isRepeated(t); ++k)
     {
       // Only the edge that has the point is no way out of the triangle.
       if (carriers.contains(corners[k]))
@@ -180,6 +140,7 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
         this->sendThrough(3 * t + k, position, value, number);
       }
     }
+    this->Crossed += 3;
   }
 }
 
@@ -189,7 +150,7 @@ void WindowFront::sendThrough(Index halfEdge, const Vector3& from, double distan
   {
     return;
   }
-  const LaidTriangle laid = this->laid(halfEdge);
+  const LaidTriangle laid(this->Mesh, halfEdge);
   if (!(laid.length > 0.0))
   {
     return;
@@ -214,12 +175,22 @@ void WindowFront::sendFrom(Index vertex)
     if (this->Closed.isOpenEdge(vertex, i))
     {
       const Index neighbour = ring[i].neighbour();
-      this->reach(neighbour, distance + this->lengthOf(vertex, neighbour), seed);
+      this->reach(neighbour, distance + edgeLength(this->Mesh, vertex, neighbour), seed,
+        Arrival::fromVertex(vertex));
     }
   }
   for (const Index t : this->Edges.trianglesAt(vertex))
   {
-    if (!this->isPassable(t) || this->Edges.isRepeated(t))
+    if (!this->Options.isClosed(t))
+    {
+      this->Work.starts.visitIn(t,
+        [&](PathStarts::Start& start)
+        {
+          PathStarts::reach(
+            start, distance + norm(start.position - position), seed, Arrival::fromVertex(vertex));
+        });
+    }
+    if (!this->Passable.contains(t) || this->Edges.isRepeated(t))
     {
       continue;
     }
@@ -230,9 +201,9 @@ void WindowFront::sendFrom(Index vertex)
   this->Crossed += ring.size();
 }
 
-void WindowFront::reach(Index vertex, double distance, Index seed)
+void WindowFront::reach(Index vertex, double distance, Index seed, const Arrival& arrival)
 {
-  // Two ways of one length, on which distances differ by rounding.
+  // Two paths of one length, on which distances differ by rounding.
   constexpr double rounding = 1e-12;
   const double known = this->Field.distance(vertex);
   if (distance > known * (1.0 + rounding) || this->Options.isExcluded(vertex) ||
@@ -241,6 +212,10 @@ void WindowFront::reach(Index vertex, double distance, Index seed)
     return;
   }
   const bool isTie = distance >= known * (1.0 - rounding);
+  if (!this->Work.arrivals.empty() && (!isTie || seed < this->Field.nearestSeed(vertex)))
+  {
+    this->Work.arrivals[vertex] = arrival;
+  }
   const Index nearest = isTie ? std::min(seed, this->Field.nearestSeed(vertex)) : seed;
   this->Field.setDistance(vertex, std::min(distance, known));
   this->Field.setNearestSeed(vertex, nearest);
@@ -254,178 +229,6 @@ void WindowFront::queueVertex(Index vertex, double distance)
 {
   this->Work.isToSend[vertex] = 1;
   this->Work.queue.push(3 * this->Mesh.numberOfTriangles() + vertex, distance - this->First);
-}
-
-void WindowFront::offer(const Target& target, Window window)
-{
-  double atFirst = window.lineTo(window.first);
-  double atLast = window.lineTo(window.last);
-  const double margin = Margin * (window.offset + atFirst + atLast);
-  const double lower = target.atLower - window.offset + margin;
-  const double higher = target.atHigher - window.offset + margin;
-  const double restAtFirst = target.length - window.first;
-  const double restAtLast = target.length - window.last;
-  if (atLast - window.last > lower || atFirst - restAtFirst > higher)
-  {
-    return;
-  }
-  if (atFirst - window.first > lower)
-  {
-    const double cut = reachOfEnd(window.x, window.y, lower);
-    window.first = cut > window.first && cut < window.last ? cut : window.first;
-  }
-  if (atLast - restAtLast > higher)
-  {
-    const double cut = target.length - reachOfEnd(target.length - window.x, window.y, higher);
-    window.last = cut > window.first && cut < window.last ? cut : window.last;
-  }
-  const double line = window.x < window.first ? atFirst
-    : window.x > window.last                  ? atLast
-                                              : window.y;
-  const double least = window.offset + line;
-  if (!(window.first < window.last) || least > this->Limit.value())
-  {
-    return;
-  }
-  for (Index other = this->Edges.next(target.halfEdge); other != target.halfEdge;
-       other = this->Edges.next(other))
-  {
-    if (this->isPassable(other / 3))
-    {
-      this->wait(other, window, least);
-    }
-  }
-}
-
-void WindowFront::wait(Index halfEdge, const Window& window, double least)
-{
-  Index& place = this->Work.places[halfEdge];
-  bool isFirst = false;
-  if (place == NoIndex)
-  {
-    isFirst = true;
-    if (this->Work.free.empty())
-    {
-      this->Work.free.push_back(static_cast<Index>(this->Work.waiting.size()));
-      this->Work.waiting.emplace_back();
-    }
-    place = this->Work.free.back();
-    this->Work.free.pop_back();
-  }
-  WindowWorkspace::Waiting& waiting = this->Work.waiting[place];
-  const std::size_t before = waiting.list.bytes();
-  waiting.list.insert(window);
-  this->Work.bytes += waiting.list.bytes() - before;
-  if (isFirst || least < waiting.least)
-  {
-    waiting.least = least;
-    waiting.halfEdge = halfEdge;
-    this->Work.queue.push(halfEdge, least - this->First);
-  }
-}
-
-void WindowFront::reachApex(const LaidTriangle& laid, std::span<const Window> windows)
-{
-  // A straight line that misses the apex by so little ends there with no error to speak of, as the
-  // detour grows with the square. Without this, rounding could leave an apex between two windows.
-  const double miss = 1e-7 * laid.length;
-  for (const Window& w : windows)
-  {
-    const double height = w.y + laid.y;
-    const double at = height > 0.0 ? w.x + (laid.x - w.x) * (w.y / height) : w.x;
-    if (at >= w.first && at <= w.last)
-    {
-      const double along = laid.x - w.x;
-      this->reach(laid.apex, w.offset + std::sqrt(along * along + height * height), w.seed);
-    }
-    else if (at > w.first - miss && at < w.last + miss)
-    {
-      const double end = at < w.first ? w.first : w.last;
-      this->reach(laid.apex, w.distanceAt(end) + std::hypot(end - laid.x, laid.y), w.seed);
-    }
-  }
-}
-
-void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> windows, bool isLower)
-{
-  const Index corner = isLower ? laid.lower : laid.higher;
-  const Index opposite = isLower ? laid.higher : laid.lower;
-  const Triangle& corners = this->Mesh.triangle(laid.triangle);
-  const Index k = corners[0] == opposite ? 0 : corners[1] == opposite ? 1 : 2;
-  const Index side = 3 * laid.triangle + k;
-  if (!this->leadsOn(side))
-  {
-    return;
-  }
-  const double length = this->lengthOf(corner, laid.apex);
-  if (!(length > 0.0))
-  {
-    return;
-  }
-  const Target target = this->targetOf(side, corner, laid.apex, length);
-  // All is measured from the corner: x along the crossed edge, and along the side to the apex.
-  const double apexX = isLower ? laid.x : laid.length - laid.x;
-  const double alongX = apexX / length;
-  const double alongY = laid.y / length;
-  const bool isTurned = laid.apex < corner;
-  const auto pass = [&](const Window& w)
-  {
-    const double sourceX = isLower ? w.x : laid.length - w.x;
-    const double first = isLower ? w.first : laid.length - w.last;
-    const double last = isLower ? w.last : laid.length - w.first;
-    const double height = w.y + laid.y;
-    const double atApex = height > 0.0 ? sourceX + (apexX - sourceX) * (w.y / height) : sourceX;
-    if (!(first < atApex))
-    {
-      return;
-    }
-    const auto onSide = [&](double at)
-    {
-      const double place = at * w.y / (alongX * w.y - alongY * (at - sourceX));
-      return std::clamp(place, 0.0, length);
-    };
-    const double from = first > 0.0 ? onSide(first) : 0.0;
-    const double to = last < atApex ? onSide(last) : length;
-    if (!(from < to))
-    {
-      return;
-    }
-    const double x = sourceX * alongX - w.y * alongY;
-    const double y = std::max(0.0, alongX * w.y + alongY * sourceX);
-    if (isTurned)
-    {
-      this->offer(target, { length - to, length - from, length - x, y, w.offset, w.seed });
-    }
-    else
-    {
-      this->offer(target, { from, to, x, y, w.offset, w.seed });
-    }
-  };
-  // In the order in which they lie on the side, so that each goes to the end of the list.
-  if (isLower != isTurned)
-  {
-    std::for_each(windows.begin(), windows.end(), pass);
-  }
-  else
-  {
-    std::for_each(windows.rbegin(), windows.rend(), pass);
-  }
-}
-
-void WindowFront::crossTriangle(Index halfEdge)
-{
-  Index& place = this->Work.places[halfEdge];
-  WindowList& list = this->Work.waiting[place].list;
-  this->Crossing.clear();
-  this->Crossing.swap(list);
-  this->Work.free.push_back(place);
-  place = NoIndex;
-  const std::span<const Window> windows = this->Crossing.windows();
-  const LaidTriangle laid = this->laid(halfEdge);
-  this->reachApex(laid, windows);
-  this->crossTo(laid, windows, true);
-  this->crossTo(laid, windows, false);
-  this->Crossed += windows.size();
 }
 
 void WindowFront::checkMemory() const
@@ -444,21 +247,27 @@ void WindowFront::checkMemory() const
 
 bool WindowFront::mayGoOn()
 {
-  constexpr std::size_t interval = 1024;
   if (this->Crossed < this->NextLook)
   {
     return true;
   }
-  this->NextLook = this->Crossed + interval;
+  this->NextLook = this->Crossed + LookInterval;
   this->Limit.update();
   this->checkMemory();
+  if (!this->Options.onProgress || this->Options.progressInterval == 0)
+  {
+    return true;
+  }
   const std::size_t reached = this->Field.reached().size();
+  if (reached < this->NextReport)
+  {
+    return this->Options.onProgress(this->LastReport);
+  }
   bool goesOn = true;
-  while (this->Options.onProgress && this->Options.progressInterval > 0 && goesOn &&
-    reached >= this->NextReport)
+  for (; goesOn && reached >= this->NextReport; this->NextReport += this->Options.progressInterval)
   {
     goesOn = this->Options.onProgress(this->NextReport);
-    this->NextReport += this->Options.progressInterval;
+    this->LastReport = this->NextReport;
   }
   return goesOn;
 }
@@ -479,7 +288,7 @@ bool WindowFront::march()
     this->take(queue.take(room)[0]);
     goesOn = this->mayGoOn();
   }
-  this->Work.empty(this->Field.reached());
+  this->checkMemory();
   return goesOn;
 }
 

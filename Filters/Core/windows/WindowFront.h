@@ -4,17 +4,21 @@
 #define geodesic_WindowFront_h
 
 #include "march/BucketQueue.h"
+#include "mesh/EdgeTable.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceField.h"
+#include "solve/PassableTriangles.h"
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
-#include "windows/EdgeTable.h"
+#include "windows/Arrival.h"
+#include "windows/PathStarts.h"
 #include "windows/WindowList.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +26,7 @@ namespace geodesic
 {
 
 class ClosedTriangles;
+struct LaidTriangle;
 
 /** What a front of windows keeps from run to run, for its memory. */
 struct WindowWorkspace
@@ -45,6 +50,10 @@ struct WindowWorkspace
   std::vector<Waiting> waiting;
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
+  /** For each vertex how the shortest path comes there; kept only if there are points from which
+   * paths are wanted. */
+  std::vector<Arrival> arrivals;
+  PathStarts starts;
   /** For each vertex whether paths from it are still to be sent. */
   std::vector<std::uint8_t> isToSend;
   /** The memory of all lists, in bytes. */
@@ -61,7 +70,8 @@ struct WindowWorkspace
  * A window, or a part of it, is dropped where a path through an end of its edge is shorter, or
  * another window that waits at the same half-edge. The first is the filter of S. Xin, G. Wang,
  * Improving Chen and Han's algorithm on the discrete geodesic problem, ACM Trans. Graph. 28 (2009),
- * applied to parts. Windows that have crossed a triangle are not kept.
+ * applied to parts. Windows that have crossed a triangle are not kept; where paths are wanted
+ * (SolveOptions::pathStarts), each vertex remembers the one that gave it its distance.
  */
 class WindowFront
 {
@@ -71,11 +81,22 @@ public:
    * @param field  reset; gets distances and nearest seeds
    */
   WindowFront(const TriangleMesh& mesh, const EdgeTable& edges, const ClosedTriangles& closed,
-    const SolveOptions& options, double first, StopLimit& limit, DistanceField& field,
-    WindowWorkspace& workspace);
+    const PassableTriangles& passable, const SolveOptions& options, double first, StopLimit& limit,
+    DistanceField& field, WindowWorkspace& workspace);
+  /** Leaves the workspace empty. */
+  ~WindowFront() { this->Work.empty(this->Field.reached()); }
+  WindowFront(const WindowFront&) = delete;
+  WindowFront& operator=(const WindowFront&) = delete;
 
   /** Starts paths from a point seed. @param number of the seed */
   void startAt(const SurfacePoint& point, double value, Index number);
+
+  /**
+   * Follows the targets, reports progress and checks memory; false once the run is cancelled. To be
+   * asked after each seed; march() asks by itself.
+   * @throws std::runtime_error as march()
+   */
+  bool mayGoOn();
 
   /**
    * Marches until no window below the limit is left.
@@ -85,18 +106,6 @@ public:
   bool march();
 
 private:
-  /** A triangle laid in the plane: @ref lower and @ref higher on the x axis, the apex above it. */
-  struct LaidTriangle
-  {
-    Index triangle;
-    Index lower;
-    Index higher;
-    Index apex;
-    double length;
-    double x;
-    double y;
-  };
-
   /** An edge to which windows go, and what is known about it. */
   struct Target
   {
@@ -107,42 +116,46 @@ private:
     double atHigher;
   };
 
-  LaidTriangle laid(Index halfEdge) const;
   Target targetOf(Index halfEdge, Index from, Index to, double length) const;
-  double lengthOf(Index a, Index b) const;
-  bool isPassable(Index triangle) const
-  {
-    return this->Passable.empty() || this->Passable[triangle];
-  }
   bool canTurn(Index vertex) const
   {
     return this->Edges.canTurn(vertex) || (!this->Turning.empty() && this->Turning[vertex]);
   }
-  void findBarriers();
+  void findTurnsAtBarriers();
 
   /** Whether windows can go on from any other triangle of the half-edge's edge. */
   bool leadsOn(Index halfEdge) const;
   /** Lets the windows that wait at a half-edge cross its triangle. */
   void crossTriangle(Index halfEdge);
   /** Gives the apex the distances of the windows that light it. */
-  void reachApex(const LaidTriangle& laid, std::span<const Window> windows);
+  void reachApex(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
   /** Lets windows go on to the side from the triangle's lower or its higher corner to its apex. */
   void crossTo(const LaidTriangle& laid, std::span<const Window> windows, bool isLower);
   /** Sends straight lines from a point of a triangle through the edge of a half-edge. */
   void sendThrough(Index halfEdge, const Vector3& from, double distance, Index seed);
   /** Sends paths from a vertex through all triangles round it, and along edges. */
   void sendFrom(Index vertex);
-  /** Cuts off a window what a path by the ends of its edge can reach on a shorter way, and lets it
+  /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and lets it
    * wait in all other triangles of the edge. */
   void offer(const Target& target, Window window);
   void wait(Index halfEdge, const Window& window, double least);
   /** Gives a vertex a distance if that is less than what it has. */
-  void reach(Index vertex, double distance, Index seed);
+  void reach(Index vertex, double distance, Index seed, const Arrival& arrival);
+  /** Notes the windows that light points of a triangle from which paths are wanted. */
+  void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
+  /** How a straight line of a window across a half-edge comes to a point in its triangle's plane.
+   */
+  struct Line
+  {
+    double distance;
+    Arrival arrival;
+  };
+  /** The line to a point, if the window lights it but for a miss of no importance. */
+  static std::optional<Line> lineTo(
+    const Window& window, Index halfEdge, double x, double y, double miss);
   void queueVertex(Index vertex, double distance);
   /** Works on an item of the queue: a half-edge, or a vertex after these. */
   void take(Index item);
-  /** Follows the targets, reports progress and checks memory; false once the run is cancelled. */
-  bool mayGoOn();
   void checkMemory() const;
 
   const TriangleMesh& Mesh;
@@ -154,16 +167,18 @@ private:
   WindowWorkspace& Work;
   /** The queue's keys are distances less this one. */
   double First;
-  /** For each triangle whether windows may cross it; empty if they may cross all. */
-  std::vector<bool> Passable;
+  const PassableTriangles& Passable;
   /** For each vertex whether paths can turn there because of barriers. */
   std::vector<bool> Turning;
   /** The windows that cross a triangle now. */
   WindowList Crossing;
   std::size_t MostBytes;
+  static constexpr std::size_t LookInterval = 1024;
   /** How many windows have crossed a triangle, and when mayGoOn() looks at things again. */
   std::size_t Crossed = 0;
-  std::size_t NextLook = 0;
+  std::size_t NextLook = LookInterval;
+  /** The number of vertices last reported, and the next one. */
+  std::size_t LastReport = 0;
   std::size_t NextReport;
 };
 

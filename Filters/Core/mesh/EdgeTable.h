@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -15,8 +16,9 @@ namespace geodesic
 class TriangleMesh;
 
 /**
- * Which triangles meet at the edges of a mesh. Side k of triangle t, opposite its corner k, is
- * half-edge 3t + k. An edge is a circle of half-edges, one of each triangle that has it.
+ * Which triangles meet at the edges of a mesh. Half-edge 3t + k is the side of triangle t opposite
+ * its corner k, from corner k + 1 to corner k + 2. An edge is a circle of half-edges, one of each
+ * triangle that has it: two on a manifold, one at a border, more where sheets meet.
  *
  * Of triangles with the same three corners only the first has a place in the circles: what crosses
  * the others crosses it as well. Memory: 4 bytes for each half-edge and each corner, 5 a vertex.
@@ -26,6 +28,10 @@ class EdgeTable
 public:
   /** Time O(n log k) where most vertices have about k triangles. */
   explicit EdgeTable(const TriangleMesh& mesh);
+
+  static Index triangleOf(Index halfEdge) { return halfEdge / 3; }
+  /** The half-edge of the same triangle that begins where @p halfEdge ends. */
+  static Index following(Index halfEdge) { return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1; }
 
   /** The next half-edge of the same edge; @p halfEdge itself if its triangle is the only one. */
   Index next(Index halfEdge) const { return this->Next[halfEdge]; }
@@ -37,21 +43,25 @@ public:
   }
   /** Whether an earlier triangle has the same corners. */
   bool isRepeated(Index triangle) const { return this->Repeated[triangle]; }
+  /** The repeated triangles, each with the first one that has the same corners. */
+  const std::vector<std::pair<Index, Index>>& repetitions() const { return this->Repetitions; }
   /**
-   * Whether a shortest path can turn at a vertex: at one on the border, where sheets meet, or where
-   * the angles of the triangles sum up to more than a full turn.
+   * Whether a shortest path can turn at a vertex: where the angles of its triangles sum up to more
+   * than a full turn, on the border to a half turn or more, and wherever sheets meet.
    */
   bool canTurn(Index vertex) const { return this->Turning[vertex] != 0; }
 
 private:
   void collectTriangles(const TriangleMesh& mesh);
   void linkEdges(const TriangleMesh& mesh);
+  void addRepetition(Index triangle, Index first);
   void findTurns(const TriangleMesh& mesh);
 
   std::vector<Index> Starts;
   std::vector<Index> Around;
   std::vector<Index> Next;
   std::vector<bool> Repeated;
+  std::vector<std::pair<Index, Index>> Repetitions;
   std::vector<std::uint8_t> Turning;
 };
 

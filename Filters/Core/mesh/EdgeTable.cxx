@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "windows/EdgeTable.h"
+#include "mesh/EdgeTable.h"
 
 #include "mesh/TriangleMesh.h"
 
@@ -28,12 +28,12 @@ struct Side
   }
 };
 
-/** Whether the triangles round a vertex are one fan that closes. */
-bool isInside(std::span<const RingEntry> ring)
+/** Whether the triangles round a vertex are one fan. */
+bool isOneFan(std::span<const RingEntry> ring)
 {
   const auto fans = std::count_if(
     ring.begin(), ring.end(), [](const RingEntry& entry) { return !entry.opensTriangle(); });
-  return fans == 1 && ring.front().neighbour() == ring.back().neighbour();
+  return fans == 1;
 }
 
 double angleBetween(const Vector3& a, const Vector3& b)
@@ -97,39 +97,61 @@ void EdgeTable::linkEdges(const TriangleMesh& mesh)
     }
     std::sort(sides.begin(), sides.end());
     std::size_t first = 0;
+    std::size_t firstWithApex = 0;
     for (std::size_t i = 1; i < sides.size(); ++i)
     {
       if (sides[i].higher != sides[first].higher)
       {
         first = i;
+        firstWithApex = i;
       }
-      else if (sides[i].apex == sides[i - 1].apex)
+      else if (sides[i].apex == sides[firstWithApex].apex)
       {
-        this->Repeated[sides[i].halfEdge / 3] = true;
+        this->addRepetition(
+          triangleOf(sides[i].halfEdge), triangleOf(sides[firstWithApex].halfEdge));
       }
       else
       {
+        firstWithApex = i;
         std::swap(this->Next[sides[first].halfEdge], this->Next[sides[i].halfEdge]);
       }
     }
   }
 }
 
+void EdgeTable::addRepetition(Index triangle, Index first)
+{
+  // Each of its three edges finds it.
+  if (!this->Repeated[triangle])
+  {
+    this->Repeated[triangle] = true;
+    this->Repetitions.emplace_back(triangle, first);
+  }
+}
+
 void EdgeTable::findTurns(const TriangleMesh& mesh)
 {
   // Where the sum is a full turn, it comes out as more or less by rounding. To turn at such a
-  // vertex would be right as well, but cost time.
-  constexpr double fullTurn = 2.0 * std::numbers::pi + 1e-9;
+  // vertex would be right as well, but cost time. On the border a half turn must count: there the
+  // edges themselves are the shortest path.
+  constexpr double rounding = 1e-9;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
     const std::span<const RingEntry> ring = mesh.ring(v);
+    // An edge without length hides an angle.
+    bool canTurn = ring.empty() || !isOneFan(ring);
     double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    for (std::size_t i = 0; i + 1 < ring.size() && !canTurn; ++i)
     {
-      sum += angleBetween(mesh.position(ring[i].neighbour()) - mesh.position(v),
-        mesh.position(ring[i + 1].neighbour()) - mesh.position(v));
+      const Vector3 side = mesh.position(ring[i].neighbour()) - mesh.position(v);
+      const Vector3 next = mesh.position(ring[i + 1].neighbour()) - mesh.position(v);
+      canTurn = !(norm(side) > 0.0 && norm(next) > 0.0);
+      sum += angleBetween(side, next);
     }
-    this->Turning[v] = ring.empty() || !isInside(ring) || sum > fullTurn ? 1 : 0;
+    const bool isInside = !ring.empty() && ring.front().neighbour() == ring.back().neighbour();
+    const double straight =
+      isInside ? 2.0 * std::numbers::pi + rounding : std::numbers::pi - rounding;
+    this->Turning[v] = canTurn || sum > straight ? 1 : 0;
   }
 }
 

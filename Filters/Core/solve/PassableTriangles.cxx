@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/PassableTriangles.h"
+
+#include "mesh/EdgeTable.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/SolveOptions.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+PassableTriangles::PassableTriangles(
+  const TriangleMesh& mesh, const EdgeTable& edges, const SolveOptions& options)
+{
+  if (options.excluded.empty() && options.closedTriangles.empty())
+  {
+    return;
+  }
+  this->Passable.resize(mesh.numberOfTriangles());
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    const Triangle& corners = mesh.triangle(t);
+    this->Passable[t] = !options.isClosed(t) &&
+      std::none_of(
+        corners.begin(), corners.end(), [&](Index corner) { return options.isExcluded(corner); });
+  }
+  for (const auto& [repeated, first] : edges.repetitions())
+  {
+    this->Passable[first] = this->Passable[first] && this->Passable[repeated];
+  }
+}
+
+}

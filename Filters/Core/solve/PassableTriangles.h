@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_PassableTriangles_h
+#define geodesic_PassableTriangles_h
+
+#include "base/Index.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+class EdgeTable;
+class TriangleMesh;
+struct SolveOptions;
+
+/**
+ * Tells which triangles fronts may cross that go from edge to edge: none that is closed or has an
+ * excluded corner, nor one with the same three corners as such a triangle.
+ */
+class PassableTriangles
+{
+public:
+  /** If any triangle is closed or vertex excluded: time O(n), memory 2 bits a vertex. */
+  PassableTriangles(const TriangleMesh& mesh, const EdgeTable& edges, const SolveOptions& options);
+
+  /** Whether every triangle may be crossed. */
+  bool areAll() const { return this->Passable.empty(); }
+  bool contains(Index triangle) const { return this->Passable.empty() || this->Passable[triangle]; }
+
+private:
+  std::vector<bool> Passable;
+};
+
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_LaidTriangle_h
+#define geodesic_LaidTriangle_h
+
+#include "mesh/EdgeTable.h"
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+/** The length of an edge, the same from both ends to the last digit. */
+inline double edgeLength(const TriangleMesh& mesh, Index a, Index b)
+{
+  return norm(mesh.position(std::max(a, b)) - mesh.position(std::min(a, b)));
+}
+
+/** A triangle laid in the plane of one of its half-edges: @ref lower, the lower one of the two
+ * vertices, in the origin, @ref higher on the positive x axis, and the apex above the axis. */
+struct LaidTriangle
+{
+  LaidTriangle(const TriangleMesh& mesh, Index halfEdge)
+    : triangle(EdgeTable::triangleOf(halfEdge))
+  {
+    const Triangle& corners = mesh.triangle(this->triangle);
+    const Index k = halfEdge % 3;
+    this->apex = corners[k];
+    const Index a = corners[(k + 1) % 3];
+    const Index b = corners[(k + 2) % 3];
+    this->lower = std::min(a, b);
+    this->higher = std::max(a, b);
+    const Vector3& origin = mesh.position(this->lower);
+    const Vector3 edge = mesh.position(this->higher) - origin;
+    const Vector3 side = mesh.position(this->apex) - origin;
+    this->length = norm(edge);
+    this->x = this->length > 0.0 ? dot(side, edge) / this->length : 0.0;
+    this->y = this->length > 0.0 ? norm(cross(edge, side)) / this->length : norm(side);
+  }
+
+  /** The half-edge of this triangle that is opposite one of its corners. */
+  Index halfEdgeOpposite(const TriangleMesh& mesh, Index corner) const
+  {
+    const Triangle& corners = mesh.triangle(this->triangle);
+    return 3 * this->triangle + (corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2);
+  }
+
+  Index triangle;
+  Index lower;
+  Index higher;
+  Index apex;
+  double length;
+  double x;
+  double y;
+};
+
+}
+
+#endif

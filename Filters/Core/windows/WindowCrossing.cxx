@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How the windows of a front cross a triangle, and what of them goes on.
+#include "windows/WindowFront.h"
+
+#include "base/WorkCount.h"
+#include "windows/LaidTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+namespace
+{
+
+/** By which fraction of the distance another path must be shorter to take the place of a window.
+ * It lies above all rounding: a window that is as short as the other path must stay, as nobody else
+ * may follow that path further. */
+constexpr double Margin = 1e-11;
+/** A straight line that misses a point by so little, in lengths of the edge that it crosses, ends
+ * there with no error to speak of, as the detour grows with the square. Without this, rounding
+ * could leave a point between two windows. */
+constexpr double Miss = 1e-7;
+
+/**
+ * How far from one end of an edge paths by that end are shorter than the straight lines of a
+ * window. The excess of the lines over these paths falls from the end on.
+ * @param x, y   the source; the end lies at x = 0 and the edge along the positive axis
+ * @param known  the distance at the end less that of the source
+ */
+double reachOfEnd(double x, double y, double known)
+{
+  return (x * x + y * y - known * known) / (2.0 * (x + known));
+}
+
+}
+
+void WindowFront::offer(const Target& target, Window window)
+{
+  double atFirst = window.lineTo(window.first);
+  double atLast = window.lineTo(window.last);
+  const double margin = Margin * (window.offset + atFirst + atLast);
+  const double lower = target.atLower - window.offset + margin;
+  const double higher = target.atHigher - window.offset + margin;
+  const double restAtFirst = target.length - window.first;
+  const double restAtLast = target.length - window.last;
+  if (atLast - window.last > lower || atFirst - restAtFirst > higher)
+  {
+    return;
+  }
+  if (atFirst - window.first > lower)
+  {
+    const double cut = reachOfEnd(window.x, window.y, lower);
+    window.first = cut > window.first && cut < window.last ? cut : window.first;
+  }
+  if (atLast - restAtLast > higher)
+  {
+    const double cut = target.length - reachOfEnd(target.length - window.x, window.y, higher);
+    window.last = cut > window.first && cut < window.last ? cut : window.last;
+  }
+  const double line = window.x < window.first ? atFirst
+    : window.x > window.last                  ? atLast
+                                              : window.y;
+  const double least = window.offset + line;
+  if (!(window.first < window.last) || least > this->Limit.value())
+  {
+    return;
+  }
+  for (Index other = this->Edges.next(target.halfEdge); other != target.halfEdge;
+       other = this->Edges.next(other))
+  {
+    if (this->Passable.contains(EdgeTable::triangleOf(other)))
+    {
+      this->wait(other, window, least);
+    }
+  }
+}
+
+void WindowFront::wait(Index halfEdge, const Window& window, double least)
+{
+  Index& place = this->Work.places[halfEdge];
+  bool isFirst = false;
+  if (place == NoIndex)
+  {
+    isFirst = true;
+    if (this->Work.free.empty())
+    {
+      this->Work.free.push_back(static_cast<Index>(this->Work.waiting.size()));
+      this->Work.waiting.emplace_back();
+    }
+    place = this->Work.free.back();
+    this->Work.free.pop_back();
+  }
+  WindowWorkspace::Waiting& waiting = this->Work.waiting[place];
+  const std::size_t before = waiting.list.bytes();
+  waiting.list.insert(window);
+  this->Work.bytes += waiting.list.bytes() - before;
+  if (isFirst || least < waiting.least)
+  {
+    waiting.least = least;
+    waiting.halfEdge = halfEdge;
+    this->Work.queue.push(halfEdge, least - this->First);
+  }
+}
+
+std::optional<WindowFront::Line> WindowFront::lineTo(
+  const Window& window, Index halfEdge, double x, double y, double miss)
+{
+  const double height = window.y + y;
+  const double at = height > 0.0 ? window.x + (x - window.x) * (window.y / height) : x;
+  if (at >= window.first && at <= window.last)
+  {
+    const double along = x - window.x;
+    return Line{ window.offset + std::sqrt(along * along + height * height),
+      { Arrival::Kind::AcrossEdge, halfEdge, at, window.x, window.y, window.offset } };
+  }
+  if (at > window.first - miss && at < window.last + miss)
+  {
+    const double end = at < window.first ? window.first : window.last;
+    return Line{ window.distanceAt(end) + std::hypot(end - x, y),
+      { Arrival::Kind::AcrossEdge, halfEdge, end, window.x, window.y, window.offset } };
+  }
+  return std::nullopt;
+}
+
+void WindowFront::reachApex(
+  Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows)
+{
+  for (const Window& w : windows)
+  {
+    if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, Miss * laid.length))
+    {
+      this->reach(laid.apex, line->distance, w.seed, line->arrival);
+    }
+  }
+}
+
+void WindowFront::reachStarts(
+  Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows)
+{
+  this->Work.starts.visitIn(laid.triangle,
+    [&](PathStarts::Start& start)
+    {
+      const Vector3& origin = this->Mesh.position(laid.lower);
+      const Vector3 edge = this->Mesh.position(laid.higher) - origin;
+      const Vector3 side = start.position - origin;
+      const double x = dot(side, edge) / laid.length;
+      const double y = norm(cross(edge, side)) / laid.length;
+      for (const Window& w : windows)
+      {
+        if (const auto line = lineTo(w, halfEdge, x, y, Miss * laid.length))
+        {
+          PathStarts::reach(start, line->distance, w.seed, line->arrival);
+        }
+      }
+    });
+}
+
+void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> windows, bool isLower)
+{
+  const Index corner = isLower ? laid.lower : laid.higher;
+  const Index opposite = isLower ? laid.higher : laid.lower;
+  const Index side = laid.halfEdgeOpposite(this->Mesh, opposite);
+  if (!this->leadsOn(side))
+  {
+    return;
+  }
+  const double length = edgeLength(this->Mesh, corner, laid.apex);
+  if (!(length > 0.0))
+  {
+    return;
+  }
+  const Target target = this->targetOf(side, corner, laid.apex, length);
+  // All is measured from the corner: x along the crossed edge, and along the side to the apex.
+  const double apexX = isLower ? laid.x : laid.length - laid.x;
+  const double alongX = apexX / length;
+  const double alongY = laid.y / length;
+  const bool isTurned = laid.apex < corner;
+  const auto pass = [&](const Window& w)
+  {
+    const double sourceX = isLower ? w.x : laid.length - w.x;
+    const double first = isLower ? w.first : laid.length - w.last;
+    const double last = isLower ? w.last : laid.length - w.first;
+    const double height = w.y + laid.y;
+    const double atApex = height > 0.0 ? sourceX + (apexX - sourceX) * (w.y / height) : sourceX;
+    if (!(first < atApex))
+    {
+      return;
+    }
+    const auto onSide = [&](double at)
+    {
+      const double place = at * w.y / (alongX * w.y - alongY * (at - sourceX));
+      return std::clamp(place, 0.0, length);
+    };
+    const double from = first > 0.0 ? onSide(first) : 0.0;
+    const double to = last < atApex ? onSide(last) : length;
+    if (!(from < to))
+    {
+      return;
+    }
+    const double x = sourceX * alongX - w.y * alongY;
+    const double y = std::max(0.0, alongX * w.y + alongY * sourceX);
+    if (isTurned)
+    {
+      this->offer(target, { length - to, length - from, length - x, y, w.offset, w.seed });
+    }
+    else
+    {
+      this->offer(target, { from, to, x, y, w.offset, w.seed });
+    }
+  };
+  // In the order in which they lie on the side, so that each goes to the end of the list.
+  if (isLower != isTurned)
+  {
+    std::for_each(windows.begin(), windows.end(), pass);
+  }
+  else
+  {
+    std::for_each(windows.rbegin(), windows.rend(), pass);
+  }
+}
+
+void WindowFront::crossTriangle(Index halfEdge)
+{
+  Index& place = this->Work.places[halfEdge];
+  WindowList& list = this->Work.waiting[place].list;
+  this->Crossing.clear();
+  this->Crossing.swap(list);
+  this->Work.free.push_back(place);
+  place = NoIndex;
+  const std::span<const Window> windows = this->Crossing.windows();
+  const LaidTriangle laid(this->Mesh, halfEdge);
+  this->reachApex(halfEdge, laid, windows);
+  this->reachStarts(halfEdge, laid, windows);
+  this->crossTo(laid, windows, true);
+  this->crossTo(laid, windows, false);
+  this->Crossed += windows.size();
+  WorkCount::add(windows.size());
+}
+
+}

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths that the exact solver finds along with its distances: they are as long as these, from
+// vertices, edges and faces, and so the shortest of all.
+
+#include "ExactDistances.h"
+#include "PathStyles.h"
+#include "RandomMeshes.h"
+#include "Solving.h"
+#include "march/FastMarchingSolver.h"
+#include "path/PathFinder.h"
+#include "windows/ExactSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** A point at a vertex, on an edge or in a face, in turn. */
+SurfacePoint randomPoint(const TriangleMesh& mesh, int kind, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> part(0.1, 0.45);
+  SurfacePoint point{ static_cast<Index>(random() % mesh.numberOfTriangles()), { 1.0, 0.0, 0.0 } };
+  const double a = part(random);
+  const double b = kind % 3 == 2 ? part(random) : 0.0;
+  if (kind % 3 > 0)
+  {
+    point.weights = { 1.0 - a - b, a, b };
+  }
+  return point;
+}
+
+/** What is left of paths that are not as long as the exact distance between their ends. */
+struct Found
+{
+  int paths = 0;
+  int longer = 0;
+  double most = 0.0;
+};
+
+/** Paths between random points; the distance from the one as seed to the other, and back. */
+Found findPaths(const std::shared_ptr<const TriangleMesh>& mesh, int count, unsigned seed,
+  const SolveOptions& options = {})
+{
+  std::mt19937 random(seed);
+  ExactSolver solver(mesh);
+  Found found;
+  for (int i = 0; i < count; ++i)
+  {
+    const SurfacePoint end = randomPoint(*mesh, i / 3, random);
+    const SurfacePoint start = randomPoint(*mesh, i, random);
+    PathFinder there(solver, { &end, 1 }, options, Straight);
+    there.march({ &start, 1 });
+    const auto path = there.pathFrom(start);
+    const bool isProven = there.isProvenShortest();
+    PathFinder back(solver, { &start, 1 }, options, Straight);
+    back.march({ &end, 1 });
+    const auto other = back.pathFrom(end);
+    EXPECT_EQ(path.has_value(), other.has_value());
+    if (path && other)
+    {
+      const double length = lengthOf(*mesh, *path);
+      const double excess = std::abs(length - lengthOf(*mesh, *other)) / std::max(length, 1e-300);
+      ++found.paths;
+      found.longer += isProven && back.isProvenShortest() && excess < 1e-9 ? 0 : 1;
+      found.most = std::max(found.most, excess);
+    }
+  }
+  return found;
+}
+
+const Surface& spot()
+{
+  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  return surface;
+}
+
+}
+
+TEST(ExactPath, IsAsLongAsTheExactDistance)
+{
+  const auto mesh = meshOf(spot());
+  const std::vector<double> exact = exactDistances(spot(), { 100 });
+  ExactSolver solver(mesh);
+  const SurfacePoint end = mesh->pointAtVertex(mesh->vertexOfPoint(100));
+  std::vector<SurfacePoint> starts;
+  for (Index point = 0; point < exact.size(); point += 7)
+  {
+    starts.push_back(mesh->pointAtVertex(mesh->vertexOfPoint(point)));
+  }
+  PathFinder finder(solver, { &end, 1 }, {}, Straight);
+  ASSERT_TRUE(finder.march(starts));
+  for (std::size_t i = 0; i < starts.size(); ++i)
+  {
+    const auto path = finder.pathFrom(starts[i]);
+    ASSERT_TRUE(path);
+    EXPECT_TRUE(finder.isProvenShortest()) << i;
+    ASSERT_NEAR(lengthOf(*mesh, *path), exact[7 * i], 1e-9 * exact[7 * i]) << i;
+  }
+}
+
+// A path of fast marching can go the longer way round; its length tells nothing about that.
+TEST(ExactPath, IsNotLongerThanThatOfFastMarching)
+{
+  const auto mesh = meshOf(spot());
+  ExactSolver exact(mesh);
+  FastMarchingSolver fast(mesh);
+  std::mt19937 random(3);
+  int shorter = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const SurfacePoint from = randomPoint(*mesh, i, random);
+    const SurfacePoint to = randomPoint(*mesh, i / 3, random);
+    const double shortest = lengthOf(*mesh, shortestPath(exact, from, to, {}, Straight).value());
+    const double other = lengthOf(*mesh, shortestPath(fast, from, to, {}, Straight).value());
+    EXPECT_LE(shortest, other * (1.0 + 1e-9)) << i;
+    shorter += shortest < other * (1.0 - 1e-6) ? 1 : 0;
+  }
+  EXPECT_GT(shorter, 0);
+}
+
+TEST(ExactPath, IsTheShortestBetweenAnyPoints)
+{
+  for (const Surface& surface : { spot(), icosphere(3), planeGrid(20, 20, 1.0, 1.0) })
+  {
+    const Found found = findPaths(meshOf(surface), 120, 1);
+    EXPECT_EQ(found.paths, 120);
+    EXPECT_EQ(found.longer, 0) << "of " << found.paths << ", worst " << found.most;
+  }
+}
+
+// Non-manifold surfaces, needles, holes and parts.
+TEST(ExactPath, IsTheShortestOnRandomMeshes)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    const MeshKind kind = meshKinds()[seed % meshKinds().size()];
+    const Found found = findPaths(meshOf(randomSurface(kind, seed)), 20, seed);
+    EXPECT_EQ(found.longer, 0) << nameOf(kind) << " " << seed << ": of " << found.paths
+                               << ", worst " << found.most;
+  }
+}
+
+TEST(ExactPath, GoesRoundBarriers)
+{
+  const auto mesh = meshOf(planeGrid(30, 30, 1.0, 1.0));
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+  for (Index t = 0; t < closed.size(); ++t)
+  {
+    const Vector3 middle = mesh->positionOf({ t, { 0.3, 0.3, 0.4 } });
+    closed[t] = middle.x > 0.4 && middle.x < 0.6 && middle.y > 0.2;
+  }
+  SolveOptions options;
+  options.closedTriangles = closed;
+  ExactSolver solver(mesh);
+  const auto at = [&](double x, double y) { return seedNear(mesh, { x, y, 0.0 }).points[0]; };
+  const Vector3 from{ 0.1137, 0.8519, 0.0 };
+  const Vector3 to{ 0.9271, 0.7713, 0.0 };
+  PathFinder finder(solver, std::vector{ at(from.x, from.y) }, options, Straight);
+  const SurfacePoint start = at(to.x, to.y);
+  ASSERT_TRUE(finder.march({ &start, 1 }));
+  const auto path = finder.pathFrom(start);
+  ASSERT_TRUE(path && finder.isProvenShortest());
+  const double low = 0.2;
+  const double way =
+    std::hypot(0.4 - from.x, low - from.y) + 0.2 + std::hypot(to.x - 0.6, low - to.y);
+  EXPECT_NEAR(lengthOf(*mesh, *path), way, 1e-9);
+}
