@@ -31,5 +31,5 @@ for case in ("bunny", "seeds", "torus", "costs", "wall"):
     cases.check(FOLDER, f"{case}/with ids", harness.surface(surface, "slabs", True), options)
     cases.check(FOLDER, f"{case}/ids only", harness.surface(surface, "random", True), dict(options, MergeCoincidentPoints=0))
     cases.check(FOLDER, f"{case}/blocks", harness.in_blocks(surface), options)
-    cases.check(FOLDER, f"{case}/made ids", simple.GenerateGlobalIds(Input=harness.surface(surface, "slabs")),
+    cases.check(FOLDER, f"{case}/made ids", harness.with_made_ids(harness.surface(surface, "slabs")),
                  dict(options, MergeCoincidentPoints=0))

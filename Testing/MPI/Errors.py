@@ -49,8 +49,8 @@ expect(("BadCost", "-1", "point 10810"), with_ids, SeedPositions=SEED, CostArray
 expect("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
        CostArray=["POINTS", "Cost"])
 expect("barrier", torus, SeedPositions=[0, 1, 0.4], BarrierArray=["POINTS", "PointNumber"])
-expect("Generate Global Ids", torus, SeedPointIds=[7])
-expect("Generate Global Ids", torus, SeedPositions=SEED, MergeCoincidentPoints=0)
+expect(harness.GLOBAL_IDS_FILTER, torus, SeedPointIds=[7])
+expect(harness.GLOBAL_IDS_FILTER, torus, SeedPositions=SEED, MergeCoincidentPoints=0)
 expect("Seed point id 11 ", with_ids, SeedPointIds=[10, 11])
 expect("Destination point id 12 ", with_ids, SeedPointIds=[10], DestinationPointIds=[12])
 expect("multiple of 3", torus, SeedPositions=[1, 2])
@@ -62,6 +62,8 @@ expect("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs
        BarrierSource=LINE)
 expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
        BarrierSource=simple.PolyLineSource(Points=SEED + [0, 1, 0]))
+expect("SpreadWork does not go together with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
+       BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 # Each rank runs the script, and may set something else.
@@ -130,7 +132,7 @@ expect_no_path("Waypoint 1 lies on a line of BarrierSource", torus, WaypointPosi
                BarrierSource=simple.PolyLineSource(Points=ENDS[3:] + [-0.3, 1, 0.3]))
 expect_no_path("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs"), WaypointPositions=ENDS,
                BarrierSource=LINE)
-expect_no_path("Generate Global Ids", torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
+expect_no_path(harness.GLOBAL_IDS_FILTER, torus, WaypointPositions=ENDS, MergeCoincidentPoints=0)
 expect_no_path("no surface", simple.PointSource(), WaypointPositions=ENDS)
 expect_no_path("same on all ranks", torus, WaypointPositions=ENDS[:3] + [-1.3, harness.IS_FIRST, 0])
 for option in (dict(MaximumPathLength=-1), dict(UseMaximumPathLength=1), dict(HeightOffset=0.1)):

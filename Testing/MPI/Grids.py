@@ -27,7 +27,7 @@ def whole():
 
 
 def in_pieces():
-    made_ids = simple.GenerateGlobalIds(Input=harness.brick("random"))
+    made_ids = harness.with_made_ids(harness.brick("random"))
     return [("brick/random", harness.brick("random"), BRICK),
             ("brick/random with ghosts", harness.ghosted(harness.brick("random")), BRICK),
             ("brick/made ids", made_ids, dict(BRICK, MergeCoincidentPoints=0)),

@@ -28,6 +28,8 @@ def between(surface, count, **options):
     return surface, dict(WaypointPositions=cases.points_on(surface, count), **options)
 
 
+# What is gathered round a path of so many edges.
+POINTS_OF_EDGE = 40
 ON_TORUS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
 # Across the way from one to the other.
 LINE = dict(BarrierSource=simple.PolyLineSource(Points=[0.03, 0.75, -0.3, 0.02, 0.61, 0, 0.03, 1, 0.4]))
@@ -62,6 +64,8 @@ PATHS = {
     "short": ("torus", dict(WaypointPositions=ON_TORUS, UseMaximumPathLength=1, MaximumPathLength=0.7)),
     "nearest": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 9),
                               StartPositions=cases.points_on("bunny", 20)[27:])),
+    "nearest along edges": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 9),
+                                          StartPositions=cases.points_on("bunny", 20)[27:], InterpolationOrder=0)),
     "no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5, 2.3, 0.7, 5])),
 }
 
@@ -152,3 +156,21 @@ if harness.RANKS > 1:
     count = len(pieces.SURFACES["bunny"]()[0])
     short = found(harness.surface("bunny", "slabs"), dict(PATHS["bunny"][1]))
     assert count / harness.RANKS <= short["held"] < count / harness.RANKS + 0.15 * count, (short["held"], count)
+
+    # So along edges, where the way can lie anywhere in a wide strip, and beside a barrier round the whole surface: so
+    # many points for each edge of the way, on a mesh of 480 x 240 points; the barrier's 700 edges have few points each.
+    points, cells = pieces.SURFACES["large"]()
+    owner = pieces.owners(points, cells, "slabs", harness.RANKS)
+    piece = np.max([len(np.unique(cells[owner == rank])) for rank in range(harness.RANKS)])
+    whole_round = simple.PolyLineSource(Points=[1.4, 0.01, 0, -0.7, 1.21, 0, -0.7, -1.21, 0], Closed=1)
+    for name, edges, options in (
+            ("straight", 240, {}),
+            ("along edges", 240, dict(InterpolationOrder=0)),
+            ("nearest along edges", 150, dict(InterpolationOrder=0, PathMode="ToNearestSeed",
+                                              StartPositions=ON_TORUS[:3], WaypointPositions=ON_TORUS[3:] + [0, -1.3, 0.2])),
+            ("beside a barrier", 350, dict(BarrierSource=whole_round)),
+            ("along edges beside a barrier", 350, dict(BarrierSource=whole_round, InterpolationOrder=0))):
+        way = found(harness.surface("large", "slabs"), dict(dict(WaypointPositions=ON_TORUS), **options))
+        if harness.IS_FIRST:
+            print(f"{name}: {way['held'] - piece} points beside a piece of {piece}", flush=True)
+        assert piece <= way["held"] <= piece + POINTS_OF_EDGE * edges, (name, way["held"], piece)

@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time, memory and messages on an icosphere of 2.6 million points, cut into slabs.
+"""Time, memory and messages on an icosphere of 2.6 million points in slabs, or on the Bunny in boxes.
 
-usage: mpiexec -n N --bind-to core pvbatch --sym Scaling.py OUR_PLUGIN [SUBDIVISIONS [cut|pole]]
-The seed is on the cut in the middle (the default), or at the pole inside the first slab, from where the front
-reaches the others late. Times are of the filter alone: the first run, which also builds what is kept for the
+usage: mpiexec -n N --bind-to core pvbatch --sym Scaling.py OUR_PLUGIN [SUBDIVISIONS [OPTION ...]]
+Of the Bunny, 3 subdivisions have 2.2 million points. Options:
+    bunny   the Bunny instead of the sphere
+    pole    the seed is far inside the first piece, from where the front reaches the others late, and not on a cut
+    spread  with Spread Work
+Times are of the filter alone: the first run, which also builds what is kept for the
 surface (memory is what has been added after it), and the best of ten further ones.
 """
 
@@ -22,8 +25,25 @@ import pieces
 
 PLUGIN = sys.argv[1]
 SUBDIVISIONS = int(sys.argv[2]) if len(sys.argv) > 2 else 9
-SEED = [-1, 0, 0] if sys.argv[3:] == ["pole"] else [0.0, 0.1, 1.0]
+OPTIONS = set(sys.argv[3:])
+assert OPTIONS <= {"bunny", "pole", "spread"}, OPTIONS
+IS_BUNNY, IS_POLE = "bunny" in OPTIONS, "pole" in OPTIONS
 harness.load(PLUGIN)
+
+
+def seed_on_bunny():
+    """A point on the cuts of the boxes of two ranks, or the one that is farthest from them in the first."""
+    points, cells = pieces.bunny()
+    owner = pieces.owners(points, cells, "boxes", 2)
+    first, second = (np.unique(cells[owner == rank]) for rank in range(2))
+    on_cut = points[np.intersect1d(first, second)]
+    if not IS_POLE:
+        return on_cut[len(on_cut) // 2].tolist()
+    distances = np.min([np.linalg.norm(points[first] - point, axis=1) for point in on_cut], axis=0)
+    return points[first[distances.argmax()]].tolist()
+
+
+SEED = seed_on_bunny() if IS_BUNNY else [-1, 0, 0] if IS_POLE else [0.0, 0.1, 1.0]
 
 
 def memory():
@@ -42,10 +62,11 @@ def timed(run):
 
 
 pieces_source = simple.ProgrammableSource(
-    OutputDataSetType="vtkPolyData", Script=harness.HERE + f"pieces.make_large(self.GetOutput(), {SUBDIVISIONS})")
+    OutputDataSetType="vtkPolyData",
+    Script=harness.HERE + f"pieces.make_large{'_bunny' * IS_BUNNY}(self.GetOutput(), {SUBDIVISIONS})")
 pieces_source.UpdatePipeline()
 before = memory()
-distance = simple.GeodesicDistance(Input=pieces_source, SeedPositions=SEED)
+distance = simple.GeodesicDistance(Input=pieces_source, SeedPositions=SEED, SpreadWork="spread" in OPTIONS)
 first = timed(distance.UpdatePipeline)
 grown = memory() - before
 algorithm = distance.GetClientSideObject()
@@ -58,7 +79,7 @@ for _ in range(10):
     times.append(timed(algorithm.Update))
 points = algorithm.GetOutputDataObject(0).GetPoints().GetData()
 error = 0.0
-if points.GetNumberOfTuples():
+if points.GetNumberOfTuples() and not IS_BUNNY:
     x = harness.vtk_to_numpy(points)
     seed = np.array(SEED) / np.linalg.norm(SEED)
     truth = np.arctan2(np.linalg.norm(np.cross(x, seed), axis=1), x @ seed)
@@ -67,10 +88,11 @@ if points.GetNumberOfTuples():
 rank = pieces.controller().GetLocalProcessId()
 print(f"rank {rank}: {points.GetNumberOfTuples()} points, {grown:.0f} MB, largest error {error:.1e}", flush=True)
 counts = {name: harness.informed(distance, name)
-          for name in ("NumberOfRounds", "NumberOfUpdates", "BytesExchanged", "MostPointsOnARank")}
+          for name in ("NumberOfRounds", "NumberOfUpdates", "LongestChainOfUpdates", "BytesExchanged", "MostPointsOnARank")}
 pieces.controller().Barrier()
 if harness.IS_FIRST:
     print(f"{harness.RANKS} ranks: first {first:.3f} s, again {sorted(times)[0]:.3f} s"
           f" ({', '.join(f'{t:.3f}' for t in times)});"
           f" rounds {counts['NumberOfRounds']}, updates {counts['NumberOfUpdates']},"
+          f" longest chain {counts['LongestChainOfUpdates']},"
           f" bytes {counts['BytesExchanged']}, most points {counts['MostPointsOnARank']}", flush=True)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A server of several ranks gives its client the fields and paths of one rank.
+"""A server of several ranks gives its client the fields and paths of one rank, also while a waypoint moves and from a
+state file.
 
 usage: WithServer.py MPIEXEC PVSERVER pvpython Server.py URL OUR_PLUGIN FOLDER
 After Fields.py and Paths.py with one rank, whose results are compared with.
@@ -8,6 +9,7 @@ After Fields.py and Paths.py with one rank, whose results are compared with.
 
 import os
 import sys
+import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
@@ -24,9 +26,8 @@ assert servermanager.ActiveConnection.GetNumberOfDataPartitions() == 2
 simple.LoadPlugin(PLUGIN, remote=True, ns=vars(simple))
 harness.load(PLUGIN)
 
-for case in ("bunny", "costs"):
-    surface, options = cases.FIELDS[case]
-    distance = simple.GeodesicDistance(Input=harness.surface(surface, "slabs"), **options)
+
+def check_field(distance, case):
     points = servermanager.Fetch(distance).GetPointData()
     found = {points.GetArrayName(i): vtk_to_numpy(points.GetArray(i)) for i in range(points.GetNumberOfArrays())}
     with np.load(os.path.join(FOLDER, f"{case}.reference.npz")) as reference:
@@ -38,7 +39,13 @@ for case in ("bunny", "costs"):
     # No rank has the whole of it.
     assert visited / 2 <= harness.informed(distance, "MostPointsOnARank") < 0.6 * visited
 
-path = simple.GeodesicPath(Input=harness.surface("torus", "slabs"), WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
+
+for case in ("bunny", "costs"):
+    surface, options = cases.FIELDS[case]
+    check_field(simple.GeodesicDistance(registrationName=case, Input=harness.surface(surface, "slabs"), **options), case)
+
+path = simple.GeodesicPath(registrationName="path", Input=harness.surface("torus", "slabs"),
+                           WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
 line = servermanager.Fetch(path)
 with np.load(os.path.join(FOLDER, "torus.path.npz")) as reference:
     assert line.GetNumberOfCells() == 1
@@ -46,4 +53,24 @@ with np.load(os.path.join(FOLDER, "torus.path.npz")) as reference:
     length = line.GetCellData().GetArray("Length").GetValue(0)
     assert abs(length - reference["Length"][0]) <= 1e-9 * length
     assert abs(harness.informed(path, "TotalLength") - length) <= 1e-12
+
+# There and back, a step at a time.
+there = list(path.WaypointPositions)
+for step in (0.05, 0.1, 0.05, 0.0):
+    path.WaypointPositions = [there[0], there[1] + step, *there[2:]]
+    path.UpdatePipeline()
+    moved = harness.informed(path, "TotalLength")
+    assert (abs(moved - length) <= 1e-9 * length) == (step == 0.0), (step, moved, length)
+
+with tempfile.TemporaryDirectory() as folder:
+    state = os.path.join(folder, "state.pvsm")
+    simple.SaveState(state)
+    while simple.GetSources():
+        simple.Delete(next(iter(simple.GetSources().values())))
+    simple.LoadState(state)
+check_field(simple.FindSource("costs"), "costs")
+path = simple.FindSource("path")
+assert list(path.WaypointPositions) == there
+path.UpdatePipeline()
+assert abs(harness.informed(path, "TotalLength") - length) <= 1e-9 * length
 simple.Disconnect()

@@ -21,6 +21,17 @@ IS_FIRST = pieces.controller().GetLocalProcessId() == 0
 HERE = f"import sys; sys.path.append({os.path.dirname(os.path.abspath(__file__))!r}); import pieces; "
 
 
+# ParaView 5.13 renamed these filters.
+if hasattr(simple, "GlobalPointAndCellIds"):
+    GLOBAL_IDS_FILTER = "Global Point And Cell Ids"
+    make_ids = simple.GlobalPointAndCellIds
+    make_ghosts = simple.GhostCells
+else:
+    GLOBAL_IDS_FILTER = "Generate Global Ids"
+    make_ids = simple.GenerateGlobalIds
+    make_ghosts = simple.GhostCellsGenerator
+
+
 def end_all_ranks(kind, error, traceback):
     """Ranks that wait for one that failed would wait for ever."""
     sys.__excepthook__(kind, error, traceback)
@@ -96,7 +107,11 @@ def image():
 
 
 def ghosted(source):
-    return simple.GhostCellsGenerator(Input=source, BuildIfRequired=0)
+    return make_ghosts(Input=source, BuildIfRequired=0)
+
+
+def with_made_ids(source):
+    return make_ids(Input=source)
 
 
 def run(proxy, path):

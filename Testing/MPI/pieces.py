@@ -205,6 +205,15 @@ def make_large(output, subdivisions):
     output.ShallowCopy(polydata(on_sphere(points), cells))
 
 
+def make_large_bunny(output, subdivisions):
+    """This rank's box of the Bunny, whose triangles are cut in four several times."""
+    rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()
+    points, cells = bunny()
+    mine = cells[owners(points, cells, "boxes", ranks) == rank]
+    used, corners = np.unique(mine, return_inverse=True)
+    output.ShallowCopy(polydata(*subdivided(points[used].astype(float), corners.reshape(-1, 3), subdivisions)))
+
+
 def make(output, surface, cut, with_ids=False, bad_rank=-1):
     """Fills a polydata with this rank's part; on the bad rank it has no costs."""
     rank, ranks = controller().GetLocalProcessId(), controller().GetNumberOfProcesses()

@@ -104,6 +104,11 @@ DistributedPathFinder::DistributedPathFinder(
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
+  const bool crossesFaces = dynamic_cast<const DijkstraSolver*>(&request.solver) == nullptr;
+  if (request.style.order == PathOrder::Vertices && !this->HasCost && crossesFaces)
+  {
+    this->EdgeSolver = std::make_unique<DijkstraSolver>(request.mesh.sharedMesh());
+  }
   this->Cutter.emplace(request.mesh, request.options);
   this->InputCutter.emplace(request.surface.divided(), SolveOptions());
 }
@@ -113,6 +118,11 @@ bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
   if (this->Whole)
   {
     return this->Whole->march(localPoints(starts));
+  }
+  if (this->EdgeSolver && this->Ends.size() == 1)
+  {
+    // The field along edges is enough.
+    return true;
   }
   return this->onCorridor(starts,
            [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
@@ -130,8 +140,13 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
       return std::nullopt;
     }
     traced.end = this->Whole->seedAtEnd(*path);
+    traced.isProvenShortest = this->Whole->isProvenShortest();
     traced.path = std::move(*path);
     return traced;
+  }
+  if (this->EdgeSolver)
+  {
+    return this->pathAlongEdgesFrom(start);
   }
   traced.end = this->onCorridor({ &start, 1 },
     [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
@@ -146,6 +161,35 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
       return finder.seedAtEnd(*path);
     });
   return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
+}
+
+std::optional<TracedPath> DistributedPathFinder::pathAlongEdgesFrom(const GlobalPoint& start)
+{
+  Index end = 0;
+  if (this->Ends.size() > 1)
+  {
+    end = this->onCorridor({ &start, 1 },
+      [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
+      {
+        const SurfacePoint local = corridor->pointsOf({ &start, 1 }).front();
+        return finder.march({ &local, 1 }) ? finder.nearestSeed(local) : NoIndex;
+      });
+  }
+  if (end == NoIndex)
+  {
+    return std::nullopt;
+  }
+  const PathRequest& own = this->Request;
+  const PathRequest request{ own.ranks, own.surface, own.gathered, own.split, own.mesh,
+    *this->EdgeSolver, own.options, own.style, own.input };
+  DistributedPathFinder finder(request, { this->Ends[end] });
+  auto traced = finder.march({ &start, 1 }) ? finder.pathFrom(start) : std::nullopt;
+  if (traced)
+  {
+    traced->end = end;
+  }
+  this->LargestCorridor = std::max(this->LargestCorridor, finder.LargestCorridor);
+  return traced;
 }
 
 vtkIdType DistributedPathFinder::mostPointsOnARank()

@@ -10,6 +10,7 @@
 #include "global/GlobalPoints.h"
 #include "path/PathFinder.h"
 #include "ranks/RankGroup.h"
+#include "solve/DijkstraSolver.h"
 #include "solve/DistanceSolver.h"
 
 #include <functional>
@@ -63,6 +64,8 @@ struct TracedPath
   std::shared_ptr<const CorridorMesh> corridor;
   /** The number of the end point. */
   Index end = NoIndex;
+  /** Whether no other path is shorter; see PathFinder::isProvenShortest(). */
+  bool isProvenShortest = false;
 };
 
 /**
@@ -74,6 +77,10 @@ struct TracedPath
  * IncompleteRing), all ranks send their triangles in a ball there, and the search begins again. The
  * other ranks follow the first rank's orders until it is done. So the first rank holds its piece
  * and O(length of the path) triangles, however the surface was cut into pieces.
+ *
+ * A shortest path along edges can lie far from where a field that crosses faces is least, and a
+ * corridor with all places where it may lie would be as wide as long. So its field is solved along
+ * edges by all ranks.
  *
  * All calls are collective; all ranks must pass the same points.
  */
@@ -128,6 +135,10 @@ private:
   void carryOut(Order order, const RankGroup::Message& content);
   void sendOrder(Order order, const RankGroup::Message& content);
 
+  /** Returns the path along edges to the nearest end, which the field tells if there are several.
+   */
+  std::optional<TracedPath> pathAlongEdgesFrom(const GlobalPoint& start);
+
   /** Adds all triangles in some balls to a corridor of the first rank. */
   void extend(Corridor& corridor, std::span<const Ball> balls);
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
@@ -145,6 +156,8 @@ private:
   std::vector<GlobalPoint> Ends;
   /** The path finder on the whole surface, if there is only one rank. */
   std::optional<PathFinder> Whole;
+  /** For paths along edges where request.solver crosses faces; otherwise null. */
+  std::unique_ptr<DijkstraSolver> EdgeSolver;
   DistributedSolver Partition;
   std::optional<PatchCutter> Cutter;
   std::optional<PatchCutter> InputCutter;

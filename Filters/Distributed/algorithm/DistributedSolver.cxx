@@ -62,9 +62,9 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     known.clear();
   }
   const double leastStep = this->stepOf(front);
-  double step = leastStep;
+  double step = 0.5 * leastStep;
   double end = 0.0;
-  double updates = FewUpdates;
+  double updates = 0.0;
   while (true)
   {
     // The state of the whole surface: the least distance that is left, whether a rank was
@@ -75,6 +75,7 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
     this->Ranks.takeLeast(state);
     const auto [next, nobodyCancelled, most] = std::tuple(state[0], state[1], -state[2]);
     const std::span<const double> targetsOfAll = std::span(state).subspan(3);
+    this->Own.longestChain += most;
     // The mean step can be far too small where triangles are large or dear.
     step = most < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     if (nobodyCancelled == 0.0 || next == DistanceField::Unreached)
@@ -180,7 +181,8 @@ bool DistributedSolver::isNews(std::uint32_t slot, Index label, double value)
 
 DistributedWork DistributedSolver::work()
 {
-  return { this->Own.rounds, this->Ranks.sum(this->Own.updates), this->Ranks.sum(this->Own.bytes) };
+  return { this->Own.rounds, this->Ranks.sum(this->Own.updates), this->Own.longestChain,
+    this->Ranks.sum(this->Own.bytes) };
 }
 
 }

@@ -23,6 +23,11 @@ struct DistributedWork
   std::size_t rounds = 0;
   /** The number of vertices taken from queues. */
   double updates = 0.0;
+  /**
+   * The updates that follow each other: the sum over all rounds of the most updates of any rank.
+   * However fast messages are, the ranks take as long as one rank takes for so many updates.
+   */
+  double longestChain = 0.0;
   /** The number of bytes sent between neighbours. */
   double bytes = 0.0;
 };

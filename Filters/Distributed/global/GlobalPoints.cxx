@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "global/GlobalPoints.h"
 
+#include "filter/VtkVersions.h"
 #include "input/PointIdentity.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"
@@ -318,7 +319,8 @@ std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSur
       {
         throw std::invalid_argument(role +
           " point ids are global ids on several ranks, and the "
-          "input has none. Make them by Generate Global Ids.");
+          "input has none. Make them " +
+          bridge::MakeGlobalIds + ".");
       }
       vertices = ownedVerticesWith(surface, ids, bridge::globalPointIdsOf(blocks));
     });

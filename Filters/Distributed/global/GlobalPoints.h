@@ -35,6 +35,8 @@ struct GlobalPoint
   std::array<double, 3> weights;
   /** The longest edge at any of the corners. */
   double longestEdge;
+
+  friend bool operator==(const GlobalPoint&, const GlobalPoint&) = default;
 };
 
 /**

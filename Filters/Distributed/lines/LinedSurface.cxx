@@ -6,6 +6,8 @@
 #include "pieces/DistributedSurface.h"
 #include "split/SplitMesh.h"
 
+#include <array>
+
 namespace geodesic::distributed
 {
 namespace
@@ -30,43 +32,70 @@ std::vector<bridge::LinePoints> localLines(const GlobalLines& lines)
 
 bridge::SolveSurface LinedSurface::update(RankGroup& ranks, const LinedRequest& request)
 {
-  this->Surface = request.surface;
-  this->Divided.reset();
-  this->Gathered.reset();
   if (ranks.size() == 1)
   {
+    this->Surface = request.surface;
     this->Lines.update(
       this->mesh(), localLines(request.seedLines), localLines(request.barrierLines));
   }
   else
   {
-    this->gather(ranks, request);
+    this->updateOnSeveral(ranks, request);
   }
   bridge::SolveSurface surface(this->Surface->sharedPiece(), this->mesh(), this->Lines,
     this->Gathered ? this->Gathered->barriers() : request.barriers,
     this->Gathered ? this->Gathered->cost() : request.cost, request.alongEdges);
   if (this->Gathered)
   {
-    this->Divided = std::make_unique<const DividedMesh>(
-      ranks, surface.mesh(), this->Gathered->keysOf(*surface.mesh(), this->split()));
+    if (!this->Divided)
+    {
+      this->Divided = std::make_unique<const DividedMesh>(
+        ranks, surface.mesh(), this->Gathered->keysOf(*surface.mesh(), this->split()));
+    }
     shareExcluded(ranks, *this->Divided, surface.excluded());
   }
   return surface;
 }
 
+void LinedSurface::updateOnSeveral(RankGroup& ranks, const LinedRequest& request)
+{
+  const bool hasSameLines = this->Surface == request.surface &&
+    this->Known.seedLines == request.seedLines && this->Known.barrierLines == request.barrierLines;
+  const bool hasSameValues = this->Barriers == request.barriers && this->Cost == request.cost;
+  std::array areSame{ hasSameLines ? 1.0 : 0.0, hasSameValues ? 1.0 : 0.0 };
+  ranks.takeLeast(areSame);
+  const bool hasLines = !request.seedLines.empty() || !request.barrierLines.empty();
+  const bool mustJoin = areSame[0] == 0.0;
+  const bool mustGather = mustJoin || (hasLines && areSame[1] == 0.0);
+  if (mustGather)
+  {
+    this->Divided.reset();
+    this->Gathered.reset();
+    this->Lines = {};
+    this->Surface = request.surface;
+  }
+  if (mustJoin)
+  {
+    this->join(ranks, request);
+  }
+  if (mustGather && hasLines)
+  {
+    this->gather(ranks, request);
+  }
+}
+
+void LinedSurface::join(RankGroup& ranks, const LinedRequest& request)
+{
+  this->Known = { request.seedLines, request.barrierLines,
+    joinedLines(ranks, *this->Surface, request.input, request.seedLines, "SeedSource"),
+    joinedLines(ranks, *this->Surface, request.input, request.barrierLines, "BarrierSource") };
+}
+
 void LinedSurface::gather(RankGroup& ranks, const LinedRequest& request)
 {
-  this->Lines = {};
-  if (request.seedLines.empty() && request.barrierLines.empty())
-  {
-    return;
-  }
-  const auto seedPaths =
-    joinedLines(ranks, *this->Surface, request.input, request.seedLines, "SeedSource");
-  const auto barrierPaths =
-    joinedLines(ranks, *this->Surface, request.input, request.barrierLines, "BarrierSource");
-  std::vector<GlobalPath> paths = seedPaths;
-  paths.insert(paths.end(), barrierPaths.begin(), barrierPaths.end());
+  const Joined& lines = this->Known;
+  std::vector<GlobalPath> paths = lines.seedPaths;
+  paths.insert(paths.end(), lines.barrierPaths.begin(), lines.barrierPaths.end());
   this->Gathered = std::make_unique<const GatheredSurface>(
     ranks, *this->Surface, paths, request.barriers, request.cost);
   ranks.together(
@@ -74,9 +103,11 @@ void LinedSurface::gather(RankGroup& ranks, const LinedRequest& request)
     {
       if (ranks.rank() == 0)
       {
-        this->Lines.take(
-          this->mesh(), this->Gathered->pathsOf(seedPaths), this->Gathered->pathsOf(barrierPaths));
+        this->Lines.take(this->mesh(), this->Gathered->pathsOf(lines.seedPaths),
+          this->Gathered->pathsOf(lines.barrierPaths));
       }
+      this->Barriers = request.barriers;
+      this->Cost = request.cost;
     });
 }
 

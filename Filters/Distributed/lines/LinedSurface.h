@@ -41,8 +41,9 @@ class LinedSurface
 {
 public:
   /**
-   * Joins the lines over the surface and splits it. On one rank, this is done again only if the
-   * surface or the lines changed. Collective.
+   * Joins the lines over the surface and splits it. Both are done again only if the surface or the
+   * lines changed on any rank; on several ranks, triangles along the lines move and are split again
+   * also if their cost or barriers changed. Collective.
    * @return the mesh that this rank solves on, with cost and barriers
    * @throws std::exception on all ranks if no path joins two points of a line
    */
@@ -62,9 +63,24 @@ public:
   std::vector<GlobalPoint> relocated(std::vector<GlobalPoint> points) const;
 
 private:
+  /** The lines of seeds and barriers as all ranks have them. */
+  struct Joined
+  {
+    GlobalLines seedLines;
+    GlobalLines barrierLines;
+    /** The paths that join the lines' points, on the first rank. */
+    std::vector<GlobalPath> seedPaths;
+    std::vector<GlobalPath> barrierPaths;
+  };
+
+  void updateOnSeveral(RankGroup& ranks, const LinedRequest& request);
+  void join(RankGroup& ranks, const LinedRequest& request);
   void gather(RankGroup& ranks, const LinedRequest& request);
 
   std::shared_ptr<const DistributedSurface> Surface;
+  Joined Known;
+  bridge::Barriers Barriers;
+  std::vector<double> Cost;
   bridge::SurfaceLines Lines;
   std::unique_ptr<const GatheredSurface> Gathered;
   std::unique_ptr<const DividedMesh> Divided;

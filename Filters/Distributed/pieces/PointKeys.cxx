@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pieces/PointKeys.h"
 
+#include "filter/VtkVersions.h"
+
 #include <bit>
 #include <stdexcept>
 #include <string>
@@ -24,7 +26,8 @@ bridge::PointIdentity identityOf(RankGroup& ranks, const bridge::InputBlocks& bl
   {
     throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
       " ranks and nothing tells which points of the pieces are one. Turn MergeCoincidentPoints on, "
-      "or give the points global ids by Generate Global Ids.");
+      "or give the points global ids " +
+      bridge::MakeGlobalIds + ".");
   }
   return { by, connectBlocks, ranks.rank() };
 }

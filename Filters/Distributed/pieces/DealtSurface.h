@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_DealtSurface_h
+#define geodesic_distributed_DealtSurface_h
+
+#include "pieces/DistributedSurface.h"
+#include "pieces/DividedMesh.h"
+#include "pieces/SharedPoints.h"
+#include "ranks/RankGroup.h"
+#include "solve/DistanceField.h"
+#include "solve/Seed.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace geodesic::distributed
+{
+
+/**
+ * A surface whose pieces were cut into patches, which are dealt out to the ranks in turn. Each rank
+ * has patches in many places, so it has work wherever the front is; of compact pieces, one waits
+ * for the front while another works.
+ *
+ * What is solved for are the dealt patches. Everything that a request says about the pieces is sent
+ * along the same way as the triangles, and distances are sent back. A rank holds its piece and
+ * about as many points of patches. All functions that take the ranks are collective.
+ */
+class DealtSurface
+{
+public:
+  /** Cuts and deals. Time O(n log n). */
+  DealtSurface(RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface);
+
+  /** The surface that was dealt. */
+  const std::shared_ptr<const DistributedSurface>& origin() const { return this->Origin; }
+  /** The patches of this rank. */
+  const DividedMesh& divided() const { return *this->Divided; }
+  const TriangleMesh& mesh() const { return this->Divided->mesh(); }
+
+  /** Returns numbers of the piece's vertices for mesh(); 0 where a rank passes none. */
+  std::vector<double> ofVertices(RankGroup& ranks, std::span<const double> values) const;
+  /** The same with flags. */
+  std::vector<std::uint8_t> ofVertices(RankGroup& ranks, std::span<const std::uint8_t> flags) const;
+  /** Returns flags of the piece's triangles for mesh(); 0 where a rank passes none. */
+  std::vector<std::uint8_t> ofTriangles(
+    RankGroup& ranks, std::span<const std::uint8_t> flags) const;
+
+  /** For each of some points its place, if it has one. */
+  using Places = std::vector<std::vector<SurfacePoint>>;
+  /**
+   * Returns the places on mesh() of points of the surface.
+   * @param points their places on this rank's piece
+   */
+  Places places(RankGroup& ranks, const Places& points) const;
+  /** Returns point seeds and regions with their places on mesh(). */
+  std::vector<Seed> seeds(RankGroup& ranks, std::vector<Seed> seeds) const;
+
+  /** Sets the distances and nearest seeds at the piece's vertices to those of a field on mesh(). */
+  void takeBack(RankGroup& ranks, const DistanceField& dealt, DistanceField& ofPiece) const;
+
+private:
+  /** What this rank dealt to a rank: triangles and vertices of its piece. */
+  struct Dealt
+  {
+    std::vector<Index> triangles;
+    /** In ascending order. */
+    std::vector<Index> vertices;
+  };
+  /** A rank's first point and first triangle among those that this rank got. */
+  struct Got
+  {
+    Index firstPoint;
+    Index firstTriangle;
+  };
+
+  void cut(const RankGroup& ranks);
+  void deal(RankGroup& ranks);
+  /** Returns the vertex of mesh() at the point with a number among those that a rank dealt. */
+  Index vertexAt(const Got& from, std::size_t number) const
+  {
+    return this->mesh().vertexOfPoint(from.firstPoint + static_cast<Index>(number));
+  }
+  Index find(const GlobalVertex& vertex) const;
+
+  std::shared_ptr<const DistributedSurface> Origin;
+  std::vector<Dealt> ToRank;
+  std::vector<Got> FromRank;
+  /** The points of mesh(), sorted by what vertex of the surface they are. */
+  std::vector<std::pair<GlobalVertex, Index>> Points;
+  std::unique_ptr<const DividedMesh> Divided;
+};
+
+}
+
+#endif
