@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FastMarchingRequest.h"
 
-#include "filter/Abort.h"
+#include "filter/VtkVersions.h"
 #include "mesh/TriangleMesh.h"
 #include "request/PointResolver.h"
 #include "request/SeedResolver.h"

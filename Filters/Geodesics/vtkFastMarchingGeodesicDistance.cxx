@@ -10,8 +10,8 @@
 
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
-#include "filter/Abort.h"
 #include "filter/ErrorMessage.h"
+#include "filter/VtkVersions.h"
 #include "output/FieldArray.h"
 
 #include <algorithm>

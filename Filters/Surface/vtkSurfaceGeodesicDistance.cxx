@@ -24,6 +24,7 @@
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
 #include "output/PathAttributes.h"
+#include "pieces/DealtSurface.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
@@ -35,6 +36,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -57,6 +59,20 @@ struct vtkSurfaceGeodesicDistance::Internals
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   const geodesic::DistanceField* Field = nullptr;
+  /** With SpreadWork on several ranks: what is solved on, and the field on the piece. */
+  std::unique_ptr<const geodesic::distributed::DealtSurface> Dealt;
+  std::optional<geodesic::DistanceField> OfPiece;
+
+  /** Makes the solver of a method on a mesh, unless it is there. */
+  void setSolver(
+    const geodesic::SolverTraits& method, const std::shared_ptr<const geodesic::TriangleMesh>& mesh)
+  {
+    if (!this->Solver || &this->Solver->mesh() != mesh.get() || this->Method != method.number)
+    {
+      this->Solver = method.make(mesh);
+      this->Method = method.number;
+    }
+  }
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -247,7 +263,8 @@ void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
     { static_cast<double>(this->DestinationMode), static_cast<double>(this->UseMaximumDistance),
       this->MaximumDistance, static_cast<double>(this->ComputeNearestSeed),
       static_cast<double>(std::hash<std::string>{}(this->DistanceArrayName)),
-      static_cast<double>(this->UnreachedAs), this->UnreachedValue });
+      static_cast<double>(this->UnreachedAs), this->UnreachedValue,
+      static_cast<double>(this->SpreadWork) });
 }
 
 //------------------------------------------------------------------------------
@@ -276,6 +293,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
 
   std::vector<geodesic::Triangle> targets;
+  geodesic::distributed::DealtSurface::Places destinations;
   for (geodesic::distributed::GlobalPoint& point : this->GatherDestinations(run))
   {
     for (geodesic::SurfacePoint& local : point.local)
@@ -283,10 +301,12 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
       local = surface.pointOf(local);
     }
     targets.push_back(geodesic::distributed::targetAt(*surface.mesh(), point.local));
+    destinations.push_back(std::move(point.local));
   }
   geodesic::distributed::DistributedSolver partition(ranks, internal.Lined.divided());
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
+  options.memoryLimit = this->GetMemoryLimitInBytes();
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
                                                                 : geodesic::TargetMode::All;
@@ -297,12 +317,6 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::bridge::ProgressReporter reporter(*this, surface.mesh()->numberOfVertices());
   options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
 
-  if (!internal.Solver || &internal.Solver->mesh() != surface.mesh().get() ||
-    internal.Method != method.number)
-  {
-    internal.Solver = method.make(surface.mesh());
-    internal.Method = method.number;
-  }
   std::vector<geodesic::Seed> openSeeds;
   ranks.together(
     [&]
@@ -310,23 +324,87 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
       geodesic::checkServes(method, geodesic::SolverDemands::of(options, ranks.size()));
       openSeeds = surface.seedsOf(seeds);
     });
+  if (this->SpreadWork && ranks.size() > 1)
+  {
+    this->SolveSpread(run, std::move(openSeeds), options, destinations);
+    return;
+  }
+  internal.Dealt.reset();
+  internal.OfPiece.reset();
+  internal.setSolver(method, surface.mesh());
   internal.Field = &internal.Solver->solve(openSeeds, options);
-  this->ReportWork(run, partition);
+  this->ReportWork(run, partition, *internal.Field, internal.Lined.mesh()->numberOfPoints());
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::ReportWork(
-  const Run& run, geodesic::distributed::DistributedSolver& partition)
+void vtkSurfaceGeodesicDistance::SolveSpread(const Run& run, std::vector<geodesic::Seed> seeds,
+  geodesic::SolveOptions options,
+  const std::vector<std::vector<geodesic::SurfacePoint>>& destinations)
+{
+  Internals& internal = *this->Internal;
+  geodesic::distributed::RankGroup& ranks = run.ranks;
+  if (internal.Lined.gathered())
+  {
+    throw std::invalid_argument(
+      "SpreadWork does not go together with BarrierSource, nor with lines "
+      "of SeedSource. Turn it off.");
+  }
+  if (ranks.isAny(!internal.Dealt || internal.Dealt->origin() != internal.Surface))
+  {
+    internal.Dealt =
+      std::make_unique<const geodesic::distributed::DealtSurface>(ranks, internal.Surface);
+    internal.OfPiece.emplace(internal.Surface->mesh().numberOfVertices());
+  }
+  const geodesic::distributed::DealtSurface& dealt = *internal.Dealt;
+  std::vector<double> cost;
+  std::vector<std::uint8_t> excluded;
+  std::vector<std::uint8_t> closed;
+  if (ranks.isAny(!options.cost.empty()))
+  {
+    cost = dealt.ofVertices(ranks, options.cost);
+  }
+  if (ranks.isAny(!options.excluded.empty()))
+  {
+    excluded = dealt.ofVertices(ranks, options.excluded);
+  }
+  if (ranks.isAny(!options.closedTriangles.empty()))
+  {
+    closed = dealt.ofTriangles(ranks, options.closedTriangles);
+  }
+  std::vector<geodesic::Triangle> targets;
+  for (const auto& place : dealt.places(ranks, destinations))
+  {
+    targets.push_back(geodesic::distributed::targetAt(dealt.mesh(), place));
+  }
+  const std::vector<geodesic::Seed> dealtSeeds = dealt.seeds(ranks, std::move(seeds));
+  geodesic::distributed::DistributedSolver partition(ranks, dealt.divided());
+  options.partition = &partition;
+  options.cost = cost;
+  options.excluded = excluded;
+  options.closedTriangles = closed;
+  options.targets = targets;
+  internal.setSolver(this->GetSolver(), dealt.divided().sharedMesh());
+  const geodesic::DistanceField& field = internal.Solver->solve(dealtSeeds, options);
+  dealt.takeBack(ranks, field, *internal.OfPiece);
+  internal.Field = &*internal.OfPiece;
+  this->ReportWork(run, partition, field,
+    internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
+  geodesic::distributed::DistributedSolver& partition, const geodesic::DistanceField& solved,
+  vtkIdType numberOfPoints)
 {
   geodesic::distributed::RankGroup& ranks = run.ranks;
   const Internals& internal = *this->Internal;
-  double farthest = -internal.Field->largestDistance();
+  double farthest = -solved.largestDistance();
   ranks.takeLeast({ &farthest, 1 });
   this->MaximumDistanceReached = -farthest;
-  const std::span<const geodesic::Index> reached = internal.Field->reached();
+  const std::span<const geodesic::Index> reached = solved.reached();
   const auto visited = ranks.size() == 1
     ? geodesic::bridge::numberOfReachedPoints(
-        { internal.Surface->mesh(), *internal.Field, internal.Lined.split() })
+        { internal.Surface->mesh(), solved, internal.Lined.split() })
     : std::count_if(reached.begin(), reached.end(),
         [&](geodesic::Index vertex)
         { return partition.owns(vertex) && isOfInput(internal.Lined.split(), vertex); });
@@ -334,8 +412,9 @@ void vtkSurfaceGeodesicDistance::ReportWork(
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);
   this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
+  this->LongestChainOfUpdates = static_cast<vtkIdType>(work.longestChain);
   this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
-  double mostPoints = -static_cast<double>(internal.Lined.mesh()->numberOfPoints());
+  double mostPoints = -static_cast<double>(numberOfPoints);
   ranks.takeLeast({ &mostPoints, 1 });
   this->MostPointsOnARank = static_cast<vtkIdType>(-mostPoints);
 }
@@ -487,10 +566,12 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnreachedAs: " << (this->UnreachedAs == UNREACHED_AS_NAN ? "NaN" : "Value")
      << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
+  os << indent << "SpreadWork: " << this->SpreadWork << "\n";
   os << indent << "MaximumDistanceReached: " << this->MaximumDistanceReached << "\n";
   os << indent << "NumberOfVisitedPoints: " << this->NumberOfVisitedPoints << "\n";
   os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
   os << indent << "NumberOfUpdates: " << this->NumberOfUpdates << "\n";
+  os << indent << "LongestChainOfUpdates: " << this->LongestChainOfUpdates << "\n";
   os << indent << "BytesExchanged: " << this->BytesExchanged << "\n";
   os << indent << "MostPointsOnARank: " << this->MostPointsOnARank << "\n";
 }

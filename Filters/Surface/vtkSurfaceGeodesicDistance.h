@@ -38,7 +38,10 @@ class vtkPolyData;
 
 namespace geodesic
 {
+class DistanceField;
 struct Seed;
+struct SolveOptions;
+struct SurfacePoint;
 namespace distributed
 {
 class DistributedSolver;
@@ -192,6 +195,18 @@ public:
    */
   vtkGetMacro(MaximumDistanceReached, double);
 
+  ///@{
+  /**
+   * Whether on several ranks the surface is cut into patches that are dealt out to the ranks in
+   * turn, so that all have work while the front is in one rank's piece. There are some ten times as
+   * many rounds then: with two ranks it was slower in all cases measured. It takes about as much
+   * memory again, and time once for a surface. Not with lines of seeds and barriers. Default: off.
+   */
+  vtkSetMacro(SpreadWork, bool);
+  vtkGetMacro(SpreadWork, bool);
+  vtkBooleanMacro(SpreadWork, bool);
+  ///@}
+
   /**
    * The number of points with a final distance in the last run; 0 before the first. A point that
    * several ranks have counts once.
@@ -201,11 +216,13 @@ public:
   ///@{
   /**
    * The work of the last run over all ranks: how often the ranks marched and exchanged values (once
-   * on one rank), the vertices taken from queues, the bytes sent between ranks, and the largest
-   * number of points on any rank. All are 0 before the first run.
+   * on one rank), the vertices taken from queues, those of them that followed each other (in each
+   * round those of the rank that took most), the bytes sent between ranks, and the largest number
+   * of points on any rank. All are 0 before the first run.
    */
   vtkGetMacro(NumberOfRounds, vtkIdType);
   vtkGetMacro(NumberOfUpdates, vtkIdType);
+  vtkGetMacro(LongestChainOfUpdates, vtkIdType);
   vtkGetMacro(BytesExchanged, vtkIdType);
   vtkGetMacro(MostPointsOnARank, vtkIdType);
   ///@}
@@ -233,10 +250,12 @@ protected:
   std::string DistanceArrayName = "GeodesicDistance";
   int UnreachedAs = UNREACHED_AS_NAN;
   double UnreachedValue = -1.0;
+  bool SpreadWork = false;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
   vtkIdType NumberOfRounds = 0;
   vtkIdType NumberOfUpdates = 0;
+  vtkIdType LongestChainOfUpdates = 0;
   vtkIdType BytesExchanged = 0;
   vtkIdType MostPointsOnARank = 0;
 
@@ -254,7 +273,13 @@ private:
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
-  void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition);
+  /** Solves on patches that are dealt out to the ranks. Collective, on several ranks. */
+  void SolveSpread(const Run& run, std::vector<geodesic::Seed> seeds,
+    geodesic::SolveOptions options,
+    const std::vector<std::vector<geodesic::SurfacePoint>>& destinations);
+  /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
+  void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,
+    const geodesic::DistanceField& solved, vtkIdType numberOfPoints);
   void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;

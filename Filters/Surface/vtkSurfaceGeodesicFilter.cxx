@@ -3,15 +3,15 @@
 #include "vtkSurfaceGeodesicFilter.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
+#include "base/NumberText.h"
 #include "filter/ErrorMessage.h"
+#include "filter/VtkVersions.h"
 #include "global/SharedCostAndBarriers.h"
 #include "input/ArrayValues.h"
 #include "input/InputBlocks.h"
@@ -36,7 +36,7 @@ namespace
 
 void checkRequest(vtkDataObject* input)
 {
-  if (vtkCompositeDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
+  if (geodesic::bridge::hasOverlappingLevels(input))
   {
     throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
       ", whose blocks overlap and are no surface together. Give a surface of it, for example by "
@@ -110,8 +110,9 @@ void vtkSurfaceGeodesicFilter::RunOnAll(geodesic::distributed::RankGroup& ranks,
     {
       vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
       checkRequest(input);
-      // Throws where there is no such method.
+      // These throw where there is no such method, or the limit is none.
       this->GetSolver();
+      this->GetMemoryLimitInBytes();
       blocks.emplace(input);
     });
   std::vector<double> numbers;
@@ -140,7 +141,7 @@ const char* vtkSurfaceGeodesicFilter::GetErrorText()
 void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
 {
   numbers.insert(numbers.end(),
-    { static_cast<double>(this->CostMode), static_cast<double>(this->Method),
+    { static_cast<double>(this->CostMode), static_cast<double>(this->Method), this->MemoryLimit,
       static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks) });
   for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
   {
@@ -230,11 +231,25 @@ const geodesic::SolverTraits& vtkSurfaceGeodesicFilter::GetSolver() const
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkSurfaceGeodesicFilter::GetMemoryLimitInBytes() const
+{
+  constexpr double bytes = 1e9;
+  constexpr double most = 1e9;
+  if (!(this->MemoryLimit >= 0.0 && this->MemoryLimit <= most))
+  {
+    throw std::invalid_argument("MemoryLimit is " + geodesic::textOf(this->MemoryLimit) +
+      "; give gigabytes from 0 (three quarters of the machine's memory) to 1e9.");
+  }
+  return static_cast<std::size_t>(this->MemoryLimit * bytes);
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CostMode: " << (this->CostMode == COST ? "Cost" : "Speed") << "\n";
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";
 }

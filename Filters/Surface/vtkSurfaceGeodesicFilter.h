@@ -26,9 +26,10 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
 
-#include <memory> // For members
-#include <string> // For members
-#include <vector> // For members
+#include <cstddef> // For std::size_t
+#include <memory>  // For members
+#include <string>  // For members
+#include <vector>  // For members
 
 class vtkAlgorithmOutput;
 
@@ -118,6 +119,16 @@ public:
 
   ///@{
   /**
+   * The most memory that the windows of EXACT may take, in gigabytes (1e9 bytes); a run that needs
+   * more ends with an error that says how far it came. 0: three quarters of the machine's. Other
+   * methods need little. At least 0, else the run ends with an error. Default: 0.
+   */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /**
    * On: the front treats points of equal coordinates as one point, so that it crosses the seams of
    * STL files, CAD models and pieces. Each point keeps its own tuple. Off: a slit stays a slit. If
    * there are global ids, they decide instead. Default: on.
@@ -186,9 +197,12 @@ protected:
     geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
   /** What the solver that Method chooses can do, and how it is made. */
   const geodesic::SolverTraits& GetSolver() const;
+  /** MemoryLimit in bytes. Throws if it is no limit. */
+  std::size_t GetMemoryLimitInBytes() const;
 
   int CostMode = COST;
   int Method = FAST_MARCHING;
+  double MemoryLimit = 0.0;
   bool MergeCoincidentPoints = true;
   bool ConnectBlocks = true;
 

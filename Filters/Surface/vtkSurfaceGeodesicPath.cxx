@@ -13,8 +13,8 @@
 
 #include "algorithm/DistributedPathFinder.h"
 #include "base/NumberText.h"
-#include "filter/Abort.h"
 #include "filter/ProgressReporter.h"
+#include "filter/VtkVersions.h"
 #include "global/GlobalPoints.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
@@ -63,23 +63,34 @@ struct vtkSurfaceGeodesicPath::Internals
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
-  // The segments below stay valid as long as these three stay the same.
+  // The segments below stay valid as long as these four stay the same on all ranks.
   std::optional<geodesic::bridge::SolveSurface> Solved;
+  /** What the corridors of segments hold ids and normals of. On several ranks only. */
+  std::vector<geodesic::bridge::ObjectVersion> Attributes;
   int Method = FAST_MARCHING;
   geodesic::PathStyle Style;
   std::vector<Segment> Segments;
 
-  /** Sets what segments depend on, and drops the segments if any of it changed. */
-  void setSurface(
-    geodesic::bridge::SolveSurface solved, int method, const geodesic::PathStyle& style)
+  /**
+   * Sets what segments depend on, and drops the segments if any of it changed on any rank.
+   * Collective.
+   */
+  void setSurface(const Run& run, geodesic::bridge::SolveSurface solved, int method,
+    const geodesic::PathStyle& style)
   {
-    const bool isSame = this->Solved && this->Solved->isLike(solved) && this->Method == method &&
-      this->Style == style;
-    if (!isSame)
+    std::vector<geodesic::bridge::ObjectVersion> attributes;
+    if (run.ranks.size() > 1)
+    {
+      attributes = run.input.versions();
+    }
+    const bool isSame = this->Solved && this->Solved->isLike(solved) &&
+      this->Attributes == attributes && this->Method == method && this->Style == style;
+    if (run.ranks.isAny(!isSame))
     {
       this->Segments.clear();
     }
     this->Solved.emplace(std::move(solved));
+    this->Attributes = std::move(attributes);
     this->Method = method;
     this->Style = style;
   }
@@ -213,6 +224,8 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   vtkDataObject* output)
 {
   this->TotalLength = 0.0;
+  this->ProvenShortest = 0;
+  this->NumberOfSearches = 0;
   this->SegmentLengths->Initialize();
   this->SegmentMiddles->Initialize();
   ranks.together([this] { this->CheckRequest(); });
@@ -236,7 +249,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const geodesic::SolverTraits& method = this->GetSolver();
   const bool hadMethod = internal.Method == method.number;
-  internal.setSurface(
+  internal.setSurface(run,
     internal.Lined.update(ranks,
       { internal.Surface, run.input, {}, barrierLines, barriers, cost, !method.crossesFaces }),
     method.number, style);
@@ -251,12 +264,6 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   {
     internal.Solver = method.make(mesh);
   }
-  if (ranks.size() > 1)
-  {
-    // The corridors of the segments have attributes of an earlier input.
-    internal.Segments.clear();
-  }
-
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
     ? this->TraceThroughWaypoints(run, waypoints)
     : this->TraceToNearest(run, waypoints, starts);
@@ -312,9 +319,10 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
 geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run) const
 {
   const Internals& internal = *this->Internal;
+  geodesic::SolveOptions options = internal.Solved->options();
+  options.memoryLimit = this->GetMemoryLimitInBytes();
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
-    internal.Lined.divided(), *internal.Solver, internal.Solved->options(), internal.Style,
-    run.input };
+    internal.Lined.divided(), *internal.Solver, options, internal.Style, run.input };
 }
 
 //------------------------------------------------------------------------------
@@ -360,6 +368,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     }
     else
     {
+      ++this->NumberOfSearches;
       segments.push_back({ waypoints[i], waypoints[next], {} });
       geodesic::bridge::ProgressReporter reporter(*this, request.solver.mesh().numberOfVertices());
       request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
@@ -415,6 +424,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
   std::string missing;
   for (std::size_t i = 0; i < starts.size() && !this->IsAborted(run); ++i)
   {
+    ++this->NumberOfSearches;
     auto path = internal.onInput(finder.pathFrom(points[i]));
     if (this->IsAborted(run))
     {
@@ -486,6 +496,9 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     output->GetCellData()->AddArray(nearestSeeds);
   }
   this->TotalLength = run.ranks.sum(paths.totalLength());
+  this->ProvenShortest =
+    static_cast<int>(std::count_if(internal.Segments.begin(), internal.Segments.end(),
+      [](const Segment& segment) { return segment.Path && segment.Path->isProvenShortest; }));
   if (isChain && run.ranks.rank() == 0)
   {
     geodesic::bridge::measureSegments(output, static_cast<vtkIdType>(internal.Segments.size()),
@@ -521,5 +534,7 @@ void vtkSurfaceGeodesicPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n";
   os << indent << "HeightOffset: " << this->HeightOffset << "\n";
   os << indent << "TotalLength: " << this->TotalLength << "\n";
+  os << indent << "ProvenShortest: " << this->ProvenShortest << "\n";
+  os << indent << "NumberOfSearches: " << this->NumberOfSearches << "\n";
   os << indent << "MostPointsOnARank: " << this->MostPointsOnARank << "\n";
 }

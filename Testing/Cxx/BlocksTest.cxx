@@ -102,6 +102,21 @@ vtkSmartPointer<vtkMultiBlockDataSet> blocksOf(
   return blocks;
 }
 
+/** Gives an AMR data set one level with one block. VTK 9.6 changed the call. */
+template <class AMR>
+void addLevel(AMR& levels)
+{
+  if constexpr (requires { levels.Initialize(std::vector<unsigned int>{ 1 }); })
+  {
+    levels.Initialize(std::vector<unsigned int>{ 1 });
+  }
+  else
+  {
+    const int blocksPerLevel[] = { 1 };
+    levels.Initialize(1, blocksPerLevel);
+  }
+}
+
 void setGlobalIds(vtkPolyData* surface, const std::function<vtkIdType(vtkIdType point)>& idOf)
 {
   vtkNew<vtkIdTypeArray> ids;
@@ -492,8 +507,7 @@ TEST_F(Blocks, HiddenCellsAreNoSurface)
 TEST_F(Blocks, LevelsThatOverlapAreRefused)
 {
   vtkNew<vtkOverlappingAMR> levels;
-  const int blocksPerLevel[] = { 1 };
-  levels->Initialize(1, blocksPerLevel);
+  addLevel(*levels);
   this->Filter->AddSeedPosition(0.0, 0.0, 0.0);
   this->expectError(levels, "vtkOverlappingAMR");
 }

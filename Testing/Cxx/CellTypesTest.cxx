@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,53 @@ vtkSmartPointer<vtkPolyData> polygon(const std::vector<std::array<double, 2>>& c
   return surface;
 }
 
+/** Copies of the cells in every way of storing them that this version of VTK has. */
+template <class CellArray>
+std::vector<vtkSmartPointer<CellArray>> storedInEveryWay(CellArray* cells)
+{
+  std::vector<vtkSmartPointer<CellArray>> copies;
+  const auto addCopy = [&](auto&& convert)
+  {
+    auto copy = vtkSmartPointer<CellArray>::New();
+    copy->DeepCopy(cells);
+    EXPECT_TRUE(convert(*copy));
+    copies.push_back(copy);
+  };
+  addCopy([](auto& copy) { return copy.ConvertTo32BitStorage(); });
+  addCopy([](auto& copy) { return copy.ConvertTo64BitStorage(); });
+  if constexpr (requires { cells->IsStorageGeneric(); })
+  {
+    addCopy([](auto& copy) { return copy.ConvertToFixedSize32BitStorage(); });
+    addCopy([](auto& copy) { return copy.ConvertToFixedSize64BitStorage(); });
+    addCopy(
+      [&](auto& copy)
+      {
+        vtkNew<vtkUnsignedShortArray> offsets;
+        offsets->DeepCopy(cells->GetOffsetsArray());
+        vtkNew<vtkUnsignedShortArray> connectivity;
+        connectivity->DeepCopy(cells->GetConnectivityArray());
+        return copy.SetData(offsets, connectivity) && copy.IsStorageGeneric();
+      });
+  }
+  return copies;
+}
+
+}
+
+TEST(CellTypes, EveryStorageOfCellsIsRead)
+{
+  const auto surface = square(9);
+  for (const auto& polygons : storedInEveryWay(surface->GetPolys()))
+  {
+    surface->SetPolys(polygons);
+    expectStraightLines(surface, 33, 100);
+  }
+  const auto ofStrips = square(9, Cells::Strips);
+  for (const auto& strips : storedInEveryWay(ofStrips->GetStrips()))
+  {
+    ofStrips->SetStrips(strips);
+    expectStraightLines(ofStrips, 33, 100);
+  }
 }
 
 TEST(CellTypes, QuadrilateralsAndStripsAreLikeTriangles)

@@ -16,6 +16,7 @@
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkImageDataToPointSet.h"
@@ -83,6 +84,31 @@ vtkSmartPointer<vtkUnstructuredGrid> hexahedra(vtkDataSet* data)
   append->AddInputData(data);
   append->Update();
   return append->GetOutput();
+}
+
+/** The cells of a grid of voxels as polyhedra. */
+vtkSmartPointer<vtkUnstructuredGrid> polyhedra(vtkUnstructuredGrid* grid)
+{
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->SetPoints(grid->GetPoints());
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> faces;
+    vtkCell* voxel = grid->GetCell(cell);
+    faces->InsertNextId(voxel->GetNumberOfFaces());
+    for (int i = 0; i < voxel->GetNumberOfFaces(); ++i)
+    {
+      // A pixel has its corners row by row, a face has them in turn.
+      vtkIdList* pixel = voxel->GetFace(i)->GetPointIds();
+      faces->InsertNextId(4);
+      for (const int corner : { 0, 1, 3, 2 })
+      {
+        faces->InsertNextId(pixel->GetId(corner));
+      }
+    }
+    result->InsertNextCell(VTK_POLYHEDRON, faces);
+  }
+  return result;
 }
 
 class Grids : public ::testing::Test
@@ -195,6 +221,31 @@ TEST_F(Grids, AreOfEveryKind)
   straight->SetYCoordinates(coordinates(6));
   straight->SetZCoordinates(coordinates(5));
   expectSame(fieldOf(this->run(straight)), truth);
+}
+
+TEST_F(Grids, PolyhedraHaveTheirOuterFaces)
+{
+  this->Filter->AddSeedPosition(1.5, 2.0, 4.0);
+  const auto grid = hexahedra(box());
+  const auto other = polyhedra(grid);
+  expectSame(fieldOf(this->run(other)), fieldOf(this->run(grid)));
+  // Another polyhedron, whose points and other cells are there before.
+  const auto more = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  more->ShallowCopy(polyhedra(hexahedra(box())));
+  vtkNew<vtkIdList> tip;
+  const vtkIdType top = more->GetPoints()->InsertNextPoint(3.5, 2.5, 9.0);
+  tip->InsertNextId(5);
+  for (const auto& face : std::vector<std::vector<vtkIdType>>{ { 185, 186, 193, 192 },
+         { 185, 186, top }, { 186, 193, top }, { 193, 192, top }, { 192, 185, top } })
+  {
+    tip->InsertNextId(static_cast<vtkIdType>(face.size()));
+    for (const vtkIdType corner : face)
+    {
+      tip->InsertNextId(corner);
+    }
+  }
+  more->InsertNextCell(VTK_POLYHEDRON, tip);
+  EXPECT_EQ(fieldOf(this->run(more)).count({ 3.5, 2.5, 9.0 }), 1u);
 }
 
 // VTK's own ids are wrong for these cells.

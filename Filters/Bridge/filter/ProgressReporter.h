@@ -4,7 +4,7 @@
 #define geodesic_bridge_ProgressReporter_h
 
 #include "base/Index.h"
-#include "filter/Abort.h"
+#include "filter/VtkVersions.h"
 
 #include "vtkAlgorithm.h"
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/OuterSurface.h"
 
+#include "filter/VtkVersions.h"
 #include "input/ObjectVersion.h"
 #include "input/VersionCache.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGeometryFilter.h"
@@ -66,8 +66,8 @@ DataVersion versionOf(vtkDataSet* data)
   { std::copy_n(first, count, std::back_inserter(version.numbers)); };
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    version.parts = { grid->GetPoints(), grid->GetCells(), grid->GetCellTypesArray(),
-      grid->GetFaces() };
+    version.parts = { grid->GetPoints(), grid->GetCells(), cellTypesOf(*grid),
+      polyhedronFacesOf(*grid) };
   }
   else if (auto* image = vtkImageData::SafeDownCast(data))
   {
@@ -103,7 +103,7 @@ bool hasCurvedCells(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (!vtkCellTypes::IsLinear(static_cast<unsigned char>(grid->GetCellType(cell))))
+    if (!isLinear(grid->GetCellType(cell)))
     {
       return true;
     }

@@ -3,6 +3,7 @@
 #include "input/PointIdentity.h"
 
 #include "base/NumberText.h"
+#include "filter/VtkVersions.h"
 #include "input/ArrayValues.h"
 
 #include "vtkPolyData.h"
@@ -52,8 +53,8 @@ void checkDistances(const std::vector<vtkIdType>& ids, const std::vector<Index>&
     {
       throw std::invalid_argument("Two points with the global id " + std::to_string(ids[i]) +
         " are " + textOf(distance) +
-        " apart, but points of one id are one point. Make the ids again for all blocks together, "
-        "by Generate Global Ids, or leave out the array.");
+        " apart, but points of one id are one point. Make the ids again for all blocks together, " +
+        MakeGlobalIdsOfBlocks + ", or leave out the array.");
     }
   }
 }
@@ -80,7 +81,8 @@ PointIdentity identityOf(const InputBlocks& blocks, bool mergeCoincidentPoints, 
     throw std::invalid_argument("ConnectBlocks is on, but nothing tells which points of the " +
       std::to_string(count) +
       " blocks are one: MergeCoincidentPoints is off, and not all blocks have GlobalPointIds. Turn "
-      "MergeCoincidentPoints on, make the ids by Generate Global Ids, or turn ConnectBlocks off.");
+      "MergeCoincidentPoints on, make the ids " +
+      MakeGlobalIdsOfBlocks + ", or turn ConnectBlocks off.");
   }
   return identity;
 }

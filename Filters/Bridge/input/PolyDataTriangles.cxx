@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/PolyDataTriangles.h"
 
+#include "filter/VtkVersions.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
@@ -151,7 +153,7 @@ private:
       this->Polygon->PointIds->SetId(i, i);
       this->Polygon->Points->SetPoint(i, p.x, p.y, p.z);
     }
-    if (!this->Polygon->Triangulate(this->Cut))
+    if (!triangulate(*this->Polygon, this->Cut))
     {
       return false;
     }
@@ -179,20 +181,20 @@ private:
 };
 
 /** Calls @p add with the corners of each cell, after checking that they exist. */
-struct VisitCells
+template <class Add>
+void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoint, const Add& add)
 {
-  template <class CellState, class Add>
-  void operator()(CellState& state, std::size_t numberOfPoints, Index firstPoint, Add&& add) const
+  const vtkIdType count = cells->GetNumberOfCells();
+  const auto visit = [&](const auto& offsets, const auto& connectivity)
   {
-    const auto* offsets = state.GetOffsets()->GetPointer(0);
-    const auto* connectivity = state.GetConnectivity()->GetPointer(0);
     std::vector<Index> corners;
-    for (vtkIdType cell = 0; cell < state.GetNumberOfCells(); ++cell)
+    for (vtkIdType cell = 0; cell < count; ++cell)
     {
       corners.clear();
-      for (auto i = offsets[cell]; i < offsets[cell + 1]; ++i)
+      const auto end = static_cast<vtkIdType>(offsets[cell + 1]);
+      for (auto i = static_cast<vtkIdType>(offsets[cell]); i < end; ++i)
       {
-        const auto id = connectivity[i];
+        const auto id = static_cast<vtkIdType>(connectivity[i]);
         if (id < 0 || static_cast<std::size_t>(id) >= numberOfPoints)
         {
           throw std::invalid_argument("A cell of the input uses point " + std::to_string(id) +
@@ -202,8 +204,9 @@ struct VisitCells
       }
       add(std::span<const Index>(corners));
     }
-  }
-};
+  };
+  withOffsetsAndConnectivity(*cells, visit);
+}
 
 }
 
@@ -242,7 +245,7 @@ void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, I
   const auto noteCell = [&]
   { triangles.cells.resize(triangles.corners.size(), firstCell + static_cast<Index>(cell++)); };
   const auto numberOfPoints = static_cast<std::size_t>(surface->GetNumberOfPoints());
-  surface->GetPolys()->Visit(VisitCells{}, numberOfPoints, firstPoint,
+  visitCells(surface->GetPolys(), numberOfPoints, firstPoint,
     [&](std::span<const Index> corners)
     {
       if (!isHidden(cell))
@@ -251,7 +254,7 @@ void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, I
       }
       noteCell();
     });
-  surface->GetStrips()->Visit(VisitCells{}, numberOfPoints, firstPoint,
+  visitCells(surface->GetStrips(), numberOfPoints, firstPoint,
     [&](std::span<const Index> corners)
     {
       if (!isHidden(cell))

@@ -34,4 +34,15 @@ std::optional<Vector3> InputPathAttributes::normalOf(Index vertex) const
   return Vector3{ n[0], n[1], n[2] };
 }
 
+std::vector<ObjectVersion> InputPathAttributes::versions() const
+{
+  std::vector<ObjectVersion> versions;
+  for (const InputBlock& block : this->Blocks)
+  {
+    versions.emplace_back(block.surface->GetPointData()->GetNormals());
+    versions.emplace_back(block.globalPointIds());
+  }
+  return versions;
+}
+
 }

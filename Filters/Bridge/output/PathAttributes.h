@@ -5,10 +5,12 @@
 
 #include "base/Vector3.h"
 #include "input/InputSurface.h"
+#include "input/ObjectVersion.h"
 
 #include "vtkType.h"
 
 #include <optional>
+#include <vector>
 
 namespace geodesic::bridge
 {
@@ -46,6 +48,9 @@ public:
   vtkIdType idOf(Index vertex) const override;
   vtkIdType blockOf(Index vertex) const override;
   std::optional<Vector3> normalOf(Index vertex) const override;
+
+  /** The arrays that ids and normals come from, as they are now. */
+  std::vector<ObjectVersion> versions() const;
 
 private:
   const InputSurface& Surface;

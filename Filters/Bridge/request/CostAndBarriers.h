@@ -41,6 +41,8 @@ struct Barriers
   std::vector<std::uint8_t> excluded;
   /** One flag for each triangle; empty if none is closed. */
   std::vector<std::uint8_t> closed;
+
+  friend bool operator==(const Barriers&, const Barriers&) = default;
 };
 
 /**

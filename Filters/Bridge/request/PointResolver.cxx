@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "request/PointResolver.h"
 
+#include "filter/VtkVersions.h"
 #include "mesh/Carriers.h"
 
 #include "vtkIdList.h"
@@ -112,8 +113,8 @@ std::vector<Index> verticesWithIds(
   {
     throw std::invalid_argument(role + " point id " + std::to_string(ids->GetId(0)) +
       " does not tell of which of the input's " + std::to_string(numbering.numberOfBlocks()) +
-      " blocks. Make GlobalPointIds for all of them, by Generate Global Ids, and give those, or "
-      "give positions.");
+      " blocks. Make GlobalPointIds for all of them, " + MakeGlobalIdsOfBlocks +
+      ", and give those, or give positions.");
   }
   const auto points = numbering.pointsWithIds({ ids->begin(), ids->end() });
   std::vector<Index> vertices;
