@@ -19,6 +19,7 @@ REPORT = os.path.join(FOLDER, "points.json")
 WIDTH, HEIGHT = 1366, 768
 # The colours of the markers and of the table's chosen row.
 ORANGE = (230, 76, 26)
+GREEN = (0, 255, 0)
 
 
 def xdotool(*arguments):
@@ -83,11 +84,13 @@ paraview = subprocess.Popen(
     env={**os.environ, "REPORT": REPORT})
 wait_until("ParaView to start", lambda: os.path.exists(REPORT))
 
-# The button has the colour of the markers; the ball is in the middle of the view.
+# The button has the colour of the markers; the ball is in the middle of the view, which is green round it.
 wait_until("the panel", lambda: len(places_of(ORANGE)[0]) > 20)
 x, y = places_of(ORANGE)
 BUTTON = int(x.mean()), int(y.mean())
-VIEW = (302 + WIDTH) // 2, (199 + 736) // 2
+wait_until("the view", lambda: len(places_of(GREEN)[0]) > 100000)
+x, y = places_of(GREEN)
+VIEW = (x.min() + x.max() + 1) // 2, (y.min() + y.max() + 1) // 2
 
 # The keys go to the view once it has been clicked in.
 xdotool("mousemove", VIEW[0] - 300, VIEW[1] - 200, "click", 1)

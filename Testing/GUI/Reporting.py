@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ball.py, and every change of the points in the panel is written to the file that REPORT names."""
+"""Ball.py on a green background, by which the view is found on the screen; and every change of the points in the panel is
+written to the file that REPORT names."""
 
 import json
 import os
@@ -8,6 +9,10 @@ import os
 from paraview.simple import *
 
 exec(open(os.path.join(os.environ["PYTHONPATH"], "Ball.py"), encoding="utf-8").read())
+view.UseColorPaletteForBackground = 0
+view.BackgroundColorMode = "Single Color"
+view.Background = [0, 1, 0]
+Render()
 SEEDS = GetActiveSource().SMProxy.GetProperty("SeedPositions")
 
 

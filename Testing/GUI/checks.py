@@ -87,7 +87,7 @@ def expect_seen_at(row, x, y, name="SeedPositions"):
     renderer.WorldToDisplay()
     pixel = renderer.GetDisplayPoint()
     width, height = view.GetRenderWindow().GetSize()
-    expect(abs(pixel[0] - x * width) < 2 and abs(height - pixel[1] - y * height) < 2, pixel, x, y)
+    expect(abs(pixel[0] - x * width) < 2 and abs(height - pixel[1] - y * height) < 2, pixel, x * width, (1 - y) * height)
 
 
 def pixels_of(*color, area="1366x768+0+0"):
@@ -127,6 +127,13 @@ def expect_bands(spacing):
         expect(abs(found - expected) < 0.03 * expected, spacing, band, found, expected)
 
 
+def place(representation, translation, scale):
+    """Moves and scales what a view shows. ParaView 5.13 renamed the property."""
+    name = "Translation" if representation.SMProxy.GetProperty("Translation") else "Position"
+    representation.SetPropertyWithName(name, translation)
+    representation.Scale = scale
+
+
 def aim():
     """Moves the camera so that 0 is drawn where the playback's pointer is at (0.5, 0.5): at whole pixels."""
     view = GetActiveView()
@@ -140,3 +147,26 @@ def aim():
     view.CameraPosition = np.subtract(view.CameraPosition, [x / w, y / w, 0])
     view.CameraFocalPoint = np.subtract(view.CameraFocalPoint, [x / w, y / w, 0])
     Render()
+
+
+def on_ball(a, b):
+    """The distance of two points over the ball of Ball.py."""
+    a, b = (point / np.linalg.norm(point) for point in (a, b))
+    return 0.5 * np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)
+
+
+def expect_distances_on_ball():
+    """The active distances on the ball of Ball.py are those from the seed in the panel, to 4 % of the largest."""
+    data = servermanager.Fetch(GetActiveSource())
+    found = vtk_to_numpy(data.GetPointData().GetArray("GeodesicDistance"))
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    error = np.abs(found - [on_ball(point, shown()[0]) for point in points]).max()
+    expect(error < 0.02 * np.pi, error)
+
+
+def expect_path_on_ball():
+    """The active path on the ball of Ball.py runs through the waypoints in the panel, and is shortest to 1 %."""
+    points = shown("WaypointPositions")
+    lengths = vtk_to_numpy(servermanager.Fetch(GetActiveSource()).GetCellData().GetArray("Length"))
+    truth = np.array([on_ball(a, b) for a, b in zip(points, points[1:])])
+    expect(len(lengths) == len(truth) and np.all(np.abs(lengths - truth) < 0.01 * truth), lengths, truth)

@@ -59,6 +59,7 @@ void lead(vtkRenderer* renderer, double pixels, vtkTransform* transform)
 void vtkSurfaceLinesActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   this->Renderer = renderer;
+  this->GetProperty()->SetLighting(this->IsLit);
   // The device draws as if it had no matrix before it has computed one, and keeps that until it is
   // modified.
   this->GetMatrix(this->Device->GetUserMatrix());

@@ -32,6 +32,13 @@ public:
 
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
+  /**
+   * Whether light makes the lines darker and brighter. Default: false. From ParaView 5.13 on a
+   * representation sets the same of its property in every update, so it is set again before
+   * drawing.
+   */
+  void SetLit(bool isLit) { this->IsLit = isLit; }
+
   ///@{
   /** While it renders, this is where it is drawn; else where the data are. */
   using vtkPVLODActor::GetMatrix;
@@ -47,6 +54,7 @@ private:
   static constexpr double Lead = 2.0;
 
   vtkRenderer* Renderer = nullptr;
+  bool IsLit = false;
 
   vtkSurfaceLinesActor(const vtkSurfaceLinesActor&) = delete;
   void operator=(const vtkSurfaceLinesActor&) = delete;

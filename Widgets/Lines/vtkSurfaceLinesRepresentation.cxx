@@ -19,6 +19,7 @@ vtkSurfaceLinesRepresentation::vtkSurfaceLinesRepresentation()
   actor->SetLODMapper(this->LODMapper);
   actor->SetProperty(this->Property);
   actor->SetPropertyKeys(this->Actor->GetPropertyKeys());
+  this->Lines = actor;
   this->Actor->Delete();
   this->Actor = actor;
   this->SetSuppressLOD(true);
@@ -30,5 +31,5 @@ void vtkSurfaceLinesRepresentation::SetRenderLinesAsTubes(bool isOn)
   // OpenGL's own lines have their width along an axis of the screen: 4 pixels are 2.8 on a slant.
   // VTK gives tubes their width across the line. Without light they are plain.
   this->Property->SetRenderLinesAsTubes(true);
-  this->Property->SetLighting(isOn);
+  this->Lines->SetLit(isOn);
 }

@@ -13,6 +13,8 @@
 #include "vtkGeometryRepresentation.h"
 #include "vtkWidgetsLinesModule.h" // For the export macro
 
+class vtkSurfaceLinesActor;
+
 class VTKWIDGETSLINES_EXPORT vtkSurfaceLinesRepresentation : public vtkGeometryRepresentation
 {
 public:
@@ -29,6 +31,9 @@ protected:
   ~vtkSurfaceLinesRepresentation() override = default;
 
 private:
+  /** The superclass's Actor. */
+  vtkSurfaceLinesActor* Lines = nullptr;
+
   vtkSurfaceLinesRepresentation(const vtkSurfaceLinesRepresentation&) = delete;
   void operator=(const vtkSurfaceLinesRepresentation&) = delete;
 };

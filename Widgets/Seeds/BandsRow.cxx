@@ -3,6 +3,7 @@
 #include "BandsRow.h"
 
 #include "ColorBands.h"
+#include "ParaViewVersions.h"
 #include "PointText.h"
 #include "ResultNumbers.h"
 
@@ -16,7 +17,6 @@
 #include "pqView.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTransferFunctionManager.h"
@@ -133,8 +133,7 @@ void BandsRow::toggle(bool isOn)
     this->watch(map);
     if (pqDataRepresentation* representation = this->shown())
     {
-      vtkSMPVRepresentationProxy::SetScalarBarVisibility(
-        representation->getProxy(), this->View->getProxy(), true);
+      showLegend(representation->getProxy(), this->View->getProxy());
     }
   }
   else

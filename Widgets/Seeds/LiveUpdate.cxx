@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveUpdate.h"
 
+#include "SeedOverlay.h"
+
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
+#include "pqRenderView.h"
 #include "pqServerManagerModel.h"
 #include "pqSettings.h"
 #include "pqUndoStack.h"
@@ -25,6 +28,7 @@ constexpr const char* Setting = "SurfaceSeeds/LiveUpdate";
 LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
   : Filter(filter)
   , Property(property)
+  , Sketch(filter)
 {
   // Qt handles the movements that came during an update before this timer fires, so that only the
   // last of them is computed.
@@ -52,8 +56,11 @@ bool LiveUpdate::isPossible() const
   return source && source->modifiedState() != pqProxy::UNINITIALIZED;
 }
 
-void LiveUpdate::begin()
+void LiveUpdate::begin(pqRenderView* view, SeedOverlay* overlay, double tolerance)
 {
+  this->View = view;
+  this->Overlay = overlay;
+  this->Tolerance = tolerance;
   const std::vector<double> elements = vtkSMPropertyHelper(this->Property).GetArray<double>();
   this->Before = QVector<double>(elements.begin(), elements.end());
   this->Latest = this->Before;
@@ -77,6 +84,20 @@ void LiveUpdate::update()
     SCOPED_UNDO_EXCLUDE();
     this->give(this->Latest);
   }
+  const bool isSketched = this->Sketch.isOn() ||
+    (this->View && this->Sketch.begin(this->View, this->Overlay, this->Tolerance));
+  if (isSketched)
+  {
+    this->Sketch.update();
+  }
+  else
+  {
+    this->draw();
+  }
+}
+
+void LiveUpdate::draw()
+{
   const auto views = pqApplicationCore::instance()->getServerManagerModel()->findItems<pqView*>();
   for (pqView* view : views)
   {
@@ -84,10 +105,18 @@ void LiveUpdate::update()
   }
 }
 
+void LiveUpdate::abandon()
+{
+  this->WhenIdle.stop();
+  this->Sketch.end();
+}
+
 void LiveUpdate::finish()
 {
   this->WhenIdle.stop();
-  if (this->Latest == this->Before)
+  const bool isSketched = this->Sketch.isOn();
+  this->Sketch.end();
+  if (this->Latest == this->Before && !isSketched)
   {
     return;
   }
@@ -100,7 +129,7 @@ void LiveUpdate::finish()
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Filter);
     this->give(this->Latest);
   }
-  this->update();
+  this->draw();
 }
 
 }

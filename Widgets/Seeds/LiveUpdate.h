@@ -3,21 +3,27 @@
 #ifndef seeds_LiveUpdate_h
 #define seeds_LiveUpdate_h
 
+#include "PathSketch.h"
+
 #include "vtkSmartPointer.h"
 
 #include <QObject>
 #include <QTimer>
 #include <QVector>
 
+class pqRenderView;
 class vtkSMDoubleVectorProperty;
 class vtkSMProxy;
 
 namespace seeds
 {
 
+class SeedOverlay;
+
 /**
  * Gives a filter the points while they are dragged, and draws its results, as often as the filter
- * can keep up and always for the last points. The whole drag is one step to undo.
+ * can keep up and always for the last points. Where the results are lines, they are sketched until
+ * the drag ends. The whole drag is one step to undo.
  *
  * Users turn it on and off by a setting, which is kept among ParaView's settings. Before they do,
  * it is on where the filter is fast.
@@ -39,17 +45,28 @@ public:
   /** Whether the filter can be updated without Apply, because it has been applied before. */
   bool isPossible() const;
 
-  void begin();
+  /**
+   * @param view       where the points are dragged
+   * @param tolerance  see PathSketch::begin
+   */
+  void begin(pqRenderView* view, SeedOverlay* overlay, double tolerance);
   void push(const QVector<double>& values);
   void finish();
+  /** Ends a drag whose view is no longer there; what it has changed stays. */
+  void abandon();
 
 private:
   void update();
+  void draw();
   void give(const QVector<double>& values);
 
   vtkSmartPointer<vtkSMProxy> Filter;
   vtkSmartPointer<vtkSMDoubleVectorProperty> Property;
   QTimer WhenIdle;
+  PathSketch Sketch;
+  QPointer<pqRenderView> View;
+  QPointer<SeedOverlay> Overlay;
+  double Tolerance = 0.0;
   QVector<double> Before;
   QVector<double> Latest;
 };

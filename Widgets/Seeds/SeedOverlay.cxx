@@ -131,6 +131,14 @@ void SeedOverlay::setJoined(bool isJoined)
   this->update();
 }
 
+void SeedOverlay::setSketch(const QPainterPath& lines, const QColor& color, double width)
+{
+  this->Sketch = lines;
+  const double points = this->View ? width / ViewGeometry(this->View).pixelsPerPoint() : width;
+  this->SketchPen = QPen(color, points, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  this->update();
+}
+
 void SeedOverlay::setDoomedRow(int row)
 {
   if (row != this->DoomedRow)
@@ -228,6 +236,7 @@ void SeedOverlay::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  painter.strokePath(this->Sketch, this->SketchPen);
   if (this->IsJoined)
   {
     this->drawLines(painter);

@@ -6,6 +6,8 @@
 #include "Position.h"
 #include "SeedRole.h"
 
+#include <QPainterPath>
+#include <QPen>
 #include <QPointer>
 #include <QSet>
 #include <QStringList>
@@ -67,6 +69,11 @@ public:
   void setNote(const QString& text, const QPointF& place);
   QString note() const { return this->Note; }
   void setJoined(bool isJoined);
+  /**
+   * Draws lines, in the widget's pixels, below all markers; none if empty.
+   * @param width  in pixels of the render window
+   */
+  void setSketch(const QPainterPath& lines, const QColor& color, double width);
   void setPreview(const std::optional<Preview>& preview);
   /** Sets the row that a click would remove; -1 for none. */
   void setDoomedRow(int row);
@@ -114,6 +121,8 @@ private:
   std::optional<Preview> Shown;
   QString Note;
   QPointF NotePlace;
+  QPainterPath Sketch;
+  QPen SketchPen;
 };
 
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedTableModel.h"
 
+#include "ParaViewVersions.h"
 #include "PointText.h"
 #include "ResultNumbers.h"
-
-#include "pqDoubleLineEdit.h"
 
 #include <QDataStream>
 #include <QIODevice>
@@ -176,7 +175,7 @@ QVariant SeedTableModel::data(const QModelIndex& index, int role) const
   switch (role)
   {
     case Qt::DisplayRole:
-      return pqDoubleLineEdit::formatDoubleUsingGlobalPrecisionAndNotation(this->Values[at]);
+      return shownNumber(this->Values[at]);
     case Qt::EditRole:
     case Qt::ToolTipRole:
       return exactText(this->Values[at]);
@@ -233,7 +232,7 @@ bool SeedTableModel::setData(const QModelIndex& index, const QVariant& value, in
   }
   const int at = 3 * index.row() + index.column();
   QVector<double> values = this->Values;
-  values.resize(std::max(values.size(), at + 1));
+  values.resize(std::max(static_cast<int>(values.size()), at + 1));
   values[at] = number;
   this->edit(values);
   return true;

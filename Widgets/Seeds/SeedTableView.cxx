@@ -111,6 +111,13 @@ void SeedTableView::choose(int first, int count)
   this->scrollTo(top);
 }
 
+void SeedTableView::append(const QVector<Position>& points)
+{
+  const int first = this->Model->numberOfPoints();
+  this->Model->append(points);
+  this->choose(first, points.size());
+}
+
 QSize SeedTableView::sizeHint() const
 {
   const int rows = std::clamp(this->Model->rowCount(), FewestRows, MostRows);
@@ -142,9 +149,7 @@ void SeedTableView::paste()
     Q_EMIT this->refused(pasted.error);
     return;
   }
-  const int first = this->Model->numberOfPoints();
-  this->Model->append(pasted.points);
-  this->choose(first, pasted.points.size());
+  this->append(pasted.points);
 }
 
 void SeedTableView::remove()

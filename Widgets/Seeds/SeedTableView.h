@@ -3,6 +3,8 @@
 #ifndef seeds_SeedTableView_h
 #define seeds_SeedTableView_h
 
+#include "Position.h"
+
 #include <QTableView>
 #include <QVector>
 
@@ -23,6 +25,8 @@ public:
   QVector<int> chosenRows() const;
   /** Chooses @p count consecutive rows and scrolls to them. */
   void choose(int first, int count = 1);
+  /** Adds points to the model as its last rows, and chooses them. */
+  void append(const QVector<Position>& points);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return this->sizeHint(); }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShownSurface.h"
 
+#include "ParaViewVersions.h"
+
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
@@ -92,7 +94,7 @@ vtkSmartPointer<vtkMatrix4x4> ShownSurface::placementIn(pqRenderView* view) cons
     Position angles{ 0.0, 0.0, 0.0 };
     Position scale{ 1.0, 1.0, 1.0 };
     Position origin{ 0.0, 0.0, 0.0 };
-    vtkSMPropertyHelper(proxy, "Position", true).Get(translation.data(), 3);
+    vtkSMPropertyHelper(proxy, translationOf(proxy), true).Get(translation.data(), 3);
     vtkSMPropertyHelper(proxy, "Orientation", true).Get(angles.data(), 3);
     vtkSMPropertyHelper(proxy, "Scale", true).Get(scale.data(), 3);
     vtkSMPropertyHelper(proxy, "Origin", true).Get(origin.data(), 3);

@@ -7,8 +7,11 @@
 #include "LiveUpdate.h"
 #include "OtherSources.h"
 #include "PathProbe.h"
-#include "PickHistory.h"
+#include "PickKeys.h"
 #include "ResultNumbers.h"
+#include "SeedEditor.h"
+#include "SeedHint.h"
+#include "SeedMenu.h"
 #include "SeedOverlay.h"
 #include "SeedPanel.h"
 #include "SeedPicker.h"
@@ -17,28 +20,21 @@
 #include "SeedTableView.h"
 #include "ShownSurface.h"
 #include "SurfaceProbe.h"
+#include "ViewNumbers.h"
 #include "VisibleWidth.h"
 
 #include "pqApplicationCore.h"
-#include "pqKeySequences.h"
-#include "pqModalShortcut.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
-#include "pqShortcutDecorator.h"
 #include "vtkMatrix4x4.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyGroup.h"
-#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QPointer>
 #include <QVBoxLayout>
-
-#include <cmath>
-#include <optional>
 
 using namespace seeds;
 
@@ -52,12 +48,11 @@ QPointer<SurfaceSeedsWidget> Picking;
 
 struct SurfaceSeedsWidget::Internals
 {
-  Internals(vtkSMProxy* proxy, vtkSMPropertyGroup* group, vtkSMDoubleVectorProperty* property)
+  Internals(vtkSMProxy* proxy, vtkSMPropertyGroup* group)
     : Role(SeedRole::fromHints(group->GetHints()))
     , Surface(proxy, group->GetProperty("Input"))
     , Probe(proxy, this->Surface)
     , Path(proxy, this->Surface, this->Role.segments)
-    , Live(proxy, property)
     , Others(proxy, this->Role.others)
   {
   }
@@ -73,14 +68,10 @@ struct SurfaceSeedsWidget::Internals
   QPointer<ErrorNote> Error;
   /** Null if the filter makes no distances. */
   BandsRow* Bands = nullptr;
-  LiveUpdate Live;
-  bool IsLive = false;
-  /** Where the pointer is in the view; none if it is not there, or does something else. */
-  std::optional<QPointF> Pointer;
   OtherSources Others;
-  PickHistory Picks;
-  /** The shortcuts of P and Ctrl+P. Enabling or disabling one does the same to the other. */
-  QList<QPointer<pqModalShortcut>> Keys;
+  std::unique_ptr<SeedEditor> Editor;
+  std::unique_ptr<ViewNumbers> Numbers;
+  PickKeys* Keys = nullptr;
 
   QPointer<pqRenderView> View;
   QPointer<SeedOverlay> Overlay;
@@ -96,10 +87,14 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   {
     qFatal("The property group of a SurfaceSeeds widget needs the functions Positions and Input.");
   }
-  this->Internal = std::make_unique<Internals>(proxy, group, property);
+  this->Internal = std::make_unique<Internals>(proxy, group);
   Internals& my = *this->Internal;
   my.Panel = new SeedPanel(&my.Model, my.Role, this);
   my.Panel->setObjectName("Panel");
+  my.Editor = std::make_unique<SeedEditor>(proxy, property, my.Model, my.Panel, my.Surface);
+  my.Numbers =
+    std::make_unique<ViewNumbers>(proxy, my.Role.distances, my.Surface, my.Probe, my.Panel->menu());
+  my.Keys = new PickKeys(this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(my.Panel);
@@ -109,12 +104,11 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
     my.Bands = new BandsRow(proxy, my.Role.distances.constData(), my.Panel);
     my.Bands->setObjectName("Bands");
     my.Panel->addRow(my.Bands);
-    this->connect(my.Bands, &BandsRow::refused, my.Panel, &SeedPanel::complain);
+    this->connect(my.Bands, &BandsRow::refused, my.Panel->hint(), &SeedHint::complain);
   }
   // A drag is finished only when the button is released.
   this->setChangeAvailableAsChangeFinished(false);
   this->connectPanel();
-  this->connectKeys();
   this->addPropertyLink(this, "positions", SIGNAL(positionsChanged()), property);
   this->showResult();
 }
@@ -137,33 +131,40 @@ void SurfaceSeedsWidget::connectPanel()
     });
   this->connect(&my.Model, &QAbstractItemModel::dataChanged, this, &SurfaceSeedsWidget::showPoints);
   this->connect(&my.Model, &QAbstractItemModel::rowsRemoved, this, &SurfaceSeedsWidget::showPoints);
-  for (const auto signal : { &QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved })
-  {
-    this->connect(&my.Model, signal, this, &SurfaceSeedsWidget::showUndo);
-  }
-  this->connect(&my.Model, &QAbstractItemModel::dataChanged, this, &SurfaceSeedsWidget::showUndo);
-  const auto showOthers = [&my] { my.Panel->setOthers(my.Others.text()); };
+  const auto showOthers = [&my] { my.Panel->hint()->setOthers(my.Others.text()); };
   this->connect(&my.Others, &OtherSources::changed, this, showOthers);
   showOthers();
   this->connect(my.Panel, &SeedPanel::pickToggled, this, &SurfaceSeedsWidget::setPicking);
-  this->connect(my.Panel, &SeedPanel::numbersToggled, this, &SurfaceSeedsWidget::showPoints);
+  this->connect(my.Panel->menu(), &SeedMenu::numbersToggled, this, &SurfaceSeedsWidget::showPoints);
   this->connect(my.Panel, &SeedPanel::addRequested, this,
     [this, &my]
     {
-      this->add(my.Surface.center());
+      my.Panel->table()->append({ my.Surface.center() });
       my.Panel->table()->edit(my.Panel->table()->currentIndex());
     });
   this->connect(my.Panel->table(), &SeedTableView::chosenRowsChanged, this,
-    [this]
+    [this, &my]
     {
-      this->takeKeys();
+      my.Keys->take();
       this->showPoints();
     });
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::showLines);
-  this->connect(my.Panel, &SeedPanel::lengthsToggled, this, &SurfaceSeedsWidget::showLabels);
-  this->connect(
-    my.Panel, &SeedPanel::distanceAtPointerToggled, this, &SurfaceSeedsWidget::showDistance);
+  this->connect(my.Editor.get(), &SeedEditor::moved, this,
+    [this]
+    {
+      this->forgetLengths();
+      Q_EMIT this->positionsChanged();
+    });
+  this->connect(my.Editor.get(), &SeedEditor::dropped, this, &SurfaceSeedsWidget::changeFinished);
+  this->connect(my.Keys, &PickKeys::pressed, this,
+    [&my](SurfaceProbe::Snap snap)
+    {
+      if (my.Picker)
+      {
+        my.Picker->pickUnderPointer(snap);
+      }
+    });
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::dataUpdated, this,
     [this](pqPipelineSource* source)
@@ -173,47 +174,6 @@ void SurfaceSeedsWidget::connectPanel()
         this->showResult();
       }
     });
-}
-
-void SurfaceSeedsWidget::connectKeys()
-{
-  Internals& my = *this->Internal;
-  auto* decorator = new pqShortcutDecorator(this);
-  const std::pair<const char*, SurfaceProbe::Snap> keys[] = {
-    { "P", SurfaceProbe::Snap::ToSurface }, { "Ctrl+P", SurfaceProbe::Snap::ToMeshPoint }
-  };
-  for (const auto& [key, snap] : keys)
-  {
-    auto* shortcut = pqKeySequences::instance().addModalShortcut(QKeySequence(key), nullptr, this);
-    decorator->addShortcut(shortcut);
-    my.Keys.append(shortcut);
-    this->connect(shortcut, &pqModalShortcut::activated, this,
-      [&my, snap = snap]
-      {
-        if (my.Picker)
-        {
-          my.Picker->pickUnderPointer(snap);
-        }
-      });
-  }
-  my.Keys.front()->setEnabled(false);
-  // A decorator's frame gets its colour by the object's name, which the panel sets later.
-  this->setFrameShape(QFrame::NoFrame);
-}
-
-void SurfaceSeedsWidget::takeKeys()
-{
-  if (!this->isVisible())
-  {
-    return;
-  }
-  // Enabling the keys moves the focus to the view, so it is set back.
-  QWidget* focus = QApplication::focusWidget();
-  this->Internal->Keys.front()->setEnabled(true);
-  if (focus && this->isAncestorOf(focus))
-  {
-    focus->setFocus();
-  }
 }
 
 QList<QVariant> SurfaceSeedsWidget::positions() const
@@ -263,14 +223,14 @@ void SurfaceSeedsWidget::showEvent(QShowEvent* event)
   // The first group of a panel has the keys until the user clicks another group.
   if (this->parentWidget()->findChild<SurfaceSeedsWidget*>() == this)
   {
-    this->takeKeys();
+    this->Internal->Keys->take();
   }
 }
 
 void SurfaceSeedsWidget::hideEvent(QHideEvent* event)
 {
   this->detach();
-  this->Internal->Keys.front()->setEnabled(false);
+  this->Internal->Keys->giveUp();
   pqPropertyGroupWidget::hideEvent(event);
 }
 
@@ -295,10 +255,8 @@ void SurfaceSeedsWidget::attachTo(pqRenderView* view)
   my.View = view;
   my.Overlay = new SeedOverlay(view, my.Role);
   my.Picker = std::make_unique<SeedPicker>(my.Probe, my.Path, view, my.Overlay);
-  for (pqModalShortcut* key : my.Keys)
-  {
-    key->setContextWidget(view->widget());
-  }
+  my.Keys->setView(view);
+  my.Numbers->setView(view, my.Overlay);
   this->connectPicker();
   this->showPoints();
 }
@@ -316,29 +274,12 @@ void SurfaceSeedsWidget::connectPicker()
 {
   Internals& my = *this->Internal;
   SeedPicker* picker = my.Picker.get();
-  this->connect(picker, &SeedPicker::picked, this, &SurfaceSeedsWidget::pick);
-  this->connect(picker, &SeedPicker::inserted, this, &SurfaceSeedsWidget::insert);
-  this->connect(picker, &SeedPicker::offered, my.Panel, &SeedPanel::setOffer);
-  this->connect(picker, &SeedPicker::deleteRequested, my.Panel->table(), &SeedTableView::remove);
-  this->connect(picker, &SeedPicker::undoRequested, this, &SurfaceSeedsWidget::undoPick);
-  this->connect(
-    picker, &SeedPicker::removed, this, [&my](int row) { my.Model.removeRows({ row }); });
-  this->connect(picker, &SeedPicker::dragStarted, this, &SurfaceSeedsWidget::startDrag);
-  this->connect(picker, &SeedPicker::dragged, this, &SurfaceSeedsWidget::drag);
-  this->connect(picker, &SeedPicker::dragFinished, this, &SurfaceSeedsWidget::finishDrag);
-  this->connect(picker, &SeedPicker::pointed, this,
-    [this](const QPointF& place)
-    {
-      this->Internal->Pointer = place;
-      this->showDistance();
-    });
-  this->connect(picker, &SeedPicker::pointedAway, this,
-    [this]
-    {
-      this->Internal->Pointer.reset();
-      this->showDistance();
-    });
-  this->connect(picker, &SeedPicker::refused, my.Panel, &SeedPanel::complain);
+  my.Editor->follow(picker, my.View, my.Overlay);
+  this->connect(picker, &SeedPicker::offered, my.Panel->hint(), &SeedHint::setOffer);
+  this->connect(picker, &SeedPicker::refused, my.Panel->hint(), &SeedHint::complain);
+  this->connect(picker, &SeedPicker::pointed, my.Numbers.get(), &ViewNumbers::setPointer);
+  this->connect(picker, &SeedPicker::pointedAway, my.Numbers.get(),
+    [&my] { my.Numbers->setPointer(std::nullopt); });
   this->connect(picker, &SeedPicker::escaped, this, [&my] { my.Panel->setPicking(false); });
 }
 
@@ -352,102 +293,11 @@ void SurfaceSeedsWidget::setPicking(bool isOn)
   Picking = isOn ? this : nullptr;
   if (isOn)
   {
-    this->takeKeys();
+    my.Keys->take();
   }
   if (my.Picker)
   {
     my.Picker->setPicking(isOn);
-  }
-}
-
-void SurfaceSeedsWidget::add(const Position& point)
-{
-  Internals& my = *this->Internal;
-  my.Model.append({ point });
-  my.Panel->table()->choose(my.Model.numberOfPoints() - 1);
-}
-
-void SurfaceSeedsWidget::pick(const Position& point)
-{
-  Internals& my = *this->Internal;
-  const QVector<double> before = my.Model.values();
-  this->add(point);
-  this->notePick(before);
-}
-
-void SurfaceSeedsWidget::insert(int row, const Position& point)
-{
-  Internals& my = *this->Internal;
-  const QVector<double> before = my.Model.values();
-  my.Model.insert(row, point);
-  my.Panel->table()->choose(row);
-  this->notePick(before);
-}
-
-void SurfaceSeedsWidget::notePick(const QVector<double>& before)
-{
-  Internals& my = *this->Internal;
-  my.Picks.add(before, my.Model.values());
-  this->showUndo();
-}
-
-void SurfaceSeedsWidget::showUndo()
-{
-  Internals& my = *this->Internal;
-  if (my.Picker)
-  {
-    my.Picker->setUndoable(my.Picks.canUndo(my.Model.values()));
-  }
-}
-
-void SurfaceSeedsWidget::undoPick()
-{
-  Internals& my = *this->Internal;
-  my.Model.replace(my.Picks.undo());
-  this->showUndo();
-}
-
-void SurfaceSeedsWidget::startDrag(int row)
-{
-  Internals& my = *this->Internal;
-  my.Panel->table()->choose(row);
-  my.IsLive = my.Panel->isLive() && my.Live.isPossible();
-  if (my.IsLive)
-  {
-    my.Live.begin();
-  }
-}
-
-void SurfaceSeedsWidget::drag(int row, const Position& point)
-{
-  Internals& my = *this->Internal;
-  // An undo during a drag can remove the row.
-  if (row >= my.Model.numberOfPoints())
-  {
-    return;
-  }
-  my.Model.setPoint(row, point);
-  if (my.IsLive)
-  {
-    my.Live.push(my.Model.values());
-  }
-  else
-  {
-    this->forgetLengths();
-    Q_EMIT this->positionsChanged();
-  }
-}
-
-void SurfaceSeedsWidget::finishDrag()
-{
-  Internals& my = *this->Internal;
-  if (my.IsLive)
-  {
-    my.Live.finish();
-  }
-  else
-  {
-    Q_EMIT this->changeFinished();
   }
 }
 
@@ -466,9 +316,9 @@ void SurfaceSeedsWidget::showPoints()
   }
   my.Overlay->setPoints(points, my.Surface.thickness());
   my.Overlay->setChosenRows(my.Panel->table()->chosenRows());
-  my.Overlay->setNumbered(my.Panel->isNumbered());
+  my.Overlay->setNumbered(my.Panel->menu()->isNumbered());
   this->showLines();
-  this->showLabels();
+  my.Numbers->writeLengths();
 }
 
 void SurfaceSeedsWidget::showResult()
@@ -484,8 +334,8 @@ void SurfaceSeedsWidget::showResult()
   {
     my.Bands->showLargest(my.Result.value);
   }
-  this->showLabels();
-  this->showDistance();
+  my.Numbers->setResult(my.Result);
+  my.Numbers->writeDistance();
 }
 
 void SurfaceSeedsWidget::showError()
@@ -502,57 +352,13 @@ void SurfaceSeedsWidget::showError()
   }
 }
 
-void SurfaceSeedsWidget::showDistance()
-{
-  Internals& my = *this->Internal;
-  if (!my.Overlay || !my.View)
-  {
-    return;
-  }
-  std::optional<double> distance;
-  if (my.Pointer && my.Panel->hasDistanceAtPointer())
-  {
-    const QByteArray array =
-      vtkSMPropertyHelper(this->proxy(), my.Role.distances.constData()).GetAsString();
-    distance = array.isEmpty() ? std::nullopt : my.Probe.valueAt(my.View, *my.Pointer, array);
-  }
-  const QString text = !distance ? QString()
-    : std::isnan(*distance)      ? tr("no distance")
-                                 : lengthText(*distance);
-  my.Overlay->setNote(text, my.Pointer.value_or(QPointF()));
-}
-
-void SurfaceSeedsWidget::showLabels()
-{
-  Internals& my = *this->Internal;
-  if (!my.Overlay || !my.View)
-  {
-    return;
-  }
-  QVector<Position> points;
-  QStringList texts;
-  if (my.Panel->hasLengthsInView() && my.Result.middles.size() == my.Result.lengths.size())
-  {
-    const auto placement = my.Surface.placementIn(my.View);
-    for (int i = 0; i < my.Result.lengths.size(); ++i)
-    {
-      if (my.Result.lengths[i] >= 0.0)
-      {
-        points.append(transformed(placement, my.Result.middles[i]));
-        texts.append(lengthText(my.Result.lengths[i]));
-      }
-    }
-  }
-  my.Overlay->setLabels(points, texts);
-}
-
 void SurfaceSeedsWidget::forgetLengths()
 {
   Internals& my = *this->Internal;
   my.Result = {};
   my.Panel->showResult({});
   my.Model.setLengths({});
-  this->showLabels();
+  my.Numbers->setResult({});
 }
 
 void SurfaceSeedsWidget::showLines()

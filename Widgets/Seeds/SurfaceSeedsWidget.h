@@ -3,8 +3,6 @@
 #ifndef SurfaceSeedsWidget_h
 #define SurfaceSeedsWidget_h
 
-#include "Position.h"
-
 #include "pqPropertyGroupWidget.h"
 
 #include <QList>
@@ -64,37 +62,19 @@ private:
   struct Internals;
 
   void connectPanel();
-  void connectKeys();
   void connectPicker();
 
   void setPicking(bool isOn);
-  /** Lets this widget have the keys P and Ctrl+P. */
-  void takeKeys();
   void attachTo(pqRenderView* view);
   void detach();
-  void add(const seeds::Position& point);
-  /** As add, but Ctrl+Z takes it back. */
-  void pick(const seeds::Position& point);
-  void insert(int row, const seeds::Position& point);
-  /** Lets Ctrl+Z take back what was just done to the table. */
-  void notePick(const QVector<double>& before);
-  void startDrag(int row);
-  void drag(int row, const seeds::Position& point);
-  void finishDrag();
   void showPoints();
   void showLines();
   /** Shows what the filter's last run has measured. */
   void showResult();
   /** Shows the last run's error where its property is, or here. */
   void showError();
-  void showLabels();
-  /** Writes the distance under the pointer beside it, if the user wants that. */
-  void showDistance();
   /** Takes away what was measured for other points than those in the table. */
   void forgetLengths();
-  /** Lets Ctrl+Z in the view take back the last pick if nothing has followed it. */
-  void showUndo();
-  void undoPick();
 
   std::unique_ptr<Internals> Internal;
 };

@@ -87,10 +87,9 @@ double ViewGeometry::drawnDepth(const std::array<int, 2>& pixel) const
   auto* window = vtkRenderWindow::SafeDownCast(this->Renderer->GetVTKWindow());
   const int* size = window->GetSize();
   const auto clamped = [size](int value, int axis) { return std::clamp(value, 0, size[axis] - 1); };
-  constexpr int Reach = 4;
-  std::array<float, (2 * Reach + 1) * (2 * Reach + 1)> depths{};
-  window->GetZbufferData(clamped(pixel[0] - Reach, 0), clamped(pixel[1] - Reach, 1),
-    clamped(pixel[0] + Reach, 0), clamped(pixel[1] + Reach, 1), depths.data());
+  std::array<float, (2 * DepthReach + 1) * (2 * DepthReach + 1)> depths{};
+  window->GetZbufferData(clamped(pixel[0] - DepthReach, 0), clamped(pixel[1] - DepthReach, 1),
+    clamped(pixel[0] + DepthReach, 0), clamped(pixel[1] + DepthReach, 1), depths.data());
   return *std::max_element(depths.begin(), depths.end());
 }
 

@@ -49,6 +49,11 @@ public:
    */
   std::array<int, 2> pixelAt(const QPointF& place) const;
 
+  /** How many pixels around one count as its neighbours where depths are compared. */
+  static constexpr int DepthReach = 4;
+  /** Pixels of the window for one of Qt's. */
+  double pixelsPerPoint() const;
+
 private:
   /** A point in space as pixels from the window's lower left corner, and depth from 0 to 1. */
   Position toWindow(const Position& point) const;
@@ -59,7 +64,6 @@ private:
    */
   double drawnDepth(const std::array<int, 2>& pixel) const;
   Position toSpace(double x, double y, double depth) const;
-  double pixelsPerPoint() const;
   int windowHeight() const;
 
   QPointer<pqRenderView> View;
