@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the plugin and runs Plugin/Examples/BunnyDistance.py with it, from a bare Debian 12.
+# Builds the plugin and runs Plugin/Examples/BunnyDistance.py with it, from a bare Debian 12, 13 or sid.
 # usage: bash Plugin/demo.sh      (as root, or with sudo where packages are missing)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
-install_missing "${build_packages[@]}"
+install_packages build
 
 SECONDS=0
 cmake --preset release
@@ -17,7 +17,7 @@ display=()
 if [[ -z ${DISPLAY:-} ]]; then
   display=(xvfb-run -a)
 fi
-plugins="$PWD/build/release/lib/paraview-5.11/plugins"
+plugins="$PWD/build/release/plugins"
 mkdir -p build/demo
 echo
 echo "Build: $build_seconds s"

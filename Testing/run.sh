@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Checks the sources, builds everything and runs the tests, from a bare Debian 12.
+# Checks the sources, builds everything and runs the tests, from a bare Debian 12, 13 or sid.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
-#        bash Testing/run.sh bench [distances|paths|worst]
+#        bash Testing/run.sh bench [distances|paths|worst|ranks]
 # Runs the benchmarks instead, for about half an hour, and writes benchmarks.md, path_benchmarks.md and
-# worst_cases.md in Plugin/Documentation.
+# worst_cases.md in Plugin/Documentation, and the tables of counts in clusters.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
@@ -21,8 +21,15 @@ fail()
   exit 1
 }
 
+# The checks by these tools are made with one version of them, since each judges in its own way.
+has_tool()
+{
+  command -v "$1" >/dev/null || { echo "Testing/run.sh: no $1 here, so its check is skipped."; return 1; }
+}
+
 check_format()
 {
+  has_tool clang-format-14 || return 0
   local file unformatted=()
   while read -r file; do
     clang-format-14 --dry-run --Werror "$file" 2>/dev/null || unformatted+=("$file")
@@ -32,6 +39,7 @@ check_format()
 
 check_core_with_clang_tidy()
 {
+  has_tool clang-tidy-14 || return 0
   printf '%s\n' Filters/Core/*/*.cxx |
     xargs -P "$(nproc)" -n 1 clang-tidy-14 -p "$build" --quiet --warnings-as-errors='*' 2>&1 |
     sed '/ warnings\? generated\.$/d' ||
@@ -63,16 +71,17 @@ check_labels()
   done
 }
 
-install_missing "${build_packages[@]}" "${test_packages[@]}"
+install_packages build test
 # Several builds compile the same sources with the same flags: once is enough.
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1
 if [[ ${1-} == bench ]]; then
   case ${2-} in
-    '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks) ;;
+    '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks RankBenchmarks) ;;
     distances) targets=(Benchmarks) ;;
     paths) targets=(PathBenchmarks) ;;
     worst) targets=(WorstCaseBenchmarks) ;;
-    *) fail "Benchmarks of $2 are not known: name distances, paths or worst, or none for all" ;;
+    ranks) targets=(RankBenchmarks) ;;
+    *) fail "Benchmarks of $2 are not known: name distances, paths, worst or ranks, or none for all" ;;
   esac
   cmake --preset bench
   # One after the other: side by side they would disturb each other.

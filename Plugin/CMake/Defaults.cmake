@@ -24,4 +24,4 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR
 # Linked PRIVATE by our own targets, so that the generated wrapping code is compiled without it.
 add_library(geodesics_warnings INTERFACE)
 target_compile_options(geodesics_warnings INTERFACE
-  -Wall -Wextra $<$<BOOL:${SURFACEGEODESICS_WARNINGS_AS_ERRORS}>:-Werror>)
+  -Wall -Wextra ${wrong_warnings} $<$<BOOL:${SURFACEGEODESICS_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -21,8 +21,8 @@ set(python_modules
   SurfaceGeodesics::WidgetsTracing)
 set(paraview_modules)
 if (SURFACEGEODESICS_BUILD_PLUGIN)
-  list(APPEND module_folders Widgets/Lines)
-  set(paraview_modules SurfaceGeodesics::WidgetsLines)
+  list(APPEND module_folders Widgets/Fields Widgets/Lines)
+  set(paraview_modules SurfaceGeodesics::WidgetsFields SurfaceGeodesics::WidgetsLines)
 endif ()
 list(TRANSFORM module_folders REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/vtk.module" OUTPUT_VARIABLE module_files)
 

@@ -9,8 +9,10 @@ configure_file(Plugin/CMake/SurfaceGeodesicsConfig.cmake.in
 write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
+configure_file(Plugin/CMake/Versions.cmake "${module_cmake_directory}/Versions.cmake" COPYONLY)
 install(
   FILES
     "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfig.cmake"
     "${PROJECT_BINARY_DIR}/${module_cmake_directory}/SurfaceGeodesicsConfigVersion.cmake"
+    Plugin/CMake/Versions.cmake
   DESTINATION "${module_cmake_directory}")

@@ -20,3 +20,6 @@ paraview_plugin_build(
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
+
+# build/<preset>/plugins, so that scripts and people need not know ParaView's version.
+file(CREATE_LINK "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}" "${PROJECT_BINARY_DIR}/plugins" SYMBOLIC)

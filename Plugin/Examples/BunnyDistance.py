@@ -77,7 +77,9 @@ view.CameraViewUp = [0, 1, 0]
 view.CameraViewAngle = 20.5
 
 # Normals at the points, none split at an edge, make the shading smooth.
-smooth = GenerateSurfaceNormals(Input=distance, Splitting=0)
+# ParaView 5.13 renamed the filter.
+normals = SurfaceNormals if "SurfaceNormals" in globals() else GenerateSurfaceNormals
+smooth = normals(Input=distance, Splitting=0)
 surface = Show(smooth, view)
 ColorBy(surface, ("POINTS", "GeodesicDistance"))
 surface.Ambient = 0.1
@@ -85,7 +87,8 @@ surface.Specular = 0.2
 
 # Near is light and far is dark.
 colors = GetColorTransferFunction("GeodesicDistance")
-colors.ApplyPreset("Plasma (matplotlib)", True)
+# ParaView 6.1 renamed the preset.
+colors.ApplyPreset("Plasma" if GetParaViewVersion() >= (6, 1) else "Plasma (matplotlib)", True)
 colors.InvertTransferFunction()
 colors.RescaleTransferFunction(0, farthest)
 
@@ -101,6 +104,7 @@ ColorBy(lines, None)
 lines.AmbientColor = lines.DiffuseColor = [0.10, 0.05, 0.20]
 
 loop = Show(Tube(Input=path, Radius=0.0009, NumberofSides=16), view)
+ColorBy(loop, None)
 loop.AmbientColor = loop.DiffuseColor = [0.0, 0.55, 0.35]
 
 marker = Show(Sphere(Center=HAUNCH, Radius=0.0022, ThetaResolution=32, PhiResolution=32), view)
@@ -119,7 +123,8 @@ scale.ScalarBarLength = 0.5
 scale.ScalarBarThickness = 32
 scale.UseCustomLabels = 1
 scale.CustomLabels = [0.05 * i for i in range(int(farthest / 0.05) + 1)]
-scale.LabelFormat = "%.2f"
+# ParaView 6 writes formats as Python does, those before as C does.
+scale.LabelFormat = "{:.2f}" if "{" in scale.LabelFormat else "%.2f"
 scale.AutomaticLabelFormat = 0
 scale.AddRangeLabels = 0
 surface.SetScalarBarVisibility(view, True)

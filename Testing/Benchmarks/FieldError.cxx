@@ -4,7 +4,7 @@
 
 #include "ExactDistances.h"
 #include "Solving.h"
-#include "march/FastMarchingSolver.h"
+#include "methods/SolverTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,11 @@
 namespace geodesic::testing
 {
 
-FieldError errorOn(const Surface& surface)
+FieldError errorOn(const Surface& surface, const std::string& method)
 {
   constexpr Index sources = 3;
   const auto mesh = meshOf(surface);
-  FastMarchingSolver solver(mesh);
+  const auto solver = solverOfName(method).make(mesh);
   std::mt19937 random(1);
   FieldError error;
   for (Index i = 0; i < sources; ++i)
@@ -25,7 +25,7 @@ FieldError errorOn(const Surface& surface)
     const Index source = random() % static_cast<Index>(surface.points.size());
     const std::vector<double> exact = exactDistances(surface, { source });
     const Seed seed = seedAt(*mesh, source);
-    const DistanceField& found = solver.solve({ &seed, 1 }, {});
+    const DistanceField& found = solver->solve({ &seed, 1 }, {});
     for (Index point = 0; point < exact.size(); ++point)
     {
       if (exact[point] > 0.0)

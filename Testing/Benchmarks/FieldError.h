@@ -5,6 +5,8 @@
 
 #include "Surfaces.h"
 
+#include <string>
+
 namespace geodesic::testing
 {
 
@@ -17,8 +19,9 @@ struct FieldError
   double mean = 0.0;
 };
 
-/** The errors of fast marching from some random points of a manifold surface. */
-FieldError errorOn(const Surface& surface);
+/** The errors of a method, named as in the table of solvers, from some random points of a manifold
+ * surface. */
+FieldError errorOn(const Surface& surface, const std::string& method);
 
 }
 

@@ -3,6 +3,7 @@
 #include "Trial.h"
 
 #include "WorstSeeds.h"
+#include "methods/SolverTable.h"
 
 #include <algorithm>
 
@@ -67,9 +68,9 @@ private:
 
 }
 
-Trial::Trial(const Surface& surface)
+Trial::Trial(const Surface& surface, const std::string& method)
   : Made(setUp(surface))
-  , Solver(this->Made.mesh, this->Made.bounds)
+  , Solver(solverOfName(method).make(this->Made.mesh))
   , Random(1)
 {
 }
@@ -79,7 +80,7 @@ double Trial::secondsOfOneSeed()
   const auto solve = [&](Index source)
   {
     const Seed seed = Seed::atPoint(this->mesh().pointAtVertex(source));
-    this->Solver.solve({ &seed, 1 });
+    this->Solver->solve({ &seed, 1 }, {});
   };
   const std::vector<Index> sources = someVertices(this->mesh());
   // The first run is not warm.
@@ -97,7 +98,7 @@ RunCost Trial::solve(const std::vector<Seed>& seeds, const SolveOptions& options
 {
   std::size_t reached = 0;
   RunCost cost = this->run([&](const SolveOptions& watched)
-    { reached = this->Solver.solve(seeds, watched).reached().size(); },
+    { reached = this->Solver->solve(seeds, watched).reached().size(); },
     options);
   cost.reached = reached;
   return cost;

@@ -7,8 +7,10 @@
 #include "Subject.h"
 
 #include <functional>
+#include <memory>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace geodesic::testing
@@ -31,10 +33,11 @@ struct RunCost
 class Trial
 {
 public:
-  explicit Trial(const Surface& surface);
+  /** @param method  a name of the table of solvers */
+  explicit Trial(const Surface& surface, const std::string& method = "FastMarching");
 
   const TriangleMesh& mesh() const { return *this->Made.mesh; }
-  FastMarchingSolver& solver() { return this->Solver; }
+  DistanceSolver& solver() { return *this->Solver; }
   std::mt19937& random() { return this->Random; }
 
   /** Processor time of a field from one vertex. */
@@ -50,7 +53,7 @@ public:
 
 private:
   SetUp Made;
-  FastMarchingSolver Solver;
+  std::unique_ptr<DistanceSolver> Solver;
   std::mt19937 Random;
 };
 

@@ -316,7 +316,7 @@ void starts(const Arguments& arguments)
 
 constexpr std::array<double Vector3::*, 3> Axes{ &Vector3::x, &Vector3::y, &Vector3::z };
 
-/** One seed on a surface made flat; the worst of some seeds and all axes: SURFACE FACTOR. */
+/** One seed on a surface made flat; the worst of some seeds and all axes: SURFACE FACTOR METHOD. */
 void flat(const Arguments& arguments)
 {
   constexpr Index sources = 3;
@@ -328,7 +328,7 @@ void flat(const Arguments& arguments)
   RunCost worst;
   for (const auto axis : Axes)
   {
-    Trial trial(flattened(surface, axis, arguments.number(1)));
+    Trial trial(flattened(surface, axis, arguments.number(1)), arguments.word(2));
     for (Index vertex : randomVertices(trial.mesh(), sources, trial.random()))
     {
       const RunCost cost = trial.solve({ Seed::atPoint(trial.mesh().pointAtVertex(vertex)) });
@@ -344,16 +344,17 @@ void flat(const Arguments& arguments)
 }
 
 /** Errors of one seed's field on a surface made flat, the worst of all axes, beside those before:
- * SURFACE FACTOR. */
+ * SURFACE FACTOR METHOD. */
 void flatError(const Arguments& arguments)
 {
   const Surface surface = arguments.surface(0).surface;
   print("points", static_cast<double>(surface.points.size()));
-  const FieldError before = errorOn(surface);
+  const FieldError before = errorOn(surface, arguments.word(2));
   FieldError worst;
   for (const auto axis : Axes)
   {
-    const FieldError error = errorOn(flattened(surface, axis, arguments.number(1)));
+    const FieldError error =
+      errorOn(flattened(surface, axis, arguments.number(1)), arguments.word(2));
     worst.tooSmall = std::max(worst.tooSmall, error.tooSmall);
     worst.mean = std::max(worst.mean, error.mean);
   }

@@ -86,9 +86,12 @@ def seeds_of(surface):
 
 
 def flat(case, surfaces, asked):
+    """Asked of the default method; the others are beside it."""
     for surface in surfaces:
         for factor in FLAT:
-            yield Case(f"{surface}, {factor}:1", [case, surface, factor], asked(factor))
+            for method in ("FastMarching", "VirtualSources", "Exact"):
+                yield Case(f"{surface}, {factor}:1, {method}", [case, surface, factor, method],
+                           asked(factor) if method == "FastMarching" else None)
 
 
 TIMED = {

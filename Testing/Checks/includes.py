@@ -24,6 +24,7 @@ LAYERS = {
     "Filters/Surface": ["Filters/Core", "Filters/Bridge", "Filters/Distributed"],
     "Widgets/Tracing": ["Filters/Core", "Filters/Bridge", "Filters/Geodesics"],
     "Widgets/Seeds": [],
+    "Widgets/Fields": [],
     "Widgets/Lines": [],
 }
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.MULTILINE)

@@ -198,6 +198,21 @@ for method, order in (("FastMarching", 1), ("FastMarching", 0), ("Dijkstra", 1),
     for proxy in (inside, outside, loop):
         simple.Delete(proxy)
 
+# With Exact all segments are the shortest of all; from starts to the nearest waypoint, too.
+ends = np.ravel(points[[100, 7000, 15000, 30000]])
+shortest = simple.GeodesicPath(Input=bunny, WaypointPositions=ends, Method="Exact", Closed=1)
+fast = simple.GeodesicPath(Input=bunny, WaypointPositions=ends, Closed=1)
+assert total(shortest) <= total(fast) * (1 + 1e-9)
+assert testing.informed(shortest, "ProvenShortest") == 4
+assert testing.informed(fast, "ProvenShortest") == 0
+nearest = simple.GeodesicPath(Input=bunny, WaypointPositions=ends[:6], StartPositions=ends[6:],
+                              PathMode="ToNearestSeed", Method="Exact")
+field = simple.GeodesicDistance(Input=bunny, SeedPositions=ends[:6], Method="Exact")
+expect_near([length(line) for line in polylines(nearest)], testing.array_of(field)[[15000, 30000]], 1e-9)
+assert testing.informed(nearest, "ProvenShortest") == 2
+for proxy in (shortest, fast, nearest, field):
+    simple.Delete(proxy)
+
 # A state file brings all of it back.
 before = total(way)
 state = os.path.join(tempfile.mkdtemp(), "path.pvsm")

@@ -22,6 +22,7 @@ SETTINGS = {
     "SeedArray": ["POINTS", "north"],
     "SeedSelection": "Chosen",
     "Method": "Dijkstra",
+    "MemoryLimit": 2.5,
     "UseMaximumDistance": 1,
     "MaximumDistance": 0.375,
     "DestinationPositions": [0.5, 0.0, 0.0],
@@ -37,6 +38,7 @@ SETTINGS = {
     "UnreachedValue": -5.5,
     "MergeCoincidentPoints": 0,
     "ConnectBlocks": 0,
+    "SpreadWork": 1,
 }
 INPUTS = ("SeedSource", "SeedSelection", "BarrierSource")
 
@@ -80,7 +82,7 @@ def expect_settings(distance, fields):
 surface = make_sources()
 plain = simple.GeodesicDistance(Input=surface)
 others = {"Input", "MaximumDistanceReached", "NumberOfVisitedPoints", "NumberOfRounds", "NumberOfUpdates",
-          "BytesExchanged", "MostPointsOnARank", "ErrorText", "RunTime"}
+          "LongestChainOfUpdates", "BytesExchanged", "MostPointsOnARank", "ErrorText", "RunTime"}
 assert set(plain.ListProperties()) == {*SETTINGS, *others}, plain.ListProperties()
 for name, value in values().items():
     assert value_of(plain, name) != value, name
