@@ -356,7 +356,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   geodesic::distributed::PathRequest request = this->MakeRequest(run);
   const auto knownSegments = internal.segmentsByEnds();
   std::vector<Segment> segments;
-  std::string missing;
+  std::vector<std::string> missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
   for (std::size_t i = 0; i < count && !this->IsAborted(run); ++i)
   {
@@ -389,11 +389,11 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     }
     if (!segments.back().Path)
     {
-      missing += (missing.empty() ? "" : ", or ") + std::string("from waypoint ") +
-        std::to_string(i) + " to waypoint " + std::to_string(next);
+      missing.push_back(
+        "from waypoint " + std::to_string(i) + " to waypoint " + std::to_string(next));
     }
   }
-  this->ReportMissing(missing);
+  this->ReportMissing(missing, segments.size());
   return segments;
 }
 
@@ -421,7 +421,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
   }
 
   std::vector<Segment> segments;
-  std::string missing;
+  std::vector<std::string> missing;
   for (std::size_t i = 0; i < starts.size() && !this->IsAborted(run); ++i)
   {
     ++this->NumberOfSearches;
@@ -438,24 +438,38 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
     else
     {
       segments.emplace_back();
-      missing += (missing.empty() ? "" : ", or ") + std::string("from start ") + std::to_string(i) +
-        " to any waypoint";
+      missing.push_back("from start " + std::to_string(i) + " to any waypoint");
     }
   }
   this->MostPointsOnARank = finder.mostPointsOnARank();
-  this->ReportMissing(missing);
+  this->ReportMissing(missing, segments.size());
   return segments;
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicPath::ReportMissing(const std::string& missing)
+void vtkSurfaceGeodesicPath::ReportMissing(
+  const std::vector<std::string>& missing, std::size_t segments)
 {
-  if (!missing.empty())
+  if (missing.empty())
   {
-    this->Report("No way over the surface leads " + missing +
-      ". All other segments are there. Connect the parts of the surface, open the barriers, or "
-      "move the points.");
+    return;
   }
+  constexpr std::size_t mostNamed = 5;
+  std::string names = missing.front();
+  for (std::size_t i = 1; i < std::min(missing.size(), mostNamed); ++i)
+  {
+    names += ", or " + missing[i];
+  }
+  if (missing.size() > mostNamed)
+  {
+    names += ", nor for " + std::to_string(missing.size() - mostNamed) + " segments more";
+  }
+  const std::size_t found = segments - missing.size();
+  this->Report("No path over the surface leads " + names + ". " +
+    (found == 0 ? "So there is no segment"
+                : "The other " + std::to_string(found) + " of " + std::to_string(segments) +
+          " segments are in the output") +
+    ". Connect the parts of the surface, open the barriers, or move the points.");
 }
 
 //------------------------------------------------------------------------------

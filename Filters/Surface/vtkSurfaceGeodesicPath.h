@@ -182,7 +182,7 @@ public:
   ///@{
   /**
    * The length of each segment of the last run, in the order of the segments and the mesh's unit of
-   * length, -1 where no way joins its ends; and the point in the middle of each, 0 where there is
+   * length, -1 where no path joins its ends; and the point in the middle of each, 0 where there is
    * none. Empty before the first run, after an error, with TO_NEAREST_SEED, and on all ranks but
    * the first.
    */
@@ -246,8 +246,10 @@ private:
   /** Whether the run was aborted on any rank. Collective. */
   bool IsAborted(const Run& run);
 
-  /** Reports one error for all missing segments. */
-  void ReportMissing(const std::string& missing);
+  /** Reports one error for all missing segments.
+   * @param missing   what each would join; the first few are named
+   * @param segments  the number of all, the missing ones included */
+  void ReportMissing(const std::vector<std::string>& missing, std::size_t segments);
   void WriteOutput(const Run& run, vtkPolyData* output);
 
   std::unique_ptr<Internals> Internal;

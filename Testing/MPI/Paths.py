@@ -95,7 +95,7 @@ def global_ids(surface):
 def check(name, cut, source, options):
     result = found(source, options)
     file = os.path.join(FOLDER, f"{name}.path.npz")
-    assert ("No way over the surface leads from waypoint 1 to waypoint 2." in result["messages"]) == (
+    assert ("No path over the surface leads from waypoint 1 to waypoint 2." in result["messages"]) == (
         name == "no route"), (name, cut, result["messages"])
     if harness.RANKS == 1:
         np.savez(file, **result)

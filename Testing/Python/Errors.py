@@ -158,6 +158,6 @@ distance.Input = simple.AppendGeometry(Input=[plane, simple.Plane(
     Origin=[-0.5, -0.5, 5], Point1=[0.5, -0.5, 5], Point2=[-0.5, 0.5, 5])])
 for source in ("SeedSource", "BarrierSource"):
     change({source: apart})
-    expect_error(f"{source}'s line 0", "point 0 to its point 1", "no way over the surface")
+    expect_error(f"{source}'s line 0", "point 0 to its point 1", "no path over the surface")
     change(RIGHT)
     expect_well()

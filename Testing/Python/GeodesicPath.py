@@ -223,3 +223,19 @@ simple.LoadState(state)
 again = [p for (name, _), p in simple.GetSources().items() if p.SMProxy.GetXMLName() == "GeodesicPath"
          and p.Input.SMProxy.GetXMLName() == "XMLPolyDataReader"]
 expect_near(total(again[0]), before, 1e-12 * before)
+
+# Segments without a path: the message names the first few, and tells what of the rest is there.
+here, there = [-0.3, 0, 0], [0.2, 0.1, 5]
+parts = simple.AppendGeometry(Input=[simple.Plane(), simple.Plane(
+    Origin=[-0.5, -0.5, 5], Point1=[0.5, -0.5, 5], Point2=[-0.5, 0.5, 5])])
+alone = simple.GeodesicPath(Input=parts, WaypointPositions=here + there + [0.3, 0, 0])
+testing.expect_error(
+    alone, "from waypoint 0 to waypoint 1, or from waypoint 1 to waypoint 2. So there is no segment.")
+alone.WaypointPositions = here + [0.3, 0, 0] + there
+messages = testing.messages_of(alone.UpdatePipeline)
+assert "from waypoint 1 to waypoint 2. The other 1 of 2 segments are in the output." in messages, messages
+assert alone.GetDataInformation().GetNumberOfCells() == 1
+starts = simple.GeodesicPath(
+    Input=parts, PathMode="ToNearestSeed", WaypointPositions=here, StartPositions=there * 20 + [0.4, 0, 0])
+messages = testing.messages_of(starts.UpdatePipeline)
+assert "or from start 4 to any waypoint, nor for 15 segments more. The other 1 of 21" in messages, messages

@@ -14,7 +14,7 @@ namespace geodesic::testing
  * Exact distances between all points of a small surface, by brute force: straight lines through all
  * sequences of different faces, and all turns at points. Any surface is allowed. For about a dozen
  * faces: time grows exponentially.
- * @return for each point the distances to all; +infinity where no way leads
+ * @return for each point the distances to all; +infinity where no path leads
  */
 std::vector<std::vector<double>> leastOfFaceSequences(const Surface& surface);
 

@@ -83,7 +83,7 @@ QString ResultNumbers::text() const
 
 QString lengthText(double length)
 {
-  return length < 0.0 ? tr("no way") : QString::number(length, 'g', 6);
+  return length < 0.0 ? tr("no path") : QString::number(length, 'g', 6);
 }
 
 }

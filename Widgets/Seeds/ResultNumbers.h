@@ -22,7 +22,7 @@ struct ResultNumbers
   QString summary;
   /** That number; 0 where there is none. */
   double value = 0.0;
-  /** The length of each segment from a row to the next; negative where no way joins them. */
+  /** The length of each segment from a row to the next; negative where no path joins them. */
   QVector<double> lengths;
   /** The point in the middle of each segment. */
   QVector<Position> middles;

@@ -38,7 +38,7 @@ void throwUnjoined(const std::string& name, std::size_t i)
 {
   throw std::invalid_argument(name + " can't be joined from its point " + std::to_string(i - 1) +
     " to its point " + std::to_string(i) +
-    ": no way over the surface leads there. Connect the parts of the surface, or split the line.");
+    ": no path over the surface leads there. Connect the parts of the surface, or split the line.");
 }
 
 }
