@@ -16,6 +16,7 @@
 #include "filter/ProgressReporter.h"
 #include "filter/VtkVersions.h"
 #include "global/GlobalPoints.h"
+#include "global/PointsOrSource.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
@@ -277,19 +278,8 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
 vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::GatherPoints(const Run& run, int sourcePort,
   const std::vector<double>& coordinates, const char* positions, const char* source) const
 {
-  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
-  vtkDataObject* points = vtkDataObject::GetData(run.inputVector[sourcePort]);
-  if (!run.ranks.isAny(points != nullptr))
-  {
-    return geodesic::distributed::globalPointsAt(run.ranks, surface, coordinates, positions);
-  }
-  if (!coordinates.empty())
-  {
-    throw std::invalid_argument(std::string(positions) + " has " +
-      std::to_string(coordinates.size()) + " numbers, and " + source +
-      " is set as well: take one of them away.");
-  }
-  return geodesic::distributed::globalPointsOf(run.ranks, surface, points, source);
+  return geodesic::distributed::pointsOrSource(run.ranks, *this->Internal->Surface, coordinates,
+    positions, vtkDataObject::GetData(run.inputVector[sourcePort]), source);
 }
 
 //------------------------------------------------------------------------------

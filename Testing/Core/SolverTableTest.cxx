@@ -63,6 +63,7 @@ TEST(SolverTable, IsWhatTheXmlOffers)
     }
   }
   EXPECT_EQ(methodsIn("GeodesicDistance.xml"), offered);
+  EXPECT_EQ(methodsIn("GeodesicDistanceMatrix.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicPath.xml"), offered);
 }
 

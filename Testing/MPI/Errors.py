@@ -9,6 +9,7 @@ import os
 import sys
 
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 sys.path.append(os.path.dirname(__file__))
 import harness
@@ -16,6 +17,7 @@ import pieces
 
 harness.load(sys.argv[1])
 SEED = [1.4, 0, 0]
+POINTS, TABLE_ROWS = vtkDataObject.POINT, vtkDataObject.ROW
 
 
 def expect(words, source, make=simple.GeodesicDistance, **options):
@@ -23,7 +25,8 @@ def expect(words, source, make=simple.GeodesicDistance, **options):
     messages = harness.messages_of(proxy.UpdatePipeline)
     for word in (words, ) if isinstance(words, str) else words:
         assert word in messages, (harness.RANKS, word, messages)
-    assert proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() == 0
+    assert proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfElements(
+        TABLE_ROWS if make is simple.GeodesicDistanceMatrix else POINTS) == 0
     simple.Delete(proxy)
     pieces.controller().Barrier()
 
@@ -109,6 +112,9 @@ assert {"SeedPositions", "SeedPointIds", "CostArray", "Method", "DistanceArrayNa
 compared = expect_all_properties_compared(simple.GeodesicPath, torus, WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
 assert {"WaypointPositions", "StartPositions", "MaximumPathLength", "HeightOffset"} <= set(compared), compared
 
+compared = expect_all_properties_compared(simple.GeodesicDistanceMatrix, torus, LandmarkPositions=SEED)
+assert {"LandmarkPositions", "SecondLandmarkPositions", "Method", "MemoryLimit"} <= set(compared), compared
+
 expect_success(torus, SeedPositions=SEED)
 expect_success(with_ids, SeedPointIds=[10], MergeCoincidentPoints=0)
 # Ids that neither an int nor a double holds.
@@ -138,6 +144,19 @@ expect_no_path("same on all ranks", torus, WaypointPositions=ENDS[:3] + [-1.3, h
 for option in (dict(MaximumPathLength=-1), dict(UseMaximumPathLength=1), dict(HeightOffset=0.1)):
     expect_no_path("same on all ranks", torus, WaypointPositions=ENDS, **(option if harness.IS_FIRST else {}))
 expect_no_path("MaximumPathLength is -1", torus, WaypointPositions=ENDS, UseMaximumPathLength=1, MaximumPathLength=-1)
+
+
+def expect_no_matrix(words, source, **options):
+    expect(words, source, simple.GeodesicDistanceMatrix, **options)
+
+
+expect_no_matrix("There is no landmark", torus)
+expect_no_matrix("multiple of 3", torus, LandmarkPositions=ENDS[:5])
+expect_no_matrix("multiple of 3", torus, LandmarkPositions=ENDS, SecondLandmarkPositions=ENDS[:5])
+expect_no_matrix(("Exact", "a surface on several ranks"), torus, LandmarkPositions=ENDS, Method="Exact")
+expect_no_matrix("Landmark 1 is at point ", torus, LandmarkPositions=ENDS, BarrierArray=["POINTS", "PointNumber"])
+expect_no_matrix("no surface", simple.PointSource(), LandmarkPositions=ENDS)
+
 path = simple.GeodesicPath(Input=torus, WaypointPositions=ENDS)
 assert harness.messages_of(path.UpdatePipeline) == ""
 assert 3 < harness.informed(path, "TotalLength") < 4
