@@ -3,7 +3,7 @@
 """Random cases on several ranks: each ends, with the result of one rank or with the same error on all ranks.
 
 usage: mpiexec -n N pvbatch --sym Torture.py OUR_PLUGIN FIRST COUNT        (N > 1)
-With TORTURE_VERBOSE set it prints each case before it runs. With TORTURE_HANG set the last rank hangs in the first case.
+With TORTURE_VERBOSE set it prints each case before it runs; with TORTURE_HANG the last rank hangs in the first case.
 Runs the cases FIRST to FIRST + COUNT - 1. A case is the same for the same number and N. The plugin must be built with
 SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute (or TORTURE_SECONDS) ends the run, with the
 stacks of all ranks.
