@@ -38,6 +38,7 @@ build  6.1       libvtk9-qt-dev            VTK 9.6 for Qt
 build  6.1       xsltproc                  xsltproc
 test   all       ccache                    ccache
 test   all       clang                     Clang
+test   all       gdb                       gdb
 test   all       imagemagick               ImageMagick
 test   all       libbenchmark-dev          Google Benchmark
 test   all       libcgal-dev               CGAL

@@ -129,7 +129,7 @@ bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
   Partition whole;
   SeedFront front;
   makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
-  return labelsAreDense(mesh, front, whole);
+  return labelsAreDense(mesh, front, false, whole);
 }
 
 /** The number of vertices that a solve takes from its queues. */

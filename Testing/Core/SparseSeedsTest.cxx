@@ -83,7 +83,7 @@ bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
   Partition whole;
   SeedFront front;
   makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
-  return labelsAreDense(mesh, front, whole);
+  return labelsAreDense(mesh, front, false, whole);
 }
 
 /** A plane with hills z = 3 sin(x / 9) cos(y / 7); @p stretch is that of x. */

@@ -65,6 +65,9 @@ expect("BarrierSource's line 0 can't be joined", harness.surface("parts", "slabs
        BarrierSource=LINE)
 expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
        BarrierSource=simple.PolyLineSource(Points=SEED + [0, 1, 0]))
+# Cells of CellWall, on one rank or two.
+expect("barrier", torus, SeedSource=simple.PolyLineSource(Points=[0.02, 1.2, 0.34, -0.02, 1.3, 0.26]),
+       BarrierArray=["CELLS", "CellWall"])
 expect("SpreadWork does not go together with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
        BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)

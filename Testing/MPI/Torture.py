@@ -3,9 +3,10 @@
 """Random cases on several ranks: each ends, with the result of one rank or with the same error on all ranks.
 
 usage: mpiexec -n N pvbatch --sym Torture.py OUR_PLUGIN FIRST COUNT        (N > 1)
-With TORTURE_VERBOSE set it prints each case before it runs.
+With TORTURE_VERBOSE set it prints each case before it runs; with TORTURE_HANG the last rank hangs in the first case.
 Runs the cases FIRST to FIRST + COUNT - 1. A case is the same for the same number and N. The plugin must be built with
-SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute ends the run, with the stacks of all ranks.
+SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute (or TORTURE_SECONDS) ends the run, with the
+stacks of all ranks.
 """
 
 import copy
@@ -14,6 +15,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 import zlib
 
 import numpy as np
@@ -32,6 +34,7 @@ harness.load(PLUGIN)
 RANK = pieces.controller().GetLocalProcessId()
 RANKS = harness.RANKS
 UNREACHED = 1e300
+SECONDS = int(os.environ.get("TORTURE_SECONDS", 60))
 # pvbatch replaces sys.stderr by an object that has no file.
 STDERR = os.fdopen(os.dup(2), "w")
 
@@ -62,12 +65,13 @@ class Watchdog:
     """
 
     def __init__(self):
-        stacks = f"gdb -p {os.getpid()} -batch -ex 'thread apply all backtrace' >&2 2>/dev/null"
-        script = f"while read -t 60 line; do :; done; [ $? -gt 128 ] && {stacks}"
+        stacks = f"gdb -p {os.getpid()} -batch -ex 'thread apply all backtrace' 2>/dev/null"
+        script = (f"code=0; while [ $code -eq 0 ]; do read -t {SECONDS} line; code=$?; done; "
+                  f"[ $code -gt 128 ] && {stacks} | sed 's/^/[rank {RANK}] /' >&2")
         self.process = subprocess.Popen(["bash", "-c", script], stdin=subprocess.PIPE, stderr=STDERR)
 
     def restart(self):
-        faulthandler.dump_traceback_later(180, exit=True, file=STDERR)
+        faulthandler.dump_traceback_later(3 * SECONDS, exit=True, file=STDERR)
         self.process.stdin.write(b"\n")
         self.process.stdin.flush()
 
@@ -174,6 +178,7 @@ class Case:
         self.line = None
         if random.random() < 0.15:
             self.line = self.places(2).ravel().tolist()
+        self.line_property = "BarrierSource" if self.is_path else "SeedSource"
         if not self.is_path and self.line is None:
             options["SpreadWork"] = int(np.random.default_rng([number, RANKS, 2]).random() < 0.25)
         self.options = options
@@ -223,6 +228,17 @@ class Case:
         case.line = None if positions else self.line
         return case
 
+    def fields_of_path(self):
+        """For each waypoint the case of the distances from it, by which paths are found."""
+        kept = ("Method", "CostArray", "BarrierArray")
+        positions = self.options["WaypointPositions"]
+        for i in range(0, len(positions), 3):
+            case = copy.copy(self)
+            case.is_path, case.fault = False, "none"
+            case.options = {name: self.options[name] for name in kept if name in self.options}
+            case.options.update(SeedPositions=positions[i:i + 3], ComputeNearestSeed=1)
+            yield case
+
     def nudged(self):
         """Changes what paths depend on by as much as rounding does."""
         if self.cost is not None:
@@ -244,7 +260,7 @@ class Run:
         proxies = [source]
         if case.line is not None:
             proxies.append(simple.PolyLineSource(Points=case.line))
-            options["BarrierSource" if case.is_path else "SeedSource"] = proxies[-1]
+            options[case.line_property] = proxies[-1]
         make = simple.GeodesicPath if case.is_path else simple.GeodesicDistance
         proxies.append(make(Input=source, **options))
         proxies[-1].UpdateVTKObjects()
@@ -370,6 +386,17 @@ def require_nearest_seeds(number, case, seeds, alone):
             assert excess <= 1e-9, (number, case.name, "nearest seed", int(seed), "at", points, "is farther by", excess)
 
 
+def require_same_fields(number, case):
+    """The fields that lead a path are those of one rank, so that another way is not a sign of another field."""
+    for field in case.fields_of_path():
+        several = Run(field, RANK)
+        values = least_of_ranks(several.values)
+        alone = run_alone(field)
+        if "does not settle" not in several.messages + alone.messages:
+            error = difference(values, alone.values)
+            assert error is not None and error <= 1e-9, (number, field.name, "field of a path", field.options, error)
+
+
 def check(number):
     """Returns how the case ended. All ranks have the same values, so that they fail at once or not at all."""
     case = Case(number)
@@ -398,7 +425,9 @@ def check(number):
     # Straightened paths end a little apart.
     limit = 1e-6 if case.is_path else 1e-9
     if case.is_path and (error is None or error > limit):
-        # Where two ways are equally good to rounding, which one is traced is rounding's choice on one rank as well.
+        # Where two ways are equally good to rounding, which one is traced is rounding's choice on one rank as well, as
+        # long as the fields are the same.
+        require_same_fields(number, case)
         for _ in range(20):
             other = difference(values, run_alone(case.nudged()).values)
             if other is not None and other <= limit:
@@ -416,6 +445,8 @@ for number in range(FIRST, FIRST + COUNT):
     if harness.IS_FIRST and os.environ.get("TORTURE_VERBOSE"):
         print(number, Case(number).name, flush=True)
     watchdog.restart()
+    if os.environ.get("TORTURE_HANG") and RANK == RANKS - 1:
+        time.sleep(1e6)
     try:
         result = check(number)
     except AssertionError as failure:

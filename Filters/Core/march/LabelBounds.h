@@ -20,19 +20,22 @@ class Partition;
 class TriangleMesh;
 
 /**
- * Bounds of the values that count in a march of dense labels (see labelsAreDense()).
+ * Bounds of the values that count in a march of several labels.
  *
  * A vertex keeps the values of all labels within a margin of its least one (see labelMargin()).
- * Where labels are dense, those are many. So there a value counts only if it is neither above the
- * bound of its vertex nor above the one of its label. All bounds are fixed before the march, so the
- * field does not depend on the order of the march.
+ * Where labels are dense (see labelsAreDense()), those are many. Where costs jump (see VertexCost),
+ * the order of the march decides which ones those are: as long as the least value is missing a
+ * farther label is kept, and may go on to a dear vertex where it is the least one. So in both cases
+ * a value counts only if it is neither above the bound of its vertex nor above the one of its
+ * label. All bounds are fixed before the march, so the field does not depend on its order.
  *
- * The bound of a label is from labelReaches(). That of a vertex is a little more than its distance
- * in a *first march*, in which all labels together are one straight front. Beside a single point
- * the straight front is too slow: in a step of a height h it loses c² / 8 h d at a distance d, with
- * sides of length c, which grows to some c² / 8 h times the logarithm of the distance. On rough
- * surfaces it differs from round fronts by a part of the distance. Values a little above the least
- * one are needed near borders, see labelMargin().
+ * The bound of a vertex is its distance in a *first march*, in which all labels together are one
+ * straight front, and an excess; values a little above the least one are needed near borders. Where
+ * costs jump the excess is the margin, and labels have no bounds. For dense labels it is less, and
+ * the bounds of labels are from labelReaches(). Beside a single point the straight front is too
+ * slow: in a step of a height h it loses c² / 8 h d at a distance d, with sides of length c, which
+ * grows to some c² / 8 h times the logarithm of the distance. On rough surfaces it differs from
+ * round fronts by a part of the distance.
  */
 class LabelBounds
 {
@@ -47,12 +50,14 @@ public:
   std::span<const StartValue> starts() const { return this->Starts; }
 
   /**
-   * Takes over the field of the first march.
-   * @param reachOf  gives the reach of a vertex (see UnitCost)
+   * Takes over the field of the first march, and sets the bounds.
+   * @param ofLabels  bounds of labels
+   * @param excessOf  tells of a vertex how much more than its distance counts
    */
-  template <class ReachOf>
-  void take(const DistanceField& first, const ReachOf& reachOf)
+  template <class ExcessOf>
+  void take(const DistanceField& first, std::vector<double> ofLabels, const ExcessOf& excessOf)
   {
+    this->OfLabels = std::move(ofLabels);
     this->Reached.assign(first.reached().begin(), first.reached().end());
     this->First.resize(first.distances().size(), DistanceField::Unreached);
     this->OfVertices.resize(first.distances().size(), DistanceField::Unreached);
@@ -60,11 +65,9 @@ public:
     {
       const double distance = first.distance(vertex);
       this->First[vertex] = distance;
-      this->OfVertices[vertex] = distance + this->excess(vertex, distance, reachOf(vertex));
+      this->OfVertices[vertex] = distance + (this->isInside(vertex) ? 0.0 : excessOf(vertex));
     }
   }
-  /** Sets the bounds of labels. */
-  void setLabels(std::vector<double> reaches) { this->OfLabels = std::move(reaches); }
 
   /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
    */
@@ -96,14 +99,6 @@ private:
   /** Whether enough of the vertices of all pieces have a start that some may be inside. Collective.
    */
   bool haveManyStarts(const TriangleMesh& mesh, Partition& partition) const;
-
-  /** How much a distance that counts at a vertex may exceed the one in the first march. */
-  double excess(Index vertex, double distance, double reach) const
-  {
-    constexpr double partOfReach = 0.15;
-    constexpr double partOfDistance = 0.01;
-    return this->isInside(vertex) ? 0.0 : partOfReach * reach + partOfDistance * distance;
-  }
 
   /** Whether a vertex and all its neighbours have final starts, and the vertex the least one: no
    * front passes it. */

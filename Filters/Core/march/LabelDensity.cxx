@@ -82,12 +82,17 @@ std::size_t countClose(const std::vector<Label>& labels, double distance)
 
 }
 
-bool labelsAreDense(const TriangleMesh& mesh, const SeedFront& front, Partition& partition)
+bool labelsAreDense(
+  const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition)
 {
   const std::size_t count = front.labels.size();
   if (count <= MostSparseLabels)
   {
     return false;
+  }
+  if (costsAreSpread)
+  {
+    return true;
   }
   const SurfaceSize size = sizeOf(mesh, partition);
   if (size.vertices < VerticesOfSparseLabel * static_cast<double>(count))

@@ -14,9 +14,13 @@ struct SeedFront;
  * Whether the labels of a front are so dense that the values which count are to be bounded (see
  * LabelBounds). Up to 24 labels are never dense. More of them are if there are fewer than 64
  * vertices for each, or if more than 24 labels and more than a quarter of all start within 8 mean
- * edges of another. It depends on the input alone, and all pieces of the surface agree. Collective.
+ * edges of another, or if costs are spread. It depends on the input alone, and all pieces of the
+ * surface agree. Collective.
+ * @param costsAreSpread  whether costs differ so much that the margins of dear vertices hold nearly
+ *                        all labels
  */
-bool labelsAreDense(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
+bool labelsAreDense(
+  const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition);
 
 }
 

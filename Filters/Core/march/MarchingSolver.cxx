@@ -22,6 +22,11 @@ namespace geodesic
 namespace
 {
 
+/** How much a distance that counts at a vertex may exceed the one in the first march, where labels
+ * are dense: parts of the vertex's reach and of the distance. */
+constexpr double ExcessOfReach = 0.15;
+constexpr double ExcessOfDistance = 0.01;
+
 /** The largest distance of a field on all pieces. Collective. */
 double farthestOf(const DistanceField& field, Partition& partition)
 {
@@ -117,12 +122,13 @@ void takeSeedsOfNeighbours(
 }
 
 /**
- * Gives vertices the distance in the first march where that is less: a label that others bounded
- * may have come by a detour. Those that no label reached within the bounds also get a seed of a
- * neighbour. Collective.
+ * Gives vertices that no label reached within the bounds the distance in the first march and a seed
+ * of a neighbour. Collective.
+ * @param areDense  gives vertices that distance also where it is less: a label that others bounded
+ *                  may have come by a detour
  */
-void takeFirstMarch(
-  const TriangleMesh& mesh, const LabelBounds& bounds, Partition& partition, DistanceField& field)
+void takeFirstMarch(const TriangleMesh& mesh, const LabelBounds& bounds, bool areDense,
+  Partition& partition, DistanceField& field)
 {
   std::vector<Index> gaps;
   for (const Index vertex : bounds.reached())
@@ -131,7 +137,7 @@ void takeFirstMarch(
     {
       gaps.push_back(vertex);
     }
-    else if (bounds.first(vertex) < field.distance(vertex))
+    else if (areDense && bounds.first(vertex) < field.distance(vertex))
     {
       field.setDistance(vertex, bounds.first(vertex));
     }
@@ -197,7 +203,11 @@ template <class Cost>
 bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  if (!labelsAreDense(this->mesh(), request.front, request.partition))
+  const std::vector<Label>& labels = request.front.labels;
+  // Where costs are spread so much, the margin of a dear vertex holds nearly all labels.
+  const bool areSpread = cost.queueOrder() == QueueOrder::ByValue;
+  const bool areDense = labelsAreDense(this->mesh(), request.front, areSpread, request.partition);
+  if (!areDense && (labels.size() == 1 || !cost.jumps()))
   {
     return this->marchFrom(starts, cost, request, nullptr, limit, field);
   }
@@ -212,18 +222,29 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
       return request.options.onProgress(taken);
     };
   }
-  this->Dense.begin(this->mesh(), request.front.labels, starts, request.partition);
+  this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(options, field);
   firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
-  bool finished = this->marchFrom(this->Dense.starts(), cost, first, nullptr, firstLimit, field);
+  bool finished =
+    this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field);
   if (finished)
   {
-    const double farthest = farthestOf(field, request.partition);
-    this->Dense.take(field, [&](Index vertex) { return cost.reach(vertex); });
-    this->Dense.setLabels(
-      labelReaches(this->mesh(), request.front, request.options.cost, farthest, request.partition));
+    if (areDense)
+    {
+      const double farthest = farthestOf(field, request.partition);
+      this->LabelsWithin.take(field,
+        labelReaches(
+          this->mesh(), request.front, request.options.cost, farthest, request.partition),
+        [&](Index vertex)
+        { return ExcessOfReach * cost.reach(vertex) + ExcessOfDistance * field.distance(vertex); });
+    }
+    else
+    {
+      this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
+        [&](Index vertex) { return cost.margin(vertex); });
+    }
     field.reset();
     if (options.onProgress)
     {
@@ -232,12 +253,12 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     }
     const Request second{ request.front, request.closed, options, request.partition,
       request.hasCost };
-    finished = this->marchFrom(this->Dense.within(this->mesh(), request.front.labels, starts), cost,
-      second, &this->Dense, limit, field);
-    takeFirstMarch(this->mesh(), this->Dense, request.partition, field);
+    finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
+      second, &this->LabelsWithin, limit, field);
+    takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
     learnTargets(limit, request.partition);
   }
-  this->Dense.clear();
+  this->LabelsWithin.clear();
   return finished;
 }
 

@@ -60,7 +60,7 @@ private:
    * a cost. */
   std::unique_ptr<FrontSolver> DiscSolver;
   /** Kept for its memory. */
-  LabelBounds Dense;
+  LabelBounds LabelsWithin;
 };
 
 }

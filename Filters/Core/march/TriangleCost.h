@@ -49,6 +49,9 @@ public:
   double largest() const { return 1.0; }
   /** The order of a queue that suits these costs; the same on all pieces. */
   QueueOrder queueOrder() const { return QueueOrder::ByBucket; }
+  /** Whether the costs of neighbours differ so much that an update may forget its values, see
+   * VertexCost; the same on all pieces. */
+  bool jumps() const { return false; }
 
 private:
   std::span<const float> LongestSides;
@@ -78,6 +81,7 @@ public:
         dearest = std::max(dearest, cost[entry.neighbour()]);
       }
       this->Dearest[v] = dearest;
+      this->LargestJump = std::max(this->LargestJump, dearest / cost[v]);
       this->Sum += cost[v];
       this->SumOfInverses += 1.0 / cost[v];
       this->Smallest = std::min(this->Smallest, cost[v]);
@@ -107,14 +111,23 @@ public:
   /** The largest cost on this piece. */
   double largest() const { return this->Largest; }
   QueueOrder queueOrder() const { return this->Order; }
+  /**
+   * Whether a vertex somewhere is more than MostOfSmooth times as dear as a neighbour. With a and b
+   * at the ends of an edge of length c, the point source update at a cost w forgets both if
+   * a + b < c w. Farther than three edges from the source, outside the disc of CostedStart.h, a and
+   * b are at least three edges at the costs there. So as long as costs do not jump, and edges are
+   * about equally long, a + b is more than c w.
+   */
+  bool jumps() const { return this->LargestJump > MostOfSmooth; }
 
 private:
+  static constexpr double MostOfSmooth = 4.0;
   /** Where the mean cost is so many times the harmonic mean, most vertices are so much cheaper than
    * the mean that they would share a few buckets. */
   static constexpr double MostSpread = 8.0;
 
-  /** Raises Dearest at shared vertices to the largest of all pieces, lowers Smallest to the least
-   * of all pieces, and chooses the order by the costs of all. */
+  /** Raises Dearest at shared vertices to the largest of all pieces, LargestJump to that of all,
+   * lowers Smallest to the least of all, and chooses the order by the costs of all vertices. */
   void agree(Partition& partition)
   {
     std::vector<StartValue> own;
@@ -126,8 +139,18 @@ private:
     {
       this->Dearest[other.vertex] = std::max(this->Dearest[other.vertex], other.value);
     }
-    const std::array ownSums{ static_cast<double>(this->Cost.size()), this->Sum,
-      this->SumOfInverses, this->Smallest };
+    // Vertices that several pieces share count once, so that the order is that of one piece.
+    std::array ownSums{ static_cast<double>(this->Cost.size()), this->Sum, this->SumOfInverses,
+      this->Smallest, this->LargestJump };
+    for (const Index vertex : partition.sharedVertices())
+    {
+      if (!partition.owns(vertex))
+      {
+        ownSums[0] -= 1.0;
+        ownSums[1] -= this->Cost[vertex];
+        ownSums[2] -= 1.0 / this->Cost[vertex];
+      }
+    }
     const std::vector<double> all = partition.gather(ownSums);
     std::array sums{ 0.0, 0.0, 0.0 };
     for (std::size_t i = 0; i < all.size(); i += ownSums.size())
@@ -137,6 +160,7 @@ private:
         sums[j] += all[i + j];
       }
       this->Smallest = std::min(this->Smallest, all[i + 3]);
+      this->LargestJump = std::max(this->LargestJump, all[i + 4]);
     }
     const auto [count, sum, sumOfInverses] = sums;
     this->Order =
@@ -151,6 +175,8 @@ private:
   double SumOfInverses = 0.0;
   double Smallest = std::numeric_limits<double>::infinity();
   double Largest = 0.0;
+  /** The largest of the costs of neighbours in proportion. */
+  double LargestJump = 1.0;
   QueueOrder Order = QueueOrder::ByBucket;
 };
 

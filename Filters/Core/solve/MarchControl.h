@@ -29,8 +29,10 @@ class MarchControl
 public:
   /** The most updates for each value that is kept. */
   static constexpr std::size_t MostUpdates = 100;
-  /** A number of values for which the budget allows in any case. */
-  static constexpr std::size_t SmallMarch = 1000;
+  /** A number of values for which the budget allows in any case. It is large, as pieces of a
+   * surface are small: needles of 300 points with costs settle after 100,000 updates, and only then
+   * do all cuts of them agree. */
+  static constexpr std::size_t SmallMarch = 10000;
 
   MarchControl(const SolveOptions& options, StopLimit& limit)
     : Options(options)
