@@ -419,7 +419,25 @@ Surface box(Index cells)
   add([](double x, double y) { return Vector3{ x, 1.0, y }; });
   add([](double x, double y) { return Vector3{ 0.0, x, y }; });
   add([](double x, double y) { return Vector3{ 1.0, x, y }; });
-  return surface;
+  // Points of equal coordinates are one.
+  std::map<std::array<double, 3>, Index> numbers;
+  Surface welded;
+  std::vector<Index> numberOf;
+  for (const Vector3& p : surface.points)
+  {
+    const auto [place, isNew] =
+      numbers.emplace(std::array{ p.x, p.y, p.z }, static_cast<Index>(welded.points.size()));
+    if (isNew)
+    {
+      welded.points.push_back(p);
+    }
+    numberOf.push_back(place->second);
+  }
+  for (const Triangle& t : surface.triangles)
+  {
+    welded.triangles.push_back({ numberOf[t[0]], numberOf[t[1]], numberOf[t[2]] });
+  }
+  return welded;
 }
 
 }
