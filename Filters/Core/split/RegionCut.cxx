@@ -172,6 +172,7 @@ std::vector<RegionCut::Side> RegionCut::sidesAtLines(const std::vector<Edge>& li
       continue;
     }
     const Index ends[] = { edge.first, edge.second };
+    Index before = NoIndex;
     for (Index triangle : mesh.trianglesWith(ends))
     {
       Index side = 3 * triangle;
@@ -182,8 +183,12 @@ std::vector<RegionCut::Side> RegionCut::sidesAtLines(const std::vector<Edge>& li
       this->IsClosed[side] = 1;
       if (this->Regions[triangle] != NoIndex)
       {
-        this->ClosedSides.push_back(side);
         sides.push_back({ edge, triangle });
+        if (before != NoIndex)
+        {
+          this->ClosedEdges.emplace_back(before, triangle);
+        }
+        before = triangle;
       }
     }
   }

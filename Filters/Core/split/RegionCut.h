@@ -61,8 +61,8 @@ public:
   /** The place of a point of a piece. Points below the number of the mesh's vertices are those. */
   PathPoint pointAt(Index point) const { return this->Splitter.origin(point); }
   Index numberOfPoints() const { return this->Splitter.numberOfPoints(); }
-  /** The half-edges between triangles, neither of them split, that lie on lines. */
-  const std::vector<Index>& closedSides() const { return this->ClosedSides; }
+  /** Pairs of triangles, none of them split, with an edge between them that lies on a line. */
+  const std::vector<std::pair<Index, Index>>& closedEdges() const { return this->ClosedEdges; }
 
   /** The regions at a point of the surface, sorted: several only on a line. */
   std::vector<Index> regionsAt(const SurfacePoint& point) const;
@@ -106,7 +106,7 @@ private:
   std::vector<Index> Regions;
   /** One flag for each half-edge: 1 if it is on a line. */
   std::vector<std::uint8_t> IsClosed;
-  std::vector<Index> ClosedSides;
+  std::vector<std::pair<Index, Index>> ClosedEdges;
   std::vector<double> Areas;
   std::vector<double> Perimeters;
   /** Edges with different regions beside them, sorted. */
