@@ -30,6 +30,7 @@
 #include "split/RegionCut.h"
 
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 
 namespace
@@ -224,6 +225,12 @@ void vtkSurfaceGeodesicRegion::RunOnAll(geodesic::distributed::RankGroup& ranks,
       checkInput(input);
       blocks = std::make_unique<geodesic::bridge::InputBlocks>(input);
     });
+  std::vector<double> settings{ static_cast<double>(this->Extract),
+    static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks),
+    static_cast<double>(std::hash<std::string>{}(this->RegionArrayName)),
+    static_cast<double>(this->InsideCoordinates.size()) };
+  settings.insert(settings.end(), this->InsideCoordinates.begin(), this->InsideCoordinates.end());
+  ranks.requireSame(settings, "properties");
   geodesic::distributed::hideInnerFaces(ranks, *blocks,
     geodesic::distributed::identityOf(
       ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));

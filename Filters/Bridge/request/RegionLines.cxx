@@ -151,6 +151,9 @@ bool RegionLines::update(const std::shared_ptr<const InputSurface>& surface, vtk
     const bool isKept = line < this->Points.size() && this->Points[line] == lines[line];
     if (!isKept && !goesOn())
     {
+      // The kept paths have been taken out.
+      this->Points.clear();
+      this->Paths.clear();
       return false;
     }
     paths.push_back(isKept ? std::move(this->Paths[line]) : this->joined(lines[line], line));
