@@ -15,6 +15,9 @@ namespace
 /** Two places are one if their weights in an edge or a face differ by no more than this. */
 constexpr double Tolerance = 1e-9;
 
+/** Of two weights: the golden ratio, so that points on a regular grid have different sums. */
+constexpr double SumOfWeights = 0.6180339887498949;
+
 /** A point whose weights below the tolerance are set to 0. */
 PathPoint snappedPoint(const PathPoint& point)
 {
@@ -138,8 +141,14 @@ Index MeshSplitter::pointAt(const PathPoint& place)
     return added;
   }
   const Index face = this->Base.trianglesWith({ carriers.begin(), carriers.end() }).front();
-  for (Index known : this->FacePoints[face])
+  auto& places = this->FacePlaces[face];
+  const Triangle& corners = this->Base.triangle(face);
+  const double sum = weightOf(point, corners[0]) + SumOfWeights * weightOf(point, corners[1]);
+  const double range = (1.0 + SumOfWeights) * Tolerance;
+  const auto last = places.upper_bound(sum + range);
+  for (auto near = places.lower_bound(sum - range); near != last; ++near)
   {
+    const Index known = near->second;
     const bool isSame = std::all_of(carriers.begin(), carriers.end(),
       [&](Index vertex) {
         return std::abs(weightOf(point, vertex) - weightOf(this->origin(known), vertex)) <=
@@ -152,6 +161,7 @@ Index MeshSplitter::pointAt(const PathPoint& place)
   }
   const Index added = this->addPoint(point);
   this->FacePoints[face].push_back(added);
+  places.emplace(sum, added);
   return added;
 }
 

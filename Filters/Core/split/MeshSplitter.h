@@ -87,6 +87,8 @@ private:
   std::map<Edge, std::map<double, Index>> EdgePoints;
   /** The points inside each face of the base mesh, and the segments of curves across it. */
   std::map<Index, std::vector<Index>> FacePoints;
+  /** The same, by a sum of weights in which few points are equal. */
+  std::map<Index, std::multimap<double, Index>> FacePlaces;
   std::map<Index, std::vector<Edge>> FaceSegments;
   /** For each segment inside a face, the points along it: the ends of its pieces after split(). */
   std::map<Edge, std::vector<Index>> PiecesOfSegment;
