@@ -287,6 +287,18 @@ TEST(Region, CapOfASphereConverges)
   EXPECT_LT(errors[2], 0.6 * errors[1]);
 }
 
+// All points of the loop lie in the two faces of a square.
+TEST(Region, OfALoopOfManyPointsInOneFace)
+{
+  Subject plane(planeGrid(1, 1, 1.0, 1.0));
+  const int corners = 5000;
+  const RegionCut cut = plane.cut({ polygon(0.5, 0.5, 0.3, corners) });
+  ASSERT_EQ(cut.areas().size(), 2u);
+  EXPECT_NEAR(cut.areas()[1], polygonArea(0.3, corners), 1e-12);
+  EXPECT_NEAR(cut.perimeters()[1], polygonLength(0.3, corners), 1e-10);
+  expectSound(plane.mesh(), cut, 1);
+}
+
 TEST(Region, WithoutLinesEachComponentIsOne)
 {
   Subject two(joined(icosphere(2), planeGrid(3, 3, 10.0, 10.0)));
