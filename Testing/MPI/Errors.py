@@ -114,6 +114,12 @@ compared = expect_all_properties_compared(simple.GeodesicDistance, torus, SeedPo
 assert {"SeedPositions", "SeedPointIds", "CostArray", "Method", "DistanceArrayName"} <= set(compared), compared
 compared = expect_all_properties_compared(simple.GeodesicPath, torus, WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
 assert {"WaypointPositions", "StartPositions", "MaximumPathLength", "HeightOffset"} <= set(compared), compared
+compared = expect_all_properties_compared(simple.GeodesicRegion, torus, InsidePositions=SEED)
+assert {"InsidePositions", "Extract", "RegionArrayName", "ConnectBlocks"} <= set(compared), compared
+
+# Regions need the surface on one rank, and can be cut where it is brought to one.
+messages = harness.messages_of(simple.GeodesicRegion(Input=torus).UpdatePipeline)
+assert f"spread over {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
 
 compared = expect_all_properties_compared(simple.GeodesicDistanceMatrix, torus, LandmarkPositions=SEED)
 assert {"LandmarkPositions", "SecondLandmarkPositions", "Method", "MemoryLimit"} <= set(compared), compared

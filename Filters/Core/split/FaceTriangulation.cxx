@@ -42,7 +42,7 @@ Index FaceTriangulation::addOnBorder(Index before, Index after, const PlanePoint
 {
   const auto number = static_cast<Index>(this->Points.size());
   this->Points.push_back(point);
-  for (Index piece = 0; piece < this->Pieces.size(); ++piece)
+  for (Index piece : this->piecesRound(before))
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -59,37 +59,57 @@ Index FaceTriangulation::addOnBorder(Index before, Index after, const PlanePoint
   throw std::logic_error("A point was to be put between two that are no neighbours on a border.");
 }
 
+std::pair<double, int> FaceTriangulation::depthIn(Index piece, const PlanePoint& place) const
+{
+  std::array<double, 3> heights{};
+  for (int c = 0; c < 3; ++c)
+  {
+    const Triangle& corners = this->Pieces[piece].corners;
+    heights[c] =
+      height(this->Points[corners[(c + 1) % 3]], this->Points[corners[(c + 2) % 3]], place);
+  }
+  const auto least = std::min_element(heights.begin(), heights.end());
+  return { *least, static_cast<int>(least - heights.begin()) };
+}
+
+Index FaceTriangulation::deepestAt(const PlanePoint& place) const
+{
+  // A walk from piece to piece, over the side beyond which the place is.
+  Index piece = this->LastPiece;
+  for (std::size_t step = 0; step < this->Pieces.size() && piece != NoIndex; ++step)
+  {
+    const auto [depth, corner] = this->depthIn(piece, place);
+    if (depth >= 0.0)
+    {
+      return piece;
+    }
+    piece = this->Pieces[piece].neighbours[corner];
+  }
+  Index deepest = 0;
+  double depth = -std::numeric_limits<double>::infinity();
+  for (Index other = 0; other < this->Pieces.size(); ++other)
+  {
+    const double here = this->depthIn(other, place).first;
+    if (here > depth)
+    {
+      deepest = other;
+      depth = here;
+    }
+  }
+  return deepest;
+}
+
 Index FaceTriangulation::addInside(const PlanePoint& point)
 {
-  for (Index i = 0; i < this->Points.size(); ++i)
+  const Index deepest = this->deepestAt(point);
+  for (Index corner : this->Pieces[deepest].corners)
   {
-    if (distance(this->Points[i], point) <= this->Tolerance)
+    if (distance(this->Points[corner], point) <= this->Tolerance)
     {
-      return i;
+      return corner;
     }
   }
-  // The point goes into the piece in which it is deepest: by rounding it may be outside all of
-  // them.
-  Index deepest = 0;
-  int nearest = 0;
-  double depth = -std::numeric_limits<double>::infinity();
-  for (Index piece = 0; piece < this->Pieces.size(); ++piece)
-  {
-    std::array<double, 3> heights{};
-    for (int c = 0; c < 3; ++c)
-    {
-      const Triangle& corners = this->Pieces[piece].corners;
-      heights[c] =
-        height(this->Points[corners[(c + 1) % 3]], this->Points[corners[(c + 2) % 3]], point);
-    }
-    const auto least = std::min_element(heights.begin(), heights.end());
-    if (*least > depth)
-    {
-      deepest = piece;
-      nearest = static_cast<int>(least - heights.begin());
-      depth = *least;
-    }
-  }
+  const auto [depth, nearest] = this->depthIn(deepest, point);
   const auto number = static_cast<Index>(this->Points.size());
   this->Points.push_back(point);
   if (depth <= this->Tolerance && this->Pieces[deepest].neighbours[nearest] != NoIndex)
@@ -100,7 +120,46 @@ Index FaceTriangulation::addInside(const PlanePoint& point)
   {
     this->splitPiece(deepest, number);
   }
+  this->LastPiece = this->PieceAt[number];
   return number;
+}
+
+std::vector<Index> FaceTriangulation::piecesRound(Index point) const
+{
+  const Index first = this->PieceAt[point];
+  std::vector<Index> pieces;
+  for (int direction : { 1, 2 })
+  {
+    // The second direction is for a point on the border, and begins beside the first piece.
+    Index piece = first;
+    if (direction == 2)
+    {
+      piece = this->Pieces[first].neighbours[(this->cornerAt(first, point) + 2) % 3];
+    }
+    while (piece != NoIndex && (pieces.empty() || piece != first))
+    {
+      pieces.push_back(piece);
+      piece = this->Pieces[piece].neighbours[(this->cornerAt(piece, point) + direction) % 3];
+    }
+    if (piece == first)
+    {
+      break;
+    }
+  }
+  std::sort(pieces.begin(), pieces.end());
+  return pieces;
+}
+
+void FaceTriangulation::note(std::initializer_list<Index> pieces)
+{
+  this->PieceAt.resize(this->Points.size(), NoIndex);
+  for (Index piece : pieces)
+  {
+    for (Index corner : this->Pieces[piece].corners)
+    {
+      this->PieceAt[corner] = piece;
+    }
+  }
 }
 
 std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
@@ -119,13 +178,13 @@ std::vector<Index> FaceTriangulation::addSegment(Index from, Index to)
     Index next = NoIndex;
     Index crossed = NoIndex;
     double inside = -std::numeric_limits<double>::infinity();
-    for (Index piece = 0; piece < this->Pieces.size() && next != to; ++piece)
+    for (Index piece : this->piecesRound(here))
     {
-      const int c = this->cornerAt(piece, here);
-      if (c == 3)
+      if (next == to)
       {
-        continue;
+        break;
       }
+      const int c = this->cornerAt(piece, here);
       const Index a = this->Pieces[piece].corners[(c + 1) % 3];
       const Index b = this->Pieces[piece].corners[(c + 2) % 3];
       for (Index end : { a, b })
@@ -214,6 +273,7 @@ void FaceTriangulation::splitPiece(Index piece, Index point)
   this->Pieces.push_back({ { c, a, point }, { piece, second, old.neighbours[1] } });
   this->relink(old.neighbours[0], piece, second);
   this->relink(old.neighbours[1], piece, third);
+  this->note({ piece, second, third });
   this->legalize({ piece, second, third }, point);
 }
 
@@ -234,6 +294,7 @@ void FaceTriangulation::splitSide(Index piece, int corner, Index point)
   this->Pieces[piece] = { { apex, a, point }, { NoIndex, half, beyondA } };
   this->Pieces.push_back({ { apex, point, b }, { NoIndex, beyondB, piece } });
   this->relink(beyondB, piece, half);
+  this->note({ piece, half });
   if (across != NoIndex)
   {
     const Piece oldAcross = this->Pieces[across];
@@ -248,6 +309,7 @@ void FaceTriangulation::splitSide(Index piece, int corner, Index point)
     this->relink(acrossBeyondA, across, halfAcross);
     this->Pieces[piece].neighbours[0] = halfAcross;
     this->Pieces[half].neighbours[0] = across;
+    this->note({ across, halfAcross });
     touched.insert(touched.end(), { across, halfAcross });
   }
   if (this->isFixed(a, b))
@@ -323,6 +385,7 @@ void FaceTriangulation::flip(Index piece, int corner)
   this->Pieces[across] = { { p, q, b }, { acrossBeyondB, beyondB, piece } };
   this->relink(acrossBeyondA, across, piece);
   this->relink(beyondB, piece, across);
+  this->note({ piece, across });
 }
 
 }

@@ -7,6 +7,7 @@
 #include "base/PlanePoint.h"
 
 #include <array>
+#include <initializer_list>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,8 +19,10 @@ namespace geodesic
  * One face cut into pieces along segments: a constrained Delaunay triangulation of a triangle, with
  * points on its border and inside. Where a segment crosses another segment or an edge between
  * pieces, a point is added. Border points are placed by their order on the border, not by their
- * coordinates, so the faces on both sides of an edge are always cut alike there. Made for tens of
- * points, not thousands: time O(n^2) for n points.
+ * coordinates, so the faces on both sides of an edge are always cut alike there.
+ *
+ * A point inside is looked for from the last one on. So points that follow on each other, as those
+ * of lines do, take a time that hardly depends on how many there are.
  */
 class FaceTriangulation
 {
@@ -54,6 +57,15 @@ private:
     std::array<Index, 3> neighbours;
   };
 
+  /** The piece in which a place is deepest: by rounding it may be outside all of them. */
+  Index deepestAt(const PlanePoint& place) const;
+  /** How far inside a piece a place is, negative outside, and the corner opposite to the side that
+   * is nearest. */
+  std::pair<double, int> depthIn(Index piece, const PlanePoint& place) const;
+  /** The pieces that have a point as a corner, sorted. */
+  std::vector<Index> piecesRound(Index point) const;
+  /** Notes the corners of pieces that are new or have changed. */
+  void note(std::initializer_list<Index> pieces);
   /** Whether the edge between two points is a part of a segment, which no flip removes. */
   bool isFixed(Index a, Index b) const;
   /** The number, 0 to 2, of the corner of a piece that is opposite to a neighbouring piece. */
@@ -76,6 +88,10 @@ private:
 
   std::vector<PlanePoint> Points;
   std::vector<Piece> Pieces;
+  /** For each point one of the pieces that have it. */
+  std::vector<Index> PieceAt{ 0, 0, 0 };
+  /** The piece where the last point was put. */
+  Index LastPiece = 0;
   /** The edges that are parts of segments, smaller point first. */
   std::set<std::pair<Index, Index>> Fixed;
   /** Two places are one if they are not farther apart than this. */

@@ -15,6 +15,9 @@ namespace
 /** Two places are one if their weights in an edge or a face differ by no more than this. */
 constexpr double Tolerance = 1e-9;
 
+/** Of two weights: the golden ratio, so that points on a regular grid have different sums. */
+constexpr double SumOfWeights = 0.6180339887498949;
+
 /** A point whose weights below the tolerance are set to 0. */
 PathPoint snappedPoint(const PathPoint& point)
 {
@@ -76,11 +79,6 @@ std::pair<Index, Index> edgeOf(Index a, Index b)
 MeshSplitter::MeshSplitter(const TriangleMesh& base)
   : Base(base)
 {
-  this->Origins.reserve(base.numberOfVertices());
-  for (Index vertex = 0; vertex < base.numberOfVertices(); ++vertex)
-  {
-    this->Origins.push_back(PathPoint::atVertex(vertex));
-  }
 }
 
 std::size_t MeshSplitter::add(const SurfacePath& curve)
@@ -96,7 +94,7 @@ std::size_t MeshSplitter::add(const SurfacePath& curve)
   }
   for (std::size_t i = 1; i < points.size(); ++i)
   {
-    const Carriers corners = unionOf(this->Origins[points[i - 1]], this->Origins[points[i]]);
+    const Carriers corners = unionOf(this->origin(points[i - 1]), this->origin(points[i]));
     const std::vector<Index> faces = corners.size() > 3
       ? std::vector<Index>{}
       : this->Base.trianglesWith({ corners.begin(), corners.end() });
@@ -116,8 +114,8 @@ std::size_t MeshSplitter::add(const SurfacePath& curve)
 
 Index MeshSplitter::addPoint(const PathPoint& origin)
 {
-  this->Origins.push_back(origin);
-  return static_cast<Index>(this->Origins.size() - 1);
+  this->NewOrigins.push_back(origin);
+  return this->numberOfPoints() - 1;
 }
 
 Index MeshSplitter::pointAt(const PathPoint& place)
@@ -143,12 +141,17 @@ Index MeshSplitter::pointAt(const PathPoint& place)
     return added;
   }
   const Index face = this->Base.trianglesWith({ carriers.begin(), carriers.end() }).front();
-  for (Index known : this->FacePoints[face])
+  auto& places = this->FacePlaces[face];
+  const Triangle& corners = this->Base.triangle(face);
+  const double sum = weightOf(point, corners[0]) + SumOfWeights * weightOf(point, corners[1]);
+  const double range = (1.0 + SumOfWeights) * Tolerance;
+  const auto last = places.upper_bound(sum + range);
+  for (auto near = places.lower_bound(sum - range); near != last; ++near)
   {
+    const Index known = near->second;
     const bool isSame = std::all_of(carriers.begin(), carriers.end(),
-      [&](Index vertex)
-      {
-        return std::abs(weightOf(point, vertex) - weightOf(this->Origins[known], vertex)) <=
+      [&](Index vertex) {
+        return std::abs(weightOf(point, vertex) - weightOf(this->origin(known), vertex)) <=
           Tolerance;
       });
     if (isSame)
@@ -158,41 +161,27 @@ Index MeshSplitter::pointAt(const PathPoint& place)
   }
   const Index added = this->addPoint(point);
   this->FacePoints[face].push_back(added);
+  places.emplace(sum, added);
   return added;
 }
 
 void MeshSplitter::split()
 {
-  std::set<Index> isSplit;
   for (const auto& [edge, points] : this->EdgePoints)
   {
     const std::array<Index, 2> ends{ edge.first, edge.second };
     const std::vector<Index> faces = this->Base.trianglesWith(ends);
-    isSplit.insert(faces.begin(), faces.end());
+    this->SplitTriangles.insert(faces.begin(), faces.end());
   }
   for (const auto& [face, points] : this->FacePoints)
   {
-    isSplit.insert(face);
+    this->SplitTriangles.insert(face);
   }
   for (const auto& [face, segments] : this->FaceSegments)
   {
-    isSplit.insert(face);
+    this->SplitTriangles.insert(face);
   }
-  auto next = isSplit.begin();
-  this->Triangles.reserve(this->Base.numberOfTriangles() + 4 * isSplit.size());
-  this->BaseTriangles.reserve(this->Triangles.capacity());
-  for (Index triangle = 0; triangle < this->Base.numberOfTriangles(); ++triangle)
-  {
-    if (next != isSplit.end() && *next == triangle)
-    {
-      ++next;
-      continue;
-    }
-    this->Triangles.push_back(this->Base.triangle(triangle));
-    this->BaseTriangles.push_back(triangle);
-  }
-  this->FirstPiece = this->Triangles.size();
-  for (Index triangle : isSplit)
+  for (Index triangle : this->SplitTriangles)
   {
     this->splitTriangle(triangle);
   }
@@ -205,7 +194,7 @@ void MeshSplitter::splitTriangle(Index triangle)
   FaceTriangulation pieces(flat);
   std::vector<Index> points(corners.begin(), corners.end());
   std::map<Index, Index> numbers{ { corners[0], 0 }, { corners[1], 1 }, { corners[2], 2 } };
-  const auto place = [&](Index point) { return placed(this->Origins[point], corners, flat); };
+  const auto place = [&](Index point) { return placed(this->origin(point), corners, flat); };
   const auto note = [&](Index point, Index number)
   {
     numbers[point] = number;
@@ -263,22 +252,22 @@ void MeshSplitter::splitTriangle(Index triangle)
   }
   for (const Triangle& piece : pieces.triangles())
   {
-    this->Triangles.push_back({ points[piece[0]], points[piece[1]], points[piece[2]] });
+    this->Pieces.push_back({ points[piece[0]], points[piece[1]], points[piece[2]] });
     this->BaseTriangles.push_back(triangle);
   }
 }
 
 std::vector<Index> MeshSplitter::alongEdge(Index a, Index b) const
 {
-  const Carriers ends = unionOf(this->Origins[a], this->Origins[b]);
+  const Carriers ends = unionOf(this->origin(a), this->origin(b));
   std::vector<Index> points{ a };
   const auto onEdge =
     ends.size() == 2 ? this->EdgePoints.find(edgeOf(ends[0], ends[1])) : this->EdgePoints.end();
   if (onEdge != this->EdgePoints.end())
   {
     const Index last = onEdge->first.second;
-    const double from = weightOf(this->Origins[a], last);
-    const double to = weightOf(this->Origins[b], last);
+    const double from = weightOf(this->origin(a), last);
+    const double to = weightOf(this->origin(b), last);
     for (const auto& [fraction, point] : onEdge->second)
     {
       if (fraction > std::min(from, to) && fraction < std::max(from, to))
@@ -326,42 +315,42 @@ void MeshSplitter::cutAlong(std::span<const std::size_t> curves)
       this->CutEdges.insert(edgeOf(points[i - 1], points[i]));
     }
   }
-  std::map<Index, std::vector<Index>> trianglesAt;
-  for (std::size_t t = this->FirstPiece; t < this->Triangles.size(); ++t)
+  std::map<Index, std::vector<Index>> piecesAt;
+  for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
-    for (Index point : this->Triangles[t])
+    for (Index point : this->Pieces[p])
     {
       if (point >= this->Base.numberOfVertices() && this->isOnCut(point))
       {
-        trianglesAt[point].push_back(static_cast<Index>(t));
+        piecesAt[point].push_back(static_cast<Index>(p));
       }
     }
   }
-  const std::vector<Triangle> uncut = this->Triangles;
-  for (const auto& [point, triangles] : trianglesAt)
+  const std::vector<Triangle> uncut = this->Pieces;
+  for (const auto& [point, pieces] : piecesAt)
   {
-    this->openAt(point, triangles, uncut);
+    this->openAt(point, pieces, uncut);
   }
   const std::set<Edge> uncutEdges = this->CutEdges;
-  for (std::size_t t = this->FirstPiece; t < this->Triangles.size(); ++t)
+  for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
     for (int c = 0; c < 3; ++c)
     {
       const int next = (c + 1) % 3;
-      if (uncutEdges.count(edgeOf(uncut[t][c], uncut[t][next])) > 0)
+      if (uncutEdges.count(edgeOf(uncut[p][c], uncut[p][next])) > 0)
       {
-        this->CutEdges.insert(edgeOf(this->Triangles[t][c], this->Triangles[t][next]));
+        this->CutEdges.insert(edgeOf(this->Pieces[p][c], this->Pieces[p][next]));
       }
     }
   }
 }
 
 void MeshSplitter::openAt(
-  Index point, const std::vector<Index>& triangles, const std::vector<Triangle>& uncut)
+  Index point, const std::vector<Index>& pieces, const std::vector<Triangle>& uncut)
 {
-  // A side of the cuts consists of triangles round the point that are connected over edges which
+  // A side of the cuts consists of pieces round the point that are connected over edges which
   // are no cuts.
-  std::vector<Index> todo = triangles;
+  std::vector<Index> todo = pieces;
   for (bool isFirst = true; !todo.empty(); isFirst = false)
   {
     std::vector<Index> side{ todo.back() };
@@ -385,11 +374,11 @@ void MeshSplitter::openAt(
     }
     if (!isFirst)
     {
-      const Index twin = this->addPoint(this->Origins[point]);
+      const Index twin = this->addPoint(this->origin(point));
       this->OnCut.insert(twin);
-      for (Index t : side)
+      for (Index p : side)
       {
-        std::replace(this->Triangles[t].begin(), this->Triangles[t].end(), point, twin);
+        std::replace(this->Pieces[p].begin(), this->Pieces[p].end(), point, twin);
       }
     }
   }

@@ -16,10 +16,11 @@ namespace geodesic
 {
 
 /**
- * Splits the triangles of a mesh along curves, for SplitMesh. Calls come in this order: add() for
- * each curve, split(), curve(), cutAlong(); results last.
+ * Splits the triangles of a mesh along curves, for SplitMesh and RegionCut. Calls come in this
+ * order: add() for each curve, split(), curve(), cutAlong(); results last.
  *
- * Points are numbered: first the vertices of the base mesh, then new points.
+ * Points are numbered: first the vertices of the base mesh, then new points. Time and memory depend
+ * on the curves, not on the mesh.
  */
 class MeshSplitter
 {
@@ -37,11 +38,21 @@ public:
   /** Cuts the split triangles open along curves. @param curves their numbers */
   void cutAlong(std::span<const std::size_t> curves);
 
-  /** The place of each point on the base mesh. */
-  const std::vector<PathPoint>& origins() const { return this->Origins; }
-  /** The triangles, of the numbers of points. */
-  const std::vector<Triangle>& triangles() const { return this->Triangles; }
-  /** For each triangle the triangle of the base mesh of which it is a part. */
+  Index numberOfPoints() const
+  {
+    return this->Base.numberOfVertices() + static_cast<Index>(this->NewOrigins.size());
+  }
+  /** The place of a point on the base mesh. */
+  PathPoint origin(Index point) const
+  {
+    const Index vertices = this->Base.numberOfVertices();
+    return point < vertices ? PathPoint::atVertex(point) : this->NewOrigins[point - vertices];
+  }
+  /** The triangles of the base mesh that are split, sorted. */
+  const std::set<Index>& splitTriangles() const { return this->SplitTriangles; }
+  /** The triangles that these were split into, in the same order, of the numbers of points. */
+  const std::vector<Triangle>& pieces() const { return this->Pieces; }
+  /** For each piece the triangle of the base mesh of which it is a part. */
   const std::vector<Index>& baseTriangles() const { return this->BaseTriangles; }
   /** The points along the curve of a number. @pre split() was called */
   std::vector<Index> curve(std::size_t number) const;
@@ -61,27 +72,29 @@ private:
   /** The points from a to b, with both. @pre a and b lie on one edge of the base mesh */
   std::vector<Index> alongEdge(Index a, Index b) const;
   /** Cuts the mesh open at a point on cuts: each side of the cuts but one gets a new point there.
-   * @param triangles  those round the point
-   * @param uncut      all triangles before any point was replaced */
-  void openAt(Index point, const std::vector<Index>& triangles, const std::vector<Triangle>& uncut);
+   * @param pieces  those round the point
+   * @param uncut   all pieces before any point was replaced */
+  void openAt(Index point, const std::vector<Index>& pieces, const std::vector<Triangle>& uncut);
 
   const TriangleMesh& Base;
-  std::vector<PathPoint> Origins;
-  std::vector<Triangle> Triangles;
+  /** The places of the new points. */
+  std::vector<PathPoint> NewOrigins;
+  std::set<Index> SplitTriangles;
+  std::vector<Triangle> Pieces;
   std::vector<Index> BaseTriangles;
   /** The points on each edge of the base mesh, by the fraction of the edge from its smaller vertex
    * to them. */
   std::map<Edge, std::map<double, Index>> EdgePoints;
   /** The points inside each face of the base mesh, and the segments of curves across it. */
   std::map<Index, std::vector<Index>> FacePoints;
+  /** The same, by a sum of weights in which few points are equal. */
+  std::map<Index, std::multimap<double, Index>> FacePlaces;
   std::map<Index, std::vector<Edge>> FaceSegments;
   /** For each segment inside a face, the points along it: the ends of its pieces after split(). */
   std::map<Edge, std::vector<Index>> PiecesOfSegment;
   std::vector<std::vector<Index>> Curves;
   std::set<Edge> CutEdges;
   std::set<Index> OnCut;
-  /** The number of the first triangle that is a piece of a split one. */
-  std::size_t FirstPiece = 0;
 };
 
 }

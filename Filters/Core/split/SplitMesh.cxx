@@ -3,41 +3,12 @@
 #include "split/SplitMesh.h"
 
 #include "split/MeshSplitter.h"
+#include "split/PieceWeights.h"
 
 #include <algorithm>
 
 namespace geodesic
 {
-namespace
-{
-
-/**
- * The weights of a point of a triangle with respect to a smaller triangle inside it.
- * @param inner    corners of the smaller triangle
- * @param outer    corners of the larger one
- * @param weights  of the point in the larger one
- * @return some of them are negative if the point is outside the smaller one; -1 each if that has no
- *         area
- */
-std::array<double, 3> weightsIn(const std::array<PathPoint, 3>& inner, const Triangle& outer,
-  const std::array<double, 3>& weights)
-{
-  // Two of the barycentric weights are affine coordinates in the triangle.
-  const auto x = [&](int i) { return weightOf(inner[i], outer[1]); };
-  const auto y = [&](int i) { return weightOf(inner[i], outer[2]); };
-  const double determinant = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
-  if (determinant == 0.0)
-  {
-    return { -1.0, -1.0, -1.0 };
-  }
-  const double px = weights[1] - x(0);
-  const double py = weights[2] - y(0);
-  const double second = (px * (y(2) - y(0)) - (x(2) - x(0)) * py) / determinant;
-  const double third = ((x(1) - x(0)) * py - px * (y(1) - y(0))) / determinant;
-  return { 1.0 - second - third, second, third };
-}
-
-}
 
 SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const SurfacePath> curves,
   std::span<const SurfacePath> cuts)
@@ -60,18 +31,35 @@ SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const S
   }
   splitter.cutAlong(cutNumbers);
 
-  this->Origins = splitter.origins();
-  this->BaseTriangles = splitter.baseTriangles();
+  std::vector<Triangle> triangles;
+  auto nextSplit = splitter.splitTriangles().begin();
+  for (Index triangle = 0; triangle < this->Base->numberOfTriangles(); ++triangle)
+  {
+    if (nextSplit != splitter.splitTriangles().end() && *nextSplit == triangle)
+    {
+      ++nextSplit;
+    }
+    else
+    {
+      triangles.push_back(this->Base->triangle(triangle));
+      this->BaseTriangles.push_back(triangle);
+    }
+  }
+  triangles.insert(triangles.end(), splitter.pieces().begin(), splitter.pieces().end());
+  this->BaseTriangles.insert(
+    this->BaseTriangles.end(), splitter.baseTriangles().begin(), splitter.baseTriangles().end());
   this->CutEdges = splitter.cutEdges();
   std::vector<Vector3> positions;
-  positions.reserve(this->Origins.size());
-  for (Index point = 0; point < this->Origins.size(); ++point)
+  positions.reserve(splitter.numberOfPoints());
+  this->Origins.reserve(splitter.numberOfPoints());
+  for (Index point = 0; point < splitter.numberOfPoints(); ++point)
   {
+    this->Origins.push_back(splitter.origin(point));
     positions.push_back(this->Origins[point].position(*this->Base));
     this->OnCut.push_back(splitter.isOnCut(point) ? 1 : 0);
   }
-  this->Mesh = std::make_shared<const TriangleMesh>(positions, splitter.triangles(),
-    CoincidentPoints::Separate, ThreadTeam(), this->Base->measurer());
+  this->Mesh = std::make_shared<const TriangleMesh>(
+    positions, triangles, CoincidentPoints::Separate, ThreadTeam(), this->Base->measurer());
 
   std::vector<Index> pieces(this->Base->numberOfTriangles(), 0);
   for (Index triangle : this->BaseTriangles)
