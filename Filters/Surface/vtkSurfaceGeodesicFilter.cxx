@@ -143,7 +143,8 @@ void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
 {
   numbers.insert(numbers.end(),
     { static_cast<double>(this->CostMode), static_cast<double>(this->Method), this->Tolerance,
-      this->MemoryLimit, static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks) });
+      this->MemoryLimit, static_cast<double>(this->MergeCoincidentPoints),
+      static_cast<double>(this->ConnectBlocks) });
   for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
   {
     vtkInformation* choice = this->GetInputArrayInformation(number);

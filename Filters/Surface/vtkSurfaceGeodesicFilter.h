@@ -110,8 +110,9 @@ public:
    * FAST_MARCHING measures across the faces. DIJKSTRA measures along the edges only, so its
    * distances are never too short. EXACT gives the shortest distance over the triangles, right to
    * rounding; BOUNDED is never smaller than that, and larger by Tolerance at most, and much faster;
-   * VIRTUAL_SOURCES has smaller errors than FAST_MARCHING, above all on thin triangles, but promises
-   * none. These three need points as seeds, no costs, and one rank. Default: FAST_MARCHING. A number that no solver has is an error when the filter runs, which names those
+   * VIRTUAL_SOURCES has smaller errors than FAST_MARCHING, above all on thin triangles, but
+   * promises none. These three need points as seeds, no costs, and one rank. Default:
+   * FAST_MARCHING. A number that no solver has is an error when the filter runs, which names those
    * there are; see geodesic::solverTable().
    */
   vtkSetMacro(Method, int);
@@ -120,8 +121,8 @@ public:
 
   ///@{
   /**
-   * How much larger than the exact one a distance of BOUNDED may be, in parts of that distance. Other
-   * methods have no use for it. Above 0, else the run ends with an error. Default: 1e-3.
+   * How much larger than the exact one a distance of BOUNDED may be, in parts of that distance.
+   * Other methods have no use for it. Above 0, else the run ends with an error. Default: 1e-3.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -129,9 +130,9 @@ public:
 
   ///@{
   /**
-   * The most memory that the windows of EXACT and BOUNDED may take, in gigabytes (1e9 bytes); a run that needs
-   * more ends with an error that says how far it came. 0: three quarters of the machine's. Other
-   * methods need little. At least 0, else the run ends with an error. Default: 0.
+   * The most memory that the windows of EXACT and BOUNDED may take, in gigabytes (1e9 bytes); a run
+   * that needs more ends with an error that says how far it came. 0: three quarters of the
+   * machine's. Other methods need little. At least 0, else the run ends with an error. Default: 0.
    */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);

@@ -85,8 +85,8 @@ struct vtkSurfaceGeodesicPath::Internals
       attributes = run.input.versions();
     }
     const bool isSame = this->Solved && this->Solved->isLike(solved) &&
-      this->Attributes == attributes && this->Method == method &&
-      this->Tolerance == tolerance && this->Style == style;
+      this->Attributes == attributes && this->Method == method && this->Tolerance == tolerance &&
+      this->Style == style;
     if (run.ranks.isAny(!isSame))
     {
       this->Segments.clear();

@@ -163,21 +163,23 @@ TEST(Bounded, KeepsItsPromiseOnRandomMeshes)
   }
 }
 
-// Random triangles over few points, all face sequences and all turns at vertices as the truth.
+// Random triangles over few points, all face sequences and all turns at vertices as the truth. In
+// one of them a merged window once had its source in a vertex, but for rounding, and turned round
+// it without end.
 TEST(Bounded, IsWithinTheLeastOfAllFaceSequences)
 {
-  std::mt19937 random(2);
+  std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (int round = 0; round < 200; ++round)
+  for (int round = 0; round < 300; ++round)
   {
     const Index points = 6 + round % 5;
     Surface surface;
     std::vector<Index> order;
     for (Index i = 0; i < points; ++i)
     {
+      const double x = uniform(random);
       const double y = uniform(random) * (round % 7 == 0 ? 1e-3 : 1.0);
-      surface.points.push_back(
-        { uniform(random), y, round % 3 == 0 ? 0.0 : uniform(random) });
+      surface.points.push_back({ x, y, round % 3 == 0 ? 0.0 : uniform(random) });
       order.push_back(i);
     }
     for (int t = 0; t < 8; ++t)
@@ -263,14 +265,16 @@ TEST(Bounded, StopsLeaveValuesWithinThePromise)
 TEST(Bounded, RefusesWhatItCannotDo)
 {
   const auto mesh = meshOf(planeGrid(3, 3, 1.0, 1.0));
-  const auto messageOf = [&](const Seed& seed, const SolveOptions& options)
-  { return errorOf([&] { BoundedSolver(mesh).solve({ &seed, 1 }, options); }); };
+  const auto messageOf = [&](const Seed& seed, const SolveOptions& options) {
+    return errorOf([&] { BoundedSolver(mesh).solve({ &seed, 1 }, options); });
+  };
   const Seed curve = Seed::alongCurve({ { 3, { 1, 0, 0 } }, { 3, { 0, 1, 0 } } });
   EXPECT_NE(messageOf(curve, {}).find("Seed 0 is a curve"), std::string::npos);
   const std::vector<double> cost(mesh->numberOfVertices(), 2.0);
   SolveOptions options;
   options.cost = cost;
-  EXPECT_NE(messageOf(seedAt(*mesh, 0), options).find("Bounded distances can't be measured with costs"),
+  EXPECT_NE(
+    messageOf(seedAt(*mesh, 0), options).find("Bounded distances can't be measured with costs"),
     std::string::npos);
   for (const double tolerance : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
@@ -292,8 +296,8 @@ TEST(Bounded, MergedWindowsAreLowerBoundsWithTheirExcess)
     // Two windows that agree where they join, as the least of two fronts or behind a shadow's edge.
     const double join = 0.2 + 0.6 * uniform(random);
     const double far = std::pow(10.0, 3.0 * uniform(random) - 1.0);
-    Window left{ 0.0, join, far * (uniform(random) - 0.5), far * uniform(random),
-      uniform(random), 0, static_cast<float>(1e-4 * uniform(random)) };
+    Window left{ 0.0, join, far * (uniform(random) - 0.5), far * uniform(random), uniform(random),
+      0, static_cast<float>(1e-4 * uniform(random)) };
     Window right{ join, 1.0, far * (uniform(random) - 0.5), far * uniform(random), 0.0, 0, 0.0F };
     right.offset = left.distanceAt(join) - right.lineTo(join);
     WindowList list;
@@ -313,8 +317,8 @@ TEST(Bounded, MergedWindowsAreLowerBoundsWithTheirExcess)
     {
       const Window& part = at < join ? left : right;
       ASSERT_LE(merged.distanceAt(at), part.distanceAt(at) + 1e-11 * far) << round;
-      ASSERT_GE(merged.distanceAt(at) + merged.excess,
-        part.distanceAt(at) + part.excess - 1e-12 * far)
+      ASSERT_GE(
+        merged.distanceAt(at) + merged.excess, part.distanceAt(at) + part.excess - 1e-12 * far)
         << round;
     }
   }

@@ -31,8 +31,8 @@ struct Window
   double offset;
   /** The number of the seed from which that distance is measured. */
   Index seed;
-  /** By how much the shortest path to any of its points may be longer than the window says; 0 unless
-   * windows were merged (see WindowMerging). */
+  /** By how much the shortest path to any of its points may be longer than the window says; 0
+   * unless windows were merged (see WindowMerging). */
   float excess = 0.0F;
 
   /** Length of the straight line from the source to a point of the edge. */

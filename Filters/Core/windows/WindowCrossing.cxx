@@ -204,7 +204,8 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
     const double y = std::max(0.0, alongX * w.y + alongY * sourceX);
     if (isTurned)
     {
-      this->offer(target, { length - to, length - from, length - x, y, w.offset, w.seed, w.excess });
+      this->offer(
+        target, { length - to, length - from, length - x, y, w.offset, w.seed, w.excess });
     }
     else
     {

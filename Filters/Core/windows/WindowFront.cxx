@@ -246,9 +246,8 @@ void WindowFront::checkMemory() const
 {
   if (this->Work.bytes > this->MostBytes)
   {
-    throw std::runtime_error("The windows take " +
-      textOf(gigabytes(this->Work.bytes)) + " GB, more than the memory limit of " +
-      textOf(gigabytes(this->MostBytes)) + " GB, after " +
+    throw std::runtime_error("The windows take " + textOf(gigabytes(this->Work.bytes)) +
+      " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
       std::to_string(this->Field.reached().size()) + " of " +
       std::to_string(this->Mesh.numberOfVertices()) +
       " vertices. Raise the limit, set a maximum distance, coarsen the surface, or use the method "

@@ -148,7 +148,8 @@ private:
   void wait(Index halfEdge, const Window& window, double least);
   /** Gives a vertex a distance if that is less than what it has.
    * @param excess  by how much the shortest path may be longer */
-  void reach(Index vertex, double distance, Index seed, const Arrival& arrival, float excess = 0.0F);
+  void reach(
+    Index vertex, double distance, Index seed, const Arrival& arrival, float excess = 0.0F);
   /** Notes the windows that light points of a triangle from which paths are wanted. */
   void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
   /** How a straight line of a window across a half-edge comes to a point in its triangle's plane.

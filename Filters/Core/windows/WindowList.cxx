@@ -232,7 +232,7 @@ bool WindowList::insertBehind(const Window& window)
     const double turn = contest.turningPoint();
     // Else the windows may change places twice.
     if (winsAtFirst ? present.first == window.first || !winsAtLast ||
-            (turn > window.first && turn < present.last)
+          (turn > window.first && turn < present.last)
                     : !winsAtLast && turn > window.first && turn < present.last)
     {
       return false;

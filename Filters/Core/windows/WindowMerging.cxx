@@ -100,7 +100,10 @@ bool WindowMerging::mergeInto(Window& left, const Window& right) const
   }
   const double x = 0.5 * room / width - source * mean;
   const double square = (source - x) * (source + x);
-  if (!(source > 0.0 && source + rise > 0.0 && square >= 0.0))
+  // A source so near an end, which may be a vertex, would have no direction but that of rounding,
+  // in which its windows could turn round the vertex without end.
+  constexpr double nearest = 1e-7;
+  if (!(std::min(source, source + rise) > nearest * (atLeft + right.last) && square >= 0.0))
   {
     return false;
   }
@@ -111,9 +114,8 @@ bool WindowMerging::mergeInto(Window& left, const Window& right) const
   {
     return false;
   }
-  const double excess =
-    std::max(left.excess + greatestGain(left, merged, left.first, left.last),
-      right.excess + greatestGain(right, merged, right.first, right.last));
+  const double excess = std::max(left.excess + greatestGain(left, merged, left.first, left.last),
+    right.excess + greatestGain(right, merged, right.first, right.last));
   if (!(excess <= this->Tolerance * merged.leastDistance()))
   {
     return false;
