@@ -110,8 +110,9 @@ void vtkSurfaceGeodesicFilter::RunOnAll(geodesic::distributed::RankGroup& ranks,
     {
       vtkDataObject* input = vtkDataObject::GetData(inputVector[SURFACE_PORT]);
       checkRequest(input);
-      // These throw where there is no such method, or the limit is none.
+      // These throw where there is no such method, or a number is out of its range.
       this->GetSolver();
+      this->GetCheckedTolerance();
       this->GetMemoryLimitInBytes();
       blocks.emplace(input);
     });
@@ -141,8 +142,9 @@ const char* vtkSurfaceGeodesicFilter::GetErrorText()
 void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
 {
   numbers.insert(numbers.end(),
-    { static_cast<double>(this->CostMode), static_cast<double>(this->Method), this->MemoryLimit,
-      static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks) });
+    { static_cast<double>(this->CostMode), static_cast<double>(this->Method), this->Tolerance,
+      this->MemoryLimit, static_cast<double>(this->MergeCoincidentPoints),
+      static_cast<double>(this->ConnectBlocks) });
   for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
   {
     vtkInformation* choice = this->GetInputArrayInformation(number);
@@ -231,6 +233,17 @@ const geodesic::SolverTraits& vtkSurfaceGeodesicFilter::GetSolver() const
 }
 
 //------------------------------------------------------------------------------
+double vtkSurfaceGeodesicFilter::GetCheckedTolerance() const
+{
+  if (!(this->Tolerance > 0.0))
+  {
+    throw std::invalid_argument("Tolerance is " + geodesic::textOf(this->Tolerance) +
+      "; give a number above 0, such as 0.001 for a thousandth of each distance.");
+  }
+  return this->Tolerance;
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkSurfaceGeodesicFilter::GetMemoryLimitInBytes() const
 {
   constexpr double bytes = 1e9;
@@ -249,6 +262,7 @@ void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CostMode: " << (this->CostMode == COST ? "Cost" : "Speed") << "\n";
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";

@@ -64,11 +64,12 @@ struct vtkSurfaceGeodesicPath::Internals
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
-  // The segments below stay valid as long as these four stay the same on all ranks.
+  // The segments below stay valid as long as these five stay the same on all ranks.
   std::optional<geodesic::bridge::SolveSurface> Solved;
   /** What the corridors of segments hold ids and normals of. On several ranks only. */
   std::vector<geodesic::bridge::ObjectVersion> Attributes;
   int Method = FAST_MARCHING;
+  double Tolerance = 0.0;
   geodesic::PathStyle Style;
   std::vector<Segment> Segments;
 
@@ -77,7 +78,7 @@ struct vtkSurfaceGeodesicPath::Internals
    * Collective.
    */
   void setSurface(const Run& run, geodesic::bridge::SolveSurface solved, int method,
-    const geodesic::PathStyle& style)
+    double tolerance, const geodesic::PathStyle& style)
   {
     std::vector<geodesic::bridge::ObjectVersion> attributes;
     if (run.ranks.size() > 1)
@@ -85,7 +86,8 @@ struct vtkSurfaceGeodesicPath::Internals
       attributes = run.input.versions();
     }
     const bool isSame = this->Solved && this->Solved->isLike(solved) &&
-      this->Attributes == attributes && this->Method == method && this->Style == style;
+      this->Attributes == attributes && this->Method == method && this->Tolerance == tolerance &&
+      this->Style == style;
     if (run.ranks.isAny(!isSame))
     {
       this->Segments.clear();
@@ -93,6 +95,7 @@ struct vtkSurfaceGeodesicPath::Internals
     this->Solved.emplace(std::move(solved));
     this->Attributes = std::move(attributes);
     this->Method = method;
+    this->Tolerance = tolerance;
     this->Style = style;
   }
 
@@ -253,7 +256,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   internal.setSurface(run,
     internal.Lined.update(ranks,
       { internal.Surface, run.input, {}, barrierLines, barriers, cost, !method.crossesFaces }),
-    method.number, style);
+    method.number, this->GetCheckedTolerance(), style);
   const auto& mesh = internal.Solved->mesh();
   ranks.together(
     [&]
@@ -311,6 +314,7 @@ geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run
   const Internals& internal = *this->Internal;
   geodesic::SolveOptions options = internal.Solved->options();
   options.memoryLimit = this->GetMemoryLimitInBytes();
+  options.tolerance = this->GetCheckedTolerance();
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
     internal.Lined.divided(), *internal.Solver, options, internal.Style, run.input };
 }

@@ -73,6 +73,7 @@ TEST(SolverTable, NumbersStay)
   EXPECT_EQ(solverOfName("FastMarching").number, 0);
   EXPECT_EQ(solverOfName("Dijkstra").number, 1);
   EXPECT_EQ(solverOfName("VirtualSources").number, 3);
+  EXPECT_EQ(solverOfName("Bounded").number, 4);
   EXPECT_EQ(solverOfInterpolator(0).name, std::string("Dijkstra"));
   EXPECT_EQ(solverOfInterpolator(1).name, std::string("FastMarching"));
   std::map<int, int> count;
@@ -90,7 +91,7 @@ TEST(SolverTable, UnknownMethodsAreNamedWithThoseThereAre)
   EXPECT_NE(byNumber.find(numbers), std::string::npos) << byNumber;
   const std::string byName = errorOf([] { solverOfName("Exakt"); });
   EXPECT_NE(byName.find("Exakt"), std::string::npos) << byName;
-  EXPECT_NE(byName.find("FastMarching, Dijkstra, Exact, VirtualSources."), std::string::npos)
+  EXPECT_NE(byName.find("FastMarching, Dijkstra, Exact, VirtualSources, Bounded."), std::string::npos)
     << byName;
   const std::string byInterpolator = errorOf([] { solverOfInterpolator(-1); });
   EXPECT_NE(byInterpolator.find("1 (FastMarching), 0 (Dijkstra)."), std::string::npos)
@@ -105,7 +106,7 @@ TEST(SolverTable, SaysWhatASolverCannotDoAndWhichCan)
   for (const auto& [demands, what, who] :
     std::vector<std::tuple<SolverDemands, std::string, std::string>>{
       { { true, false, false }, "costs", two },
-      { { false, true, false }, "barriers", two + ", Exact, VirtualSources" },
+      { { false, true, false }, "barriers", two + ", Exact, VirtualSources, Bounded" },
       { { false, false, true }, "a surface on several ranks", two } })
   {
     EXPECT_EQ(errorOf([&, asked = demands] { checkServes(plain, asked); }),

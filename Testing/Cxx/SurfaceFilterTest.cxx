@@ -273,6 +273,31 @@ TEST_F(SurfaceFilter, VirtualSourcesGoAcrossFacesAndTakeNoCosts)
     << error;
 }
 
+TEST_F(SurfaceFilter, BoundedKeepsToItsTolerance)
+{
+  const auto spot = readData("Spot.vtp");
+  this->Filter->AddSeedPointId(17);
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::EXACT);
+  vtkNew<vtkDoubleArray> exact;
+  exact->DeepCopy(this->run(spot));
+  this->Filter->SetMethod(vtkSurfaceGeodesicDistance::BOUNDED);
+  for (const double tolerance : { 1e-1, 1e-3 })
+  {
+    this->Filter->SetTolerance(tolerance);
+    vtkDataArray* bounded = this->run(spot);
+    for (vtkIdType i = 0; i < spot->GetNumberOfPoints(); ++i)
+    {
+      const double d = exact->GetComponent(i, 0);
+      ASSERT_GE(bounded->GetComponent(i, 0), d * (1.0 - 1e-9));
+      ASSERT_LE(bounded->GetComponent(i, 0), d * (1.0 + tolerance) * (1.0 + 1e-9));
+    }
+  }
+  this->Filter->SetTolerance(0.0);
+  this->Filter->SetInputDataObject(spot);
+  const std::string error = errorsOf(this->Filter.Get());
+  EXPECT_NE(error.find("Tolerance is 0; give a number above 0"), std::string::npos) << error;
+}
+
 // The reference solver is for tests: number 100 of the table of solvers, which XML does not offer.
 TEST_F(SurfaceFilter, TheReferenceSolverGivesTheSameField)
 {

@@ -131,14 +131,18 @@ MISTAKES = [
     # Stops.
     (dict(UseMaximumDistance=1, MaximumDistance=-1e-12), "maximum distance is -1e-12", "at least 0"),
     (dict(UseMaximumDistance=1, MaximumDistance=float("nan")), "maximum distance is nan", "at least 0"),
+    # Tolerance.
+    (dict(Tolerance=0), "Tolerance is 0", "above 0"),
+    (dict(Tolerance=float("nan")), "Tolerance is nan", "above 0"),
     # Memory.
     (dict(MemoryLimit=-1), "MemoryLimit is -1", "give gigabytes from 0"),
     (dict(MemoryLimit=float("nan")), "MemoryLimit is nan", "give gigabytes from 0"),
+    (dict(Method="Bounded", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
     (dict(Method="Exact", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
 ]
 RIGHT = dict(
     SeedPositions=[0, 0, 0], SeedPointIds=[], SeedSource=None, SeedArray=["POINTS", "None"], SeedSelection=None,
-    Method="FastMarching", MemoryLimit=0, UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
+    Method="FastMarching", Tolerance=1e-3, MemoryLimit=0, UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
     CostArray=["POINTS", "None"], CostMode="Cost", BarrierArray=["POINTS", "None"], BarrierSource=None)
 
 

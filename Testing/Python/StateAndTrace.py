@@ -22,6 +22,7 @@ SETTINGS = {
     "SeedArray": ["POINTS", "north"],
     "SeedSelection": "Chosen",
     "Method": "Dijkstra",
+    "Tolerance": 0.01,
     "MemoryLimit": 2.5,
     "UseMaximumDistance": 1,
     "MaximumDistance": 0.375,

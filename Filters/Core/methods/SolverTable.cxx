@@ -6,6 +6,7 @@
 #include "march/ReferenceSolver.h"
 #include "solve/DijkstraSolver.h"
 #include "sources/VirtualSourceSolver.h"
+#include "windows/BoundedSolver.h"
 #include "windows/ExactSolver.h"
 
 #include <algorithm>
@@ -69,6 +70,17 @@ constexpr std::array Solvers{
     .ranks = RankSupport::None,
     .bytesPerVertex = 720.0,
     .make = &make<VirtualSourceSolver> },
+  SolverTraits{ .number = 4,
+    .name = "Bounded",
+    .interpolatorNumber = -1,
+    .isOffered = true,
+    .crossesFaces = true,
+    .isExact = false,
+    .takesCosts = false,
+    .takesBarriers = true,
+    .ranks = RankSupport::None,
+    .bytesPerVertex = 250.0,
+    .make = &make<BoundedSolver> },
   SolverTraits{ .number = 100,
     .name = "Reference",
     .interpolatorNumber = -1,

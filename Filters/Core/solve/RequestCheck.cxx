@@ -139,6 +139,11 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
     throw std::invalid_argument(
       "The maximum distance is " + textOf(options.maximumDistance) + "; it must be at least 0.");
   }
+  if (!(options.tolerance > 0.0))
+  {
+    throw std::invalid_argument(
+      "The tolerance is " + textOf(options.tolerance) + "; it must be above 0.");
+  }
   for (const Triangle& target : options.targets)
   {
     for (Index vertex : target)

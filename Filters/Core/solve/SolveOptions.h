@@ -76,6 +76,9 @@ struct SolveOptions
   /** The most memory that the windows of exact distances may take, in bytes. 0: three quarters of
    * the machine's. Other methods need little and don't look at it. */
   std::size_t memoryLimit = 0;
+  /** By how much distances may be too large, in parts of each distance itself; above 0. For
+   * BoundedSolver only. */
+  double tolerance = 1e-3;
   /**
    * Points from which paths to their nearest seeds are wanted, for solvers that find these along
    * with the field (DistanceSolver::findsPaths()); other solvers have no use for them.

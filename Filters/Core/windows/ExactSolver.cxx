@@ -4,12 +4,10 @@
 
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/Partition.h"
 #include "windows/WindowPath.h"
+#include "windows/WindowRequest.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace geodesic
@@ -24,39 +22,15 @@ ExactSolver::ExactSolver(std::shared_ptr<const TriangleMesh> mesh)
 
 bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
-  if (request.hasCost || request.partition.isDivided())
-  {
-    throw std::invalid_argument(std::string("Exact distances can't be measured ") +
-      (request.hasCost ? "with costs" : "on a surface in several pieces") +
-      "; use the method FastMarching.");
-  }
   const std::vector<Label>& labels = request.front.labels;
-  double first = DistanceField::Unreached;
-  for (const Label& label : labels)
-  {
-    if (label.shape == FrontShape::Straight)
-    {
-      throw std::invalid_argument("Seed " + std::to_string(label.seed) +
-        " is a curve or a region, but exact distances are measured from points; use the method "
-        "FastMarching, or give points along it as seeds.");
-    }
-    first = std::min(first, label.value);
-  }
+  checkWindowRequest("Exact distances", labels, request.hasCost, request.partition);
   this->Passable.emplace(this->mesh(), this->Edges, request.options);
   this->keepSeeds(labels);
   this->Found = &field;
   this->Reach = -1.0;
   WindowFront front(this->mesh(), this->Edges, request.closed, *this->Passable, request.options,
-    first, limit, field, this->Workspace);
-  for (const Label& label : labels)
-  {
-    front.startAt(label.origin, label.value, label.seed);
-    if (!front.mayGoOn())
-    {
-      return false;
-    }
-  }
-  const bool finished = front.march();
+    leastValueOf(labels), limit, field, this->Workspace);
+  const bool finished = marchFrom(labels, front);
   this->Reach = finished ? limit.value() : -1.0;
   return finished;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geodesic
 {
@@ -30,6 +31,9 @@ struct Window
   double offset;
   /** The number of the seed from which that distance is measured. */
   Index seed;
+  /** By how much the shortest path to any of its points may be longer than the window says; 0
+   * unless windows were merged (see WindowMerging). */
+  float excess = 0.0F;
 
   /** Length of the straight line from the source to a point of the edge. */
   double lineTo(double at) const
@@ -44,6 +48,13 @@ struct Window
     return this->distanceAt(std::clamp(this->x, this->first, this->last));
   }
 };
+
+/** An excess in single precision, no less than it was. */
+inline float excessOf(double excess)
+{
+  const float single = static_cast<float>(excess);
+  return single < excess ? std::nextafter(single, std::numeric_limits<float>::infinity()) : single;
+}
 
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/WorkCount.h"
 #include "windows/LaidTriangle.h"
+#include "windows/WindowMerging.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ void WindowFront::reachApex(
   {
     if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, Miss * laid.length))
     {
-      this->reach(laid.apex, line->distance, w.seed, line->arrival);
+      this->reach(laid.apex, line->distance, w.seed, line->arrival, w.excess);
     }
   }
 }
@@ -203,11 +204,12 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
     const double y = std::max(0.0, alongX * w.y + alongY * sourceX);
     if (isTurned)
     {
-      this->offer(target, { length - to, length - from, length - x, y, w.offset, w.seed });
+      this->offer(
+        target, { length - to, length - from, length - x, y, w.offset, w.seed, w.excess });
     }
     else
     {
-      this->offer(target, { from, to, x, y, w.offset, w.seed });
+      this->offer(target, { from, to, x, y, w.offset, w.seed, w.excess });
     }
   };
   // In the order in which they lie on the side, so that each goes to the end of the list.
@@ -227,6 +229,10 @@ void WindowFront::crossTriangle(Index halfEdge)
   WindowList& list = this->Work.waiting[place].list;
   this->Crossing.clear();
   this->Crossing.swap(list);
+  if (this->Merging)
+  {
+    this->Merging->merge(this->Crossing);
+  }
   this->Work.free.push_back(place);
   place = NoIndex;
   const std::span<const Window> windows = this->Crossing.windows();

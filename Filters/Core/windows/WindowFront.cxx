@@ -47,7 +47,8 @@ void WindowWorkspace::empty(std::span<const Index> reached)
 
 WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   const ClosedTriangles& closed, const PassableTriangles& passable, const SolveOptions& options,
-  double first, StopLimit& limit, DistanceField& field, WindowWorkspace& workspace)
+  double first, StopLimit& limit, DistanceField& field, WindowWorkspace& workspace,
+  const WindowMerging* merging)
   : Mesh(mesh)
   , Edges(edges)
   , Closed(closed)
@@ -57,6 +58,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   , Work(workspace)
   , First(first)
   , Passable(passable)
+  , Merging(merging)
   , MostBytes(options.memoryLimit > 0 ? options.memoryLimit : machineMemory() / 4 * 3)
   , NextReport(options.progressInterval)
 {
@@ -66,6 +68,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   this->findTurnsAtBarriers();
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
+  this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
 }
 
 void WindowFront::findTurnsAtBarriers()
@@ -144,7 +147,8 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
   }
 }
 
-void WindowFront::sendThrough(Index halfEdge, const Vector3& from, double distance, Index seed)
+void WindowFront::sendThrough(
+  Index halfEdge, const Vector3& from, double distance, Index seed, float excess)
 {
   if (!this->leadsOn(halfEdge))
   {
@@ -161,13 +165,14 @@ void WindowFront::sendThrough(Index halfEdge, const Vector3& from, double distan
   const Target target = this->targetOf(halfEdge, laid.lower, laid.higher, laid.length);
   this->offer(target,
     { 0.0, laid.length, dot(side, edge) / laid.length, norm(cross(edge, side)) / laid.length,
-      distance, seed });
+      distance, seed, excess });
 }
 
 void WindowFront::sendFrom(Index vertex)
 {
   const double distance = this->Field.distance(vertex);
   const Index seed = this->Field.nearestSeed(vertex);
+  const float excess = this->Work.excesses.empty() ? 0.0F : this->Work.excesses[vertex];
   const Vector3& position = this->Mesh.position(vertex);
   const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -176,7 +181,7 @@ void WindowFront::sendFrom(Index vertex)
     {
       const Index neighbour = ring[i].neighbour();
       this->reach(neighbour, distance + edgeLength(this->Mesh, vertex, neighbour), seed,
-        Arrival::fromVertex(vertex));
+        Arrival::fromVertex(vertex), excess);
     }
   }
   for (const Index t : this->Edges.trianglesAt(vertex))
@@ -196,12 +201,13 @@ void WindowFront::sendFrom(Index vertex)
     }
     const Triangle& corners = this->Mesh.triangle(t);
     const Index k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-    this->sendThrough(3 * t + k, position, distance, seed);
+    this->sendThrough(3 * t + k, position, distance, seed, excess);
   }
   this->Crossed += ring.size();
 }
 
-void WindowFront::reach(Index vertex, double distance, Index seed, const Arrival& arrival)
+void WindowFront::reach(
+  Index vertex, double distance, Index seed, const Arrival& arrival, float excess)
 {
   // Two paths of one length, on which distances differ by rounding.
   constexpr double rounding = 1e-12;
@@ -217,6 +223,11 @@ void WindowFront::reach(Index vertex, double distance, Index seed, const Arrival
     this->Work.arrivals[vertex] = arrival;
   }
   const Index nearest = isTie ? std::min(seed, this->Field.nearestSeed(vertex)) : seed;
+  if (this->Merging)
+  {
+    const double upper = std::min(distance + excess, known + this->Work.excesses[vertex]);
+    this->Work.excesses[vertex] = excessOf(upper - std::min(distance, known));
+  }
   this->Field.setDistance(vertex, std::min(distance, known));
   this->Field.setNearestSeed(vertex, nearest);
   if (!isTie && this->canTurn(vertex))
@@ -235,9 +246,8 @@ void WindowFront::checkMemory() const
 {
   if (this->Work.bytes > this->MostBytes)
   {
-    throw std::runtime_error("The windows of exact distances take " +
-      textOf(gigabytes(this->Work.bytes)) + " GB, more than the memory limit of " +
-      textOf(gigabytes(this->MostBytes)) + " GB, after " +
+    throw std::runtime_error("The windows take " + textOf(gigabytes(this->Work.bytes)) +
+      " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
       std::to_string(this->Field.reached().size()) + " of " +
       std::to_string(this->Mesh.numberOfVertices()) +
       " vertices. Raise the limit, set a maximum distance, coarsen the surface, or use the method "

@@ -26,6 +26,7 @@ namespace geodesic
 {
 
 class ClosedTriangles;
+class WindowMerging;
 struct LaidTriangle;
 
 /** What a front of windows keeps from run to run, for its memory. */
@@ -54,6 +55,9 @@ struct WindowWorkspace
    * paths are wanted. */
   std::vector<Arrival> arrivals;
   PathStarts starts;
+  /** For each vertex by how much the shortest path may be longer than its distance; empty where
+   * distances are exact. */
+  std::vector<float> excesses;
   /** For each vertex whether paths from it are still to be sent. */
   std::vector<std::uint8_t> isToSend;
   /** The memory of all lists, in bytes. */
@@ -79,10 +83,12 @@ public:
   /**
    * @param first  the least value of any seed
    * @param field  reset; gets distances and nearest seeds
+   * @param merging  null: distances are exact. Else they are lower bounds, and the workspace's
+   *                 excesses say by how much the shortest paths may be longer.
    */
   WindowFront(const TriangleMesh& mesh, const EdgeTable& edges, const ClosedTriangles& closed,
     const PassableTriangles& passable, const SolveOptions& options, double first, StopLimit& limit,
-    DistanceField& field, WindowWorkspace& workspace);
+    DistanceField& field, WindowWorkspace& workspace, const WindowMerging* merging = nullptr);
   /** Leaves the workspace empty. */
   ~WindowFront() { this->Work.empty(this->Field.reached()); }
   WindowFront(const WindowFront&) = delete;
@@ -132,15 +138,18 @@ private:
   /** Lets windows go on to the side from the triangle's lower or its higher corner to its apex. */
   void crossTo(const LaidTriangle& laid, std::span<const Window> windows, bool isLower);
   /** Sends straight lines from a point of a triangle through the edge of a half-edge. */
-  void sendThrough(Index halfEdge, const Vector3& from, double distance, Index seed);
+  void sendThrough(
+    Index halfEdge, const Vector3& from, double distance, Index seed, float excess = 0.0F);
   /** Sends paths from a vertex through all triangles round it, and along edges. */
   void sendFrom(Index vertex);
   /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and lets it
    * wait in all other triangles of the edge. */
   void offer(const Target& target, Window window);
   void wait(Index halfEdge, const Window& window, double least);
-  /** Gives a vertex a distance if that is less than what it has. */
-  void reach(Index vertex, double distance, Index seed, const Arrival& arrival);
+  /** Gives a vertex a distance if that is less than what it has.
+   * @param excess  by how much the shortest path may be longer */
+  void reach(
+    Index vertex, double distance, Index seed, const Arrival& arrival, float excess = 0.0F);
   /** Notes the windows that light points of a triangle from which paths are wanted. */
   void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
   /** How a straight line of a window across a half-edge comes to a point in its triangle's plane.
@@ -170,6 +179,8 @@ private:
   const PassableTriangles& Passable;
   /** For each vertex whether paths can turn there because of barriers. */
   std::vector<bool> Turning;
+  /** Makes windows fewer before they cross; null where distances are exact. */
+  const WindowMerging* Merging = nullptr;
   /** The windows that cross a triangle now. */
   WindowList Crossing;
   std::size_t MostBytes;

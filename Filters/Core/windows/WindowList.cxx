@@ -190,6 +190,7 @@ void WindowList::append(std::vector<Window>& windows, const Window& window)
     if (window.first - last.last <= gap * window.last)
     {
       last.last = window.last;
+      last.excess = std::max(last.excess, window.excess);
       return;
     }
   }
@@ -199,22 +200,49 @@ void WindowList::append(std::vector<Window>& windows, const Window& window)
 bool WindowList::insertBehind(const Window& window)
 {
   Window& present = this->Windows.back();
-  if (present.offset != window.offset || present.first > window.first || present.last > window.last)
-  {
-    return false;
-  }
-  // The difference of the squared lengths is linear along the edge.
-  const double apart = window.x - present.x;
-  const double atOrigin =
-    apart * (window.x + present.x) + (window.y - present.y) * (window.y + present.y);
-  const double middle = 0.5 * atOrigin / apart;
-  if (!(apart > 0.0 && middle > window.first && middle < present.last))
+  if (present.first > window.first || present.last >= window.last)
   {
     return false;
   }
   Window added = window;
-  present.last = middle;
-  added.first = middle;
+  constexpr double gap = 1e-13;
+  if (present.last - window.first <= gap * window.last)
+  {
+    added.first = present.last;
+    append(this->Windows, added);
+    return true;
+  }
+  if (present.offset == window.offset && window.x > present.x)
+  {
+    // The difference of the squared lengths is linear along the edge.
+    const double apart = window.x - present.x;
+    const double atOrigin =
+      apart * (window.x + present.x) + (window.y - present.y) * (window.y + present.y);
+    added.first = 0.5 * atOrigin / apart;
+    if (!(added.first > window.first && added.first < present.last))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    const Contest contest(present, window);
+    const bool winsAtFirst = contest.wins(window.first);
+    const bool winsAtLast = contest.wins(present.last);
+    const double turn = contest.turningPoint();
+    // Else the windows may change places twice.
+    if (winsAtFirst ? present.first == window.first || !winsAtLast ||
+          (turn > window.first && turn < present.last)
+                    : !winsAtLast && turn > window.first && turn < present.last)
+    {
+      return false;
+    }
+    // Where each wins at its own end, they change places once.
+    added.first = winsAtFirst ? window.first
+      : winsAtLast            ? contest.crossing(window.first, present.last)
+                              : present.last;
+  }
+  present.last = added.first;
   this->Windows.push_back(added);
   return true;
 }

@@ -20,6 +20,9 @@ class WindowList
 {
 public:
   std::span<const Window> windows() const { return this->Windows; }
+  std::span<Window> windows() { return this->Windows; }
+  /** Keeps only the first windows. */
+  void keep(std::size_t count) { this->Windows.resize(count); }
   bool isEmpty() const { return this->Windows.empty(); }
   void clear() { this->Windows.clear(); }
   std::size_t bytes() const { return this->Windows.capacity() * sizeof(Window); }
@@ -44,9 +47,9 @@ public:
 private:
   /** Adds a window behind the others, or makes the last one longer if that has the same source. */
   static void append(std::vector<Window>& windows, const Window& window);
-  /** Divides the end of the last window and the beginning of another one between them, if they are
-   * parts of the same front that met behind a vertex. That is what happens most often on curved
-   * surfaces. @return false if they are not, and nothing is changed */
+  /** Divides the end of the last window and the beginning of another one between them, if each is
+   * nearer at its own end. That is what happens most often on curved surfaces, where parts of a
+   * front meet behind a vertex. @return false if it is not so, and nothing is changed */
   bool insertBehind(const Window& window);
   void insertAmong(const Window& window);
 

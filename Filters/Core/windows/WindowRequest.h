@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowRequest_h
+#define geodesic_WindowRequest_h
+
+#include "solve/SeedFront.h"
+
+#include <span>
+
+namespace geodesic
+{
+
+class Partition;
+class WindowFront;
+
+/**
+ * Checks that a front of windows can serve a request.
+ * @param distances  what is asked for, to begin a message: "Exact distances"
+ * @throws std::invalid_argument for a cost, for seeds that are no points, or on a surface in
+ *         several pieces
+ */
+void checkWindowRequest(
+  const char* distances, std::span<const Label> labels, bool hasCost, const Partition& partition);
+
+/** The least value of any seed. */
+double leastValueOf(std::span<const Label> labels);
+
+/** Starts a front at its seeds and marches to the end. @return false when cancelled */
+bool marchFrom(std::span<const Label> labels, WindowFront& front);
+
+}
+
+#endif
