@@ -214,7 +214,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   }
   this->Dense.begin(this->mesh(), request.front.labels, starts, request.partition);
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
-  StopLimit firstLimit(options, field);
+  StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
   bool finished = this->marchFrom(this->Dense.starts(), cost, first, nullptr, firstLimit, field);

@@ -40,7 +40,8 @@ bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField&
         " is a curve or a region, but exact distances are measured from points; use the method "
         "FastMarching, or give points along it as seeds.");
     }
-    first = std::min(first, label.value);
+    first = std::min(
+      first, label.value + WindowFront::PartOfOrder * limit.goal().leftFrom(label.position));
   }
   this->Passable.emplace(this->mesh(), this->Edges, request.options);
   this->keepSeeds(labels);
