@@ -224,7 +224,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   }
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
-  StopLimit firstLimit(options, field);
+  StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
   bool finished =

@@ -24,6 +24,11 @@ namespace geodesic
  */
 class MarchingSolver : public FrontSolver
 {
+public:
+  /** The order of a march is that of the distances: values that come before those of their
+   * neighbours would be wrong at first, and corrected again and again. */
+  bool gainsByMaximumDistance() const override { return true; }
+
 protected:
   MarchingSolver(
     std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds);

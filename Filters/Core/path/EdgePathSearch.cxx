@@ -79,7 +79,9 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
   std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;
   const auto propose = [&](Index vertex, double lengthSoFar, Index previous)
   {
-    const double left = std::min(field.distance(vertex), field.largestDistance());
+    // What a march towards `to` has left out is no nearer than this to `from`.
+    const double leftOut = field.largestDistance() - norm(mesh.position(vertex) - start);
+    const double left = std::min(field.distance(vertex), leftOut);
     const auto known = visits.find(vertex);
     if (lengthSoFar + left < best && (known == visits.end() || lengthSoFar < known->second.length))
     {

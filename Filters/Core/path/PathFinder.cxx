@@ -97,9 +97,27 @@ bool PathFinder::addTargetsAlong(const SurfacePath& path)
 
 bool PathFinder::solve(std::span<const Triangle> targets)
 {
+  const double guess = targets.empty() ? DistanceField::Unreached : this->guessedDistance();
+  if (guess < this->Options.maximumDistance)
+  {
+    this->solveWithin(guess, targets);
+    const StopReason reason = this->Field->stopReason();
+    if (reason == StopReason::Targets || reason == StopReason::Cancelled)
+    {
+      return reason == StopReason::Targets;
+    }
+  }
+  this->solveWithin(this->Options.maximumDistance, targets);
+  return this->Field->stopReason() != StopReason::Cancelled;
+}
+
+void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> targets)
+{
   SolveOptions options = this->Options;
+  options.maximumDistance = maximumDistance;
   options.targets = targets;
   options.targetMode = TargetMode::All;
+  options.onlyTowardsTargets = true;
   options.pathStarts = this->Starts;
   if (options.onProgress)
   {
@@ -107,7 +125,27 @@ bool PathFinder::solve(std::span<const Triangle> targets)
   }
   this->Field = &this->Solver.solve(this->Seeds, options);
   this->Progress.endMarch();
-  return this->Field->stopReason() != StopReason::Cancelled;
+}
+
+double PathFinder::guessedDistance() const
+{
+  // Within this detour an ellipse has an eighth of the area of the disc that it lies in.
+  constexpr double detour = 1.1;
+  if (this->Starts.size() != 1 || !this->Solver.gainsByMaximumDistance())
+  {
+    return DistanceField::Unreached;
+  }
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const Vector3 start = mesh.positionOf(this->Starts[0]);
+  double nearest = DistanceField::Unreached;
+  for (const Seed& seed : this->Seeds)
+  {
+    nearest = std::min(nearest, norm(mesh.positionOf(seed.points[0]) - start));
+  }
+  const std::span<const double> cost = this->Options.cost;
+  const double least = cost.empty() ? 1.0 : *std::min_element(cost.begin(), cost.end());
+  // All corners round the start are to be reached as well.
+  return least * (detour * nearest + mesh.longestEdgeLength());
 }
 
 void PathFinder::addTargetsRound(const PathPoint& point)

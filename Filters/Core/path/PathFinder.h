@@ -90,6 +90,10 @@ private:
   /** Solves the field as far as @p targets, everywhere if there are none. @return false when
    * cancelled */
   bool solve(std::span<const Triangle> targets);
+  void solveWithin(double maximumDistance, std::span<const Triangle> targets);
+  /** A distance within which the only start mostly lies, where a march gains by that; infinity
+   * where it does not. */
+  double guessedDistance() const;
   /** Straightens a traced path if the style says so, and replaces it by a path along edges if one
    * is shorter. */
   void shorten(SurfacePath& path, const PathPoint& start) const;

@@ -18,10 +18,10 @@ namespace geodesic
 namespace
 {
 
-/** The heap's order: the least distance first, of equal ones that of the smaller seed. */
+/** The heap's order: the least bound first, of equal ones that of the smaller seed. */
 bool isAfter(const EdgeTrial& a, const EdgeTrial& b)
 {
-  return std::tie(a.distance, a.seed) > std::tie(b.distance, b.seed);
+  return std::tie(a.bound, a.seed) > std::tie(b.bound, b.seed);
 }
 
 /** A front that spreads along edges. A vertex keeps one value, that of its nearest seed; a label
@@ -49,11 +49,11 @@ public:
     const double old = this->Field.distance(vertex);
     const bool isBetter =
       distance < old || (distance == old && seed < this->Field.nearestSeed(vertex));
-    if (isBetter && distance <= this->Limit.value() && !this->Options.isExcluded(vertex))
+    if (isBetter && distance <= this->Limit.exactly(vertex) && !this->Options.isExcluded(vertex))
     {
       this->Field.setDistance(vertex, distance);
       this->Field.setNearestSeed(vertex, seed);
-      this->Heap.push_back({ distance, vertex, seed });
+      this->Heap.push_back({ distance + this->Limit.leftFrom(vertex), distance, vertex, seed });
       std::push_heap(this->Heap.begin(), this->Heap.end(), isAfter);
     }
   }
@@ -76,7 +76,7 @@ public:
 
   double nextDistance() const override
   {
-    return this->Heap.empty() ? DistanceField::Unreached : this->Heap.front().distance;
+    return this->Heap.empty() ? DistanceField::Unreached : this->Heap.front().bound;
   }
 
   double meanLongestEdge() const override

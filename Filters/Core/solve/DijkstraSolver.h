@@ -15,6 +15,8 @@ namespace geodesic
 /** A distance proposed for a vertex, and the seed that it is from; waits in the heap. */
 struct EdgeTrial
 {
+  /** The distance, and what is left to the goal at least. */
+  double bound;
   double distance;
   Index vertex;
   Index seed;

@@ -41,6 +41,10 @@ public:
    */
   virtual const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options) = 0;
 
+  /** Whether a run towards targets (SolveOptions::onlyTowardsTargets) goes to all sides until it
+   * has reached them, so that it gains by a maximum distance, even if that is only a guess. */
+  virtual bool gainsByMaximumDistance() const { return false; }
+
   /** Whether pathFrom() gives paths. */
   virtual bool findsPaths() const { return false; }
   /**

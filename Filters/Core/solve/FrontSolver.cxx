@@ -46,7 +46,7 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
     front.starts, [&](const FrontStart& start) { return options.isExcluded(start.vertex); });
 
   this->Field.reset();
-  StopLimit limit(options, this->Field);
+  StopLimit limit(*this->Mesh, options, this->Field);
   const bool finished =
     this->march({ front, closed, options, partition, hasCost }, limit, this->Field);
   limit.update();

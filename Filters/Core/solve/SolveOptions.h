@@ -66,6 +66,13 @@ struct SolveOptions
   std::span<const Triangle> targets;
   TargetMode targetMode = TargetMode::Any;
   /**
+   * Whether only paths to the targets matter. Vertices that none of these can pass then get no
+   * distance, or one that is too large; those on shortest paths get the same one as else. Needs
+   * TargetMode::All. Where the surface is in several pieces, and with virtual sources, all vertices
+   * are treated alike.
+   */
+  bool onlyTowardsTargets = false;
+  /**
    * Called each time that the march has taken another progressInterval vertices from its queue,
    * with the number of vertices so far; now and then again with the same number where many seeds
    * are placed or nothing new is reached. A search for paths (PathFinder) also calls it between

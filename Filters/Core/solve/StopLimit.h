@@ -4,6 +4,7 @@
 #define geodesic_StopLimit_h
 
 #include "solve/DistanceField.h"
+#include "solve/Goal.h"
 #include "solve/SolveOptions.h"
 
 #include <algorithm>
@@ -22,12 +23,19 @@ namespace geodesic
 class StopLimit
 {
 public:
-  StopLimit(const SolveOptions& options, const DistanceField& field)
-    : Options(options)
+  StopLimit(const TriangleMesh& mesh, const SolveOptions& options, const DistanceField& field)
+    : Mesh(mesh)
+    , Options(options)
     , Field(field)
     , Limit(options.maximumDistance)
     , Elsewhere(options.targets.size(), DistanceField::Unreached)
   {
+    const bool hasGoal = options.onlyTowardsTargets && !options.partition &&
+      !options.targets.empty() && options.targetMode == TargetMode::All;
+    if (hasGoal)
+    {
+      this->Towards = Goal(mesh, options);
+    }
   }
 
   /** The limit; infinity where there is none yet. */
@@ -49,7 +57,26 @@ public:
    */
   double with(Index vertex) const
   {
-    return this->isKnown() ? this->Limit + this->Reaches[vertex] : this->Limit;
+    if (!this->isKnown())
+    {
+      return this->Limit;
+    }
+    // From one vertex to the next not only the distance can grow, but also what is left. And what
+    // lies beside a path must be right for it to be traced.
+    constexpr double beside = 4.0;
+    return this->Towards.isKnown()
+      ? this->Limit + beside * this->Reaches[vertex] - this->leftFrom(vertex)
+      : this->Limit + this->Reaches[vertex];
+  }
+  /** The largest exact distance of a vertex that may matter. */
+  double exactly(Index vertex) const { return this->Limit - this->leftFrom(vertex); }
+
+  /** The goal of the march, if it has one. */
+  const Goal& goal() const { return this->Towards; }
+  /** What is left at least of a path from a vertex to a target; 0 without a goal. */
+  double leftFrom(Index vertex) const
+  {
+    return this->Towards.leftFrom(this->Mesh.position(vertex));
   }
 
   /** Lowers the limit to what the targets' present distances allow. The march calls this regularly.
@@ -125,8 +152,10 @@ private:
     return decisive;
   }
 
+  const TriangleMesh& Mesh;
   const SolveOptions& Options;
   const DistanceField& Field;
+  Goal Towards;
   double Limit;
   std::span<const float> Reaches;
   /** For each target the distance that other pieces know. */

@@ -28,7 +28,7 @@ bool BoundedSolver::march(const Request& request, StopLimit& limit, DistanceFiel
   bool isFinished = false;
   {
     WindowFront front(this->mesh(), this->Edges, request.closed, passable, request.options,
-      leastValueOf(labels), limit, field, this->Workspace, &merging);
+      leastKeyOf(labels, limit), limit, field, this->Workspace, &merging);
     isFinished = marchFrom(labels, front);
   }
   for (const Index vertex : field.reached())

@@ -29,7 +29,7 @@ bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField&
   this->Found = &field;
   this->Reach = -1.0;
   WindowFront front(this->mesh(), this->Edges, request.closed, *this->Passable, request.options,
-    leastValueOf(labels), limit, field, this->Workspace);
+    leastKeyOf(labels, limit), limit, field, this->Workspace);
   const bool finished = marchFrom(labels, front);
   this->Reach = finished ? limit.value() : -1.0;
   return finished;

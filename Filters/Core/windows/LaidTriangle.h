@@ -3,6 +3,7 @@
 #ifndef geodesic_LaidTriangle_h
 #define geodesic_LaidTriangle_h
 
+#include "base/PlanePoint.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/TriangleMesh.h"
 
@@ -15,6 +16,18 @@ namespace geodesic
 inline double edgeLength(const TriangleMesh& mesh, Index a, Index b)
 {
   return norm(mesh.position(std::max(a, b)) - mesh.position(std::min(a, b)));
+}
+
+/** A point beside an edge, laid in the plane: @p lower, the lower one of the edge's two vertices,
+ * in the origin, the other one on the positive x axis, and the point above the axis.
+ * @param length of the edge, above 0 */
+inline PlanePoint placeBeside(
+  const TriangleMesh& mesh, Index lower, Index higher, double length, const Vector3& position)
+{
+  const Vector3& origin = mesh.position(lower);
+  const Vector3 edge = mesh.position(higher) - origin;
+  const Vector3 side = position - origin;
+  return { dot(side, edge) / length, norm(cross(edge, side)) / length };
 }
 
 /** A triangle laid in the plane of one of its half-edges: @ref lower, the lower one of the two

@@ -37,6 +37,16 @@ double reachOfEnd(double x, double y, double known)
 
 }
 
+double WindowFront::shortestToGoal(const Window& window, const PlanePoint& goal) const
+{
+  // With the goal laid on the other side of the edge, the shortest path is straight, or passes an
+  // end of the window.
+  const double height = window.y + goal.y;
+  const double at = height > 0.0 ? window.x + (goal.x - window.x) * (window.y / height) : window.x;
+  const double place = std::clamp(at, window.first, window.last);
+  return window.distanceAt(place) + this->Limit.goal().leftOf(std::hypot(goal.x - place, goal.y));
+}
+
 void WindowFront::offer(const Target& target, Window window)
 {
   double atFirst = window.lineTo(window.first);
@@ -68,17 +78,27 @@ void WindowFront::offer(const Target& target, Window window)
   {
     return;
   }
+  double key = least;
+  if (this->Limit.goal().isKnown())
+  {
+    const double shortest = this->shortestToGoal(window, target.goal);
+    if (shortest > this->Limit.value())
+    {
+      return;
+    }
+    key += PartOfOrder * std::max(shortest - least, 0.0);
+  }
   for (Index other = this->Edges.next(target.halfEdge); other != target.halfEdge;
        other = this->Edges.next(other))
   {
     if (this->Passable.contains(EdgeTable::triangleOf(other)))
     {
-      this->wait(other, window, least);
+      this->wait(other, window, key);
     }
   }
 }
 
-void WindowFront::wait(Index halfEdge, const Window& window, double least)
+void WindowFront::wait(Index halfEdge, const Window& window, double key)
 {
   Index& place = this->Work.places[halfEdge];
   bool isFirst = false;
@@ -97,11 +117,11 @@ void WindowFront::wait(Index halfEdge, const Window& window, double least)
   const std::size_t before = waiting.list.bytes();
   waiting.list.insert(window);
   this->Work.bytes += waiting.list.bytes() - before;
-  if (isFirst || least < waiting.least)
+  if (isFirst || key < waiting.key)
   {
-    waiting.least = least;
+    waiting.key = key;
     waiting.halfEdge = halfEdge;
-    this->Work.queue.push(halfEdge, least - this->First);
+    this->Work.queue.push(halfEdge, key - this->First);
   }
 }
 
@@ -143,11 +163,8 @@ void WindowFront::reachStarts(
   this->Work.starts.visitIn(laid.triangle,
     [&](PathStarts::Start& start)
     {
-      const Vector3& origin = this->Mesh.position(laid.lower);
-      const Vector3 edge = this->Mesh.position(laid.higher) - origin;
-      const Vector3 side = start.position - origin;
-      const double x = dot(side, edge) / laid.length;
-      const double y = norm(cross(edge, side)) / laid.length;
+      const auto [x, y] =
+        placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, start.position);
       for (const Window& w : windows)
       {
         if (const auto line = lineTo(w, halfEdge, x, y, Miss * laid.length))

@@ -64,7 +64,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
 {
   constexpr double bucket = 0.5;
   const double width = bucket * mesh.meanLongestEdge();
-  this->Work.queue.start(width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength());
+  this->Work.queue.start(width > 0.0 ? width : 1.0, 4.0 * mesh.longestEdgeLength());
   this->findTurnsAtBarriers();
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
@@ -92,8 +92,14 @@ void WindowFront::findTurnsAtBarriers()
 
 WindowFront::Target WindowFront::targetOf(Index halfEdge, Index from, Index to, double length) const
 {
-  return { halfEdge, length, this->Field.distance(std::min(from, to)),
-    this->Field.distance(std::max(from, to)) };
+  const Index lower = std::min(from, to);
+  const Index higher = std::max(from, to);
+  Target target{ halfEdge, length, this->Field.distance(lower), this->Field.distance(higher), {} };
+  if (this->Limit.goal().isKnown())
+  {
+    target.goal = placeBeside(this->Mesh, lower, higher, length, this->Limit.goal().middle());
+  }
+  return target;
 }
 
 bool WindowFront::leadsOn(Index halfEdge) const
@@ -159,13 +165,9 @@ void WindowFront::sendThrough(
   {
     return;
   }
-  const Vector3& origin = this->Mesh.position(laid.lower);
-  const Vector3 edge = this->Mesh.position(laid.higher) - origin;
-  const Vector3 side = from - origin;
+  const PlanePoint source = placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, from);
   const Target target = this->targetOf(halfEdge, laid.lower, laid.higher, laid.length);
-  this->offer(target,
-    { 0.0, laid.length, dot(side, edge) / laid.length, norm(cross(edge, side)) / laid.length,
-      distance, seed, excess });
+  this->offer(target, { 0.0, laid.length, source.x, source.y, distance, seed, excess });
 }
 
 void WindowFront::sendFrom(Index vertex)
@@ -213,7 +215,7 @@ void WindowFront::reach(
   constexpr double rounding = 1e-12;
   const double known = this->Field.distance(vertex);
   if (distance > known * (1.0 + rounding) || this->Options.isExcluded(vertex) ||
-    distance > this->Limit.value())
+    distance > this->Limit.exactly(vertex))
   {
     return;
   }
@@ -239,7 +241,8 @@ void WindowFront::reach(
 void WindowFront::queueVertex(Index vertex, double distance)
 {
   this->Work.isToSend[vertex] = 1;
-  this->Work.queue.push(3 * this->Mesh.numberOfTriangles() + vertex, distance - this->First);
+  const double key = distance + PartOfOrder * this->Limit.leftFrom(vertex);
+  this->Work.queue.push(3 * this->Mesh.numberOfTriangles() + vertex, key - this->First);
 }
 
 void WindowFront::checkMemory() const

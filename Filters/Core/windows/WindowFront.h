@@ -3,6 +3,7 @@
 #ifndef geodesic_WindowFront_h
 #define geodesic_WindowFront_h
 
+#include "base/PlanePoint.h"
 #include "march/BucketQueue.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/TriangleMesh.h"
@@ -42,8 +43,8 @@ struct WindowWorkspace
   {
     WindowList list;
     Index halfEdge = NoIndex;
-    /** The least distance of any of them. */
-    double least = 0.0;
+    /** The least key of any of them in the queue. */
+    double key = 0.0;
   };
 
   /** For each half-edge the number of its entry in @ref waiting; NoIndex where no window waits. */
@@ -80,8 +81,12 @@ struct WindowWorkspace
 class WindowFront
 {
 public:
+  /** By which part of what is left to the goal of a march windows come later. With all of it, those
+   * that lead straight to the goal would not wait for those beside them, which may drop them. */
+  static constexpr double PartOfOrder = 0.9;
+
   /**
-   * @param first  the least value of any seed
+   * @param first  the least key of any seed: its value, and the part of what is left from there
    * @param field  reset; gets distances and nearest seeds
    * @param merging  null: distances are exact. Else they are lower bounds, and the workspace's
    *                 excesses say by how much the shortest paths may be longer.
@@ -120,9 +125,13 @@ private:
     /** Distances at its lower and at its higher end. */
     double atLower;
     double atHigher;
+    /** Where the goal of the paths lies, if there is one; as a window's source. */
+    PlanePoint goal;
   };
 
   Target targetOf(Index halfEdge, Index from, Index to, double length) const;
+  /** A lower bound of the length of paths through a window to the goal. */
+  double shortestToGoal(const Window& window, const PlanePoint& goal) const;
   bool canTurn(Index vertex) const
   {
     return this->Edges.canTurn(vertex) || (!this->Turning.empty() && this->Turning[vertex]);
@@ -145,7 +154,7 @@ private:
   /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and lets it
    * wait in all other triangles of the edge. */
   void offer(const Target& target, Window window);
-  void wait(Index halfEdge, const Window& window, double least);
+  void wait(Index halfEdge, const Window& window, double key);
   /** Gives a vertex a distance if that is less than what it has.
    * @param excess  by how much the shortest path may be longer */
   void reach(

@@ -4,6 +4,7 @@
 
 #include "solve/DistanceField.h"
 #include "solve/Partition.h"
+#include "solve/StopLimit.h"
 #include "windows/WindowFront.h"
 
 #include <algorithm>
@@ -33,12 +34,13 @@ void checkWindowRequest(
   }
 }
 
-double leastValueOf(std::span<const Label> labels)
+double leastKeyOf(std::span<const Label> labels, const StopLimit& limit)
 {
   double least = DistanceField::Unreached;
   for (const Label& label : labels)
   {
-    least = std::min(least, label.value);
+    least = std::min(
+      least, label.value + WindowFront::PartOfOrder * limit.goal().leftFrom(label.position));
   }
   return least;
 }

@@ -11,6 +11,7 @@ namespace geodesic
 {
 
 class Partition;
+class StopLimit;
 class WindowFront;
 
 /**
@@ -22,8 +23,9 @@ class WindowFront;
 void checkWindowRequest(
   const char* distances, std::span<const Label> labels, bool hasCost, const Partition& partition);
 
-/** The least value of any seed. */
-double leastValueOf(std::span<const Label> labels);
+/** The least key of any seed in a front's queue: its value, and the part of what is left from there
+ * to the goal. */
+double leastKeyOf(std::span<const Label> labels, const StopLimit& limit);
 
 /** Starts a front at its seeds and marches to the end. @return false when cancelled */
 bool marchFrom(std::span<const Label> labels, WindowFront& front);
