@@ -295,7 +295,7 @@ void SourcePropagation::proposeSource(Index side, VirtualSource source)
   this->proposeDistance(corners.first, { source.label, toFirst.offset }, toFirst.distance);
   this->proposeDistance(corners.second, { source.label, toSecond.offset }, toSecond.distance);
   const SeenSource seen{ source, { toThird.distance, toFirst.distance, toSecond.distance } };
-  if (this->Work.store.wouldKeep(side, seen.distances) && this->isUseful(corners, frame, seen))
+  if (this->Work.store.isWorthwhile(side, seen) && this->isUseful(corners, frame, seen))
   {
     this->Work.sources.push_back({ side, seen });
   }

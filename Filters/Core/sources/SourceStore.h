@@ -49,12 +49,15 @@ public:
     this->Free.clear();
   }
 
-  /** Whether offer() would keep a source. */
-  bool wouldKeep(Index side, const std::array<double, 3>& distances) const
+  /** Whether a source is worth an offer: whether it is nearer to a corner than the one that is kept
+   * for it, by more than LeastGain if that one comes from the same bend and lights as much. */
+  bool isWorthwhile(Index side, const SeenSource& seen) const
   {
     for (std::size_t corner = 0; corner < Corners; ++corner)
     {
-      if (this->isBetter(side, distances, corner))
+      const Index number = this->Sides[side].sources[corner];
+      if (this->isBetter(side, seen.distances, corner) &&
+        (number == NoIndex || !standsFor(this->Sources[number], seen, corner)))
       {
         return true;
       }
@@ -122,6 +125,12 @@ private:
   static constexpr std::size_t Corners = 3;
   /** Distances that differ by less, relatively, are equal: they may differ by rounding. */
   static constexpr double Rounding = 1e-11;
+  /** A source that gains less, relatively, over a kept one of the same bend goes no further.
+   * Without that, sources that are joined on needles lower one another again and again: on a torus
+   * of 40,000 points flattened 100 times 36.4 items of the queue a vertex, and 6.8 with it. */
+  static constexpr double LeastGain = 1e-5;
+  /** Offsets that differ by less, relatively to a distance, are those of one bend. */
+  static constexpr double SameBend = 1e-9;
 
   struct Side
   {
@@ -149,6 +158,15 @@ private:
     }
     const auto sum = [](const std::array<double, 3>& of) { return of[0] + of[1] + of[2]; };
     return sum(distances) < sum(kept) * (1.0 - Rounding);
+  }
+
+  /** Whether a kept source may stand for one that is nearer to a corner by little. */
+  static bool standsFor(const SeenSource& kept, const SeenSource& seen, std::size_t corner)
+  {
+    return kept.source.label == seen.source.label &&
+      std::abs(kept.source.offset - seen.source.offset) <= SameBend * kept.distances[corner] &&
+      kept.source.first <= seen.source.first && kept.source.last >= seen.source.last &&
+      seen.distances[corner] >= kept.distances[corner] * (1.0 - LeastGain);
   }
 
   Index add(const SeenSource& added)
