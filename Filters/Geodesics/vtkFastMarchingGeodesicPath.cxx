@@ -44,9 +44,10 @@ double reachOf(const TriangleMesh& mesh, Index vertex, std::span<const double> c
 }
 
 /** Returns the distance at which the options stop a front. */
-double stopOf(const geodesic::SolveOptions& options, const geodesic::DistanceField& field)
+double stopOf(const TriangleMesh& mesh, const geodesic::SolveOptions& options,
+  const geodesic::DistanceField& field)
 {
-  geodesic::StopLimit limit(options, field);
+  geodesic::StopLimit limit(mesh, options, field);
   limit.update();
   return limit.value();
 }
@@ -200,7 +201,7 @@ std::optional<SurfacePath> vtkFastMarchingGeodesicPath::FindPath(vtkPolyData* in
     return std::nullopt;
   }
   const DistanceField& field = finder->field();
-  const double stop = stopOf(request.options(), field);
+  const double stop = stopOf(mesh, request.options(), field);
   const bool isReached = field.isReached(begin) && field.distance(begin) <= stop;
   // A field of several seeds is less exact where edges lie between the fronts of two seeds, so it
   // is solved again from the nearest seed alone.

@@ -201,7 +201,8 @@ TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
 {
   const DistanceField field(1);
   const SolveOptions options;
-  StopLimit limit(options, field);
+  const auto mesh = meshOf(plane);
+  StopLimit limit(*mesh, options, field);
   MarchControl control(options, limit);
   constexpr std::size_t values = 500;
   constexpr std::size_t allowed = MarchControl::MostUpdates * (values + MarchControl::SmallMarch);

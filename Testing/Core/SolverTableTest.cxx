@@ -91,7 +91,8 @@ TEST(SolverTable, UnknownMethodsAreNamedWithThoseThereAre)
   EXPECT_NE(byNumber.find(numbers), std::string::npos) << byNumber;
   const std::string byName = errorOf([] { solverOfName("Exakt"); });
   EXPECT_NE(byName.find("Exakt"), std::string::npos) << byName;
-  EXPECT_NE(byName.find("FastMarching, Dijkstra, Exact, VirtualSources, Bounded."), std::string::npos)
+  EXPECT_NE(
+    byName.find("FastMarching, Dijkstra, Exact, VirtualSources, Bounded."), std::string::npos)
     << byName;
   const std::string byInterpolator = errorOf([] { solverOfInterpolator(-1); });
   EXPECT_NE(byInterpolator.find("1 (FastMarching), 0 (Dijkstra)."), std::string::npos)
