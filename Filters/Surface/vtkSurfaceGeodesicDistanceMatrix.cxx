@@ -181,6 +181,7 @@ void vtkSurfaceGeodesicDistanceMatrix::Compute(geodesic::distributed::RankGroup&
   const auto& mesh = internal.Solved->mesh();
   geodesic::SolveOptions options = internal.Solved->options();
   options.memoryLimit = this->GetMemoryLimitInBytes();
+  options.tolerance = this->GetCheckedTolerance();
   ranks.together(
     [&] { geodesic::checkServes(method, geodesic::SolverDemands::of(options, ranks.size())); });
   if (!internal.Solver || &internal.Solver->mesh() != mesh.get() ||

@@ -136,6 +136,8 @@ std::optional<double> lengthBetween(DistanceSolver& solver, const SurfacePoint& 
   const SurfacePoint& to, const SolveOptions& options, const PathStyle& style)
 {
   const auto path = shortestPath(solver, from, to, options, style);
+  // It goes round no vertex for ever.
+  EXPECT_LE(path ? path->size() : 0, 100 * std::size_t{ solver.mesh().numberOfVertices() });
   return path ? std::optional(lengthOf(solver.mesh(), *path)) : std::nullopt;
 }
 

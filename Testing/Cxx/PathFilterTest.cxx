@@ -465,7 +465,8 @@ TEST_F(PathFilter, ItsFrontStopsAtTheBeginPoint)
     this->Path->GetGeodesic(), vtkFastMarchingGeodesicDistance::IterationEvent, [&] { ++events; });
   this->Path->GetGeodesic()->SetIterationEventResolution(10);
   this->pathBetween(0, 10200);
-  EXPECT_GE(events, 10201 / 10);
+  // From corner to corner it goes nearly everywhere.
+  EXPECT_GE(events, 10201 / 10 * 3 / 4);
   events = 0;
   // Within 5 cells there are some 80 points.
   this->pathBetween(5050, 5055);

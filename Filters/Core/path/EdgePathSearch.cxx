@@ -80,7 +80,8 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
   const auto propose = [&](Index vertex, double lengthSoFar, Index previous)
   {
     // What a march towards `to` has left out is no nearer than this to `from`.
-    const double leftOut = field.largestDistance() - norm(mesh.position(vertex) - start);
+    const double leftOut = field.largestDistance() -
+      (field.leavesOutElsewhere() ? norm(mesh.position(vertex) - start) : 0.0);
     const double left = std::min(field.distance(vertex), leftOut);
     const auto known = visits.find(vertex);
     if (lengthSoFar + left < best && (known == visits.end() || lengthSoFar < known->second.length))

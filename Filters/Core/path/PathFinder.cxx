@@ -117,7 +117,7 @@ void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> t
   options.maximumDistance = maximumDistance;
   options.targets = targets;
   options.targetMode = TargetMode::All;
-  options.onlyTowardsTargets = true;
+  options.onlyTowardsTargets = this->goesTowardsStart();
   options.pathStarts = this->Starts;
   if (options.onProgress)
   {
@@ -127,11 +127,17 @@ void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> t
   this->Progress.endMarch();
 }
 
+bool PathFinder::goesTowardsStart() const
+{
+  return this->Starts.size() == 1 && this->Style.order == PathOrder::Edges &&
+    this->Options.targets.empty();
+}
+
 double PathFinder::guessedDistance() const
 {
   // Within this detour an ellipse has an eighth of the area of the disc that it lies in.
   constexpr double detour = 1.1;
-  if (this->Starts.size() != 1 || !this->Solver.gainsByMaximumDistance())
+  if (!this->goesTowardsStart() || !this->Solver.gainsByMaximumDistance())
   {
     return DistanceField::Unreached;
   }

@@ -37,7 +37,8 @@ public:
    * @param solver  its field is overwritten; both must live as long as this
    * @param seeds   points at which paths end
    * @param options cost, barriers, maximum distance and progress, which marches report, and tracing
-   *                and straightening every some thousand steps; targets are set here
+   *                and straightening every some thousand steps. With targets, whose distances the
+   *                caller wants in field(), marches go to all sides; they end by the starts alone
    * @throws std::invalid_argument if @p style straightens paths of varying cost or of
    *         PathOrder::Vertices
    */
@@ -91,6 +92,9 @@ private:
    * cancelled */
   bool solve(std::span<const Triangle> targets);
   void solveWithin(double maximumDistance, std::span<const Triangle> targets);
+  /** Whether marches leave out what lies elsewhere than towards the only start. A path along edges
+   * needs the field beside it as well, and a caller with targets that of these. */
+  bool goesTowardsStart() const;
   /** A distance within which the only start mostly lies, where a march gains by that; infinity
    * where it does not. */
   double guessedDistance() const;

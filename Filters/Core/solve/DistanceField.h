@@ -52,11 +52,15 @@ public:
   std::span<const Index> reached() const { return this->Reached; }
   double largestDistance() const { return this->LargestDistance; }
   StopReason stopReason() const { return this->Reason; }
+  /** Whether vertices that lie elsewhere than towards the targets were left out, see
+   * SolveOptions::onlyTowardsTargets. */
+  bool leavesOutElsewhere() const { return this->LeavesOutElsewhere; }
 
   // The rest is for solvers.
 
   /** Makes all vertices unreached. */
   void reset();
+  void setLeavesOutElsewhere(bool leavesOut) { this->LeavesOutElsewhere = leavesOut; }
   /** Sets a vertex's distance, for the first time or again, and adds the vertex to reached(). */
   void setDistance(Index vertex, double distance)
   {
@@ -101,6 +105,7 @@ private:
   std::vector<Index> Reached;
   double LargestDistance = 0.0;
   StopReason Reason = StopReason::Exhausted;
+  bool LeavesOutElsewhere = false;
 };
 
 }

@@ -50,6 +50,7 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
   const bool finished =
     this->march({ front, closed, options, partition, hasCost }, limit, this->Field);
   limit.update();
+  this->Field.setLeavesOutElsewhere(limit.goal().isKnown());
   this->Field.finish(limit.value(), finished ? limit.reason() : StopReason::Cancelled);
   return this->Field;
 }
