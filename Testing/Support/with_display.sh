@@ -3,14 +3,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs a command with an X display of its own and ends with its status.
 # usage: with_display.sh WIDTHxHEIGHT COMMAND [ARGUMENT...]
-# The server itself takes the first number that is free. xvfb-run looks for one before it starts the server, so that two
-# that start at once can choose the same.
+# The server itself takes the first number that is free, and one server starts or ends at a time. xvfb-run looks for a
+# number before it starts the server, so that two that start at once can choose the same.
 set -euo pipefail
 
-exec {numbers}< <(exec Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp 2>/dev/null)
+exec {turn}>"${TMPDIR:-/tmp}/surfacegeodesics-displays.lock"
+flock "$turn"
+exec {numbers}< <(exec {turn}>&- Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp 2>/dev/null)
 server=$!
-trap 'kill "$server" 2>/dev/null || true' EXIT
+
+end_server()
+{
+  flock "$turn"
+  kill "$server" 2>/dev/null || true
+  wait "$server" 2>/dev/null || true
+}
+trap end_server EXIT
+
 read -r -t 60 -u "$numbers" number || { echo "with_display.sh: Xvfb has not started" >&2; exit 1; }
+flock -u "$turn"
 shift
 status=0
 DISPLAY=:$number "$@" || status=$?
