@@ -15,6 +15,16 @@ namespace geodesic
 namespace
 {
 
+/** Those of some pieces, sorted by triangle, that are in a triangle. */
+std::span<const RegionCut::Piece> piecesIn(std::span<const RegionCut::Piece> pieces, Index triangle)
+{
+  const auto first = std::lower_bound(pieces.begin(), pieces.end(), triangle,
+    [](const RegionCut::Piece& piece, Index t) { return piece.triangle < t; });
+  const auto last = std::upper_bound(first, pieces.end(), triangle,
+    [](Index t, const RegionCut::Piece& piece) { return t < piece.triangle; });
+  return { first, last };
+}
+
 /** A point is in all pieces of a face in which its weights are not below minus this. */
 constexpr double PieceTolerance = 1e-9;
 
@@ -102,12 +112,12 @@ void RegionCut::collectPieces()
     {
       this->Regions[repeated] = NoIndex;
       const std::span<const Piece> pieces(this->Pieces.data(), first);
-      const auto [begin, end] = std::ranges::equal_range(pieces, original, {}, &Piece::triangle);
+      const std::span<const Piece> ofOriginal = piecesIn(pieces, original);
       const auto& corners = this->Mesh->mesh().triangle(original);
       const auto& twin = this->Mesh->mesh().triangle(repeated);
       const auto at = std::find(twin.begin(), twin.end(), corners[0]) - twin.begin();
       const bool isTurned = twin[(at + 1) % 3] != corners[1];
-      const std::vector<Piece> originals(begin, end);
+      const std::vector<Piece> originals(ofOriginal.begin(), ofOriginal.end());
       for (Piece piece : originals)
       {
         piece.triangle = repeated;
@@ -330,8 +340,7 @@ double RegionCut::areaOf(const Piece& piece) const
 
 std::span<const RegionCut::Piece> RegionCut::piecesOf(Index triangle) const
 {
-  const auto [first, last] = std::ranges::equal_range(this->Pieces, triangle, {}, &Piece::triangle);
-  return { first, last };
+  return piecesIn(this->Pieces, triangle);
 }
 
 std::vector<Index> RegionCut::regionsAt(const SurfacePoint& point) const
