@@ -91,7 +91,7 @@ def other_value(sm_property, value):
         return texts[1] if sm_property.GetElement(0) == names.GetEntryValue(0) else texts[0]
     if sm_property.GetRepeatable():
         return [1, 2, 3] if len(value) == 0 else []
-    return value - 1 if value > 0 else value + 1
+    return value - 1 if value >= 1 else value + 1
 
 
 def expect_all_properties_compared(make, source, **options):
