@@ -5,11 +5,13 @@
 # usage: with_display.sh WIDTHxHEIGHT COMMAND [ARGUMENT...]
 # The server itself takes the first number that is free, and one server starts or ends at a time. xvfb-run looks for a
 # number before it starts the server, so that two that start at once can choose the same.
+# Without -noreset a server begins anew when its last client closes, and refuses those who come meanwhile: ParaView
+# closes its first window before it opens the next.
 set -euo pipefail
 
 exec {turn}>"${TMPDIR:-/tmp}/surfacegeodesics-displays.lock"
 flock "$turn"
-exec {numbers}< <(exec {turn}>&- Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp 2>/dev/null)
+exec {numbers}< <(exec {turn}>&- Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp -noreset 2>/dev/null)
 server=$!
 
 end_server()
