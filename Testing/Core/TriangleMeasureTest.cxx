@@ -81,7 +81,7 @@ TEST(TriangleMeasure, IsRoundedToTheSafeSide)
 {
   const std::vector<double> slacks{ 2.0 * 2.4 - 5.0, -4.0, 0.0 };
   const std::vector<double> longestSides{ 5.0, 4.0, 0.0 };
-  const std::vector<double> margins{ labelMargin(5.0, 2.4), 5.0 * 4.0, 0.0 };
+  const std::vector<double> margins{ labelMargin(5.0, 2.4), 6.0 * 4.0, 0.0 };
   for (std::size_t t = 0; t < Triangles.size(); ++t)
   {
     const TriangleMeasure measure = measureOf(Triangles[t]);
