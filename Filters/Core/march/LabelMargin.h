@@ -26,7 +26,7 @@ constexpr double LabelMarginPerSpread = 3.0;
  *
  * The factor 3, and for thin triangles the bound of 6 longest sides, leave an error of at most
  * 1e-9 of a distance at single points of icospheres, tori and regular grids. A part of it depends
- * on the order of the march, at most 1e-10 in 24 fields of a hundred seeds. On random triangles
+ * on the order of the march, at most 1e-10 in 42 fields of a hundred seeds. On random triangles
  * that are stretched the bound leaves more: stretched three times, 1e-6 at single points.
  * @tparam Real  double, or Pair or Quad for several triangles at once
  * @return the margin for cost 1, in mesh length units
