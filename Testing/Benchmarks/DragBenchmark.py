@@ -3,7 +3,7 @@
 """How many pictures a second a drag with live update gives, in ParaView's own window with a pointer that moves all the
 time.
 
-usage: xvfb-run -a -s "-screen 0 1366x768x24" python3 DragBenchmark.py PARAVIEW [CASE...] [--profile]
+usage: bash Testing/Support/with_display.sh 1366x768 python3 DragBenchmark.py PARAVIEW [CASE...] [--profile]
 
 A case is distance or path, and the number of points, as in path:1000000; without any, those of the pages are measured.
 Needs PV_PLUGIN_CONFIG_FILE. Prints the pictures a second, and of each picture the time, the processor time of ParaView
