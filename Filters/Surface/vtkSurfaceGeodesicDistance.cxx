@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
 #include "filter/ProgressReporter.h"
 #include "global/GlobalPoints.h"
@@ -39,6 +40,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -59,7 +61,8 @@ struct vtkSurfaceGeodesicDistance::Internals
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   const geodesic::DistanceField* Field = nullptr;
-  /** With SpreadWork on several ranks: what is solved on, and the field on the piece. */
+  /** With SpreadWork or GatherForExact on several ranks: what is solved on, and the field on the
+   * piece. */
   std::unique_ptr<const geodesic::distributed::DealtSurface> Dealt;
   std::optional<geodesic::DistanceField> OfPiece;
 
@@ -264,7 +267,7 @@ void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
       this->MaximumDistance, static_cast<double>(this->ComputeNearestSeed),
       static_cast<double>(std::hash<std::string>{}(this->DistanceArrayName)),
       static_cast<double>(this->UnreachedAs), this->UnreachedValue,
-      static_cast<double>(this->SpreadWork) });
+      static_cast<double>(this->SpreadWork), static_cast<double>(this->GatherForExact) });
 }
 
 //------------------------------------------------------------------------------
@@ -322,12 +325,13 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   ranks.together(
     [&]
     {
-      geodesic::checkServes(method, geodesic::SolverDemands::of(options, ranks.size()));
+      geodesic::checkServes(
+        method, geodesic::SolverDemands::of(options, this->Gathers(ranks) ? 1 : ranks.size()));
       openSeeds = surface.seedsOf(seeds);
     });
-  if (this->SpreadWork && ranks.size() > 1)
+  if ((this->SpreadWork && ranks.size() > 1) || this->Gathers(ranks))
   {
-    this->SolveSpread(run, std::move(openSeeds), options, destinations);
+    this->SolveDealt(run, std::move(openSeeds), options, destinations);
     return;
   }
   internal.Dealt.reset();
@@ -338,57 +342,61 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::SolveSpread(const Run& run, std::vector<geodesic::Seed> seeds,
-  geodesic::SolveOptions options,
+bool vtkSurfaceGeodesicDistance::Gathers(const geodesic::distributed::RankGroup& ranks) const
+{
+  return this->GatherForExact && ranks.size() > 1 &&
+    this->GetSolver().ranks == geodesic::RankSupport::None;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
+  const geodesic::SolveOptions& options,
   const std::vector<std::vector<geodesic::SurfacePoint>>& destinations)
 {
   Internals& internal = *this->Internal;
   geodesic::distributed::RankGroup& ranks = run.ranks;
+  const bool gathers = this->Gathers(ranks);
   if (internal.Lined.gathered())
   {
-    throw std::invalid_argument(
-      "SpreadWork does not go together with BarrierSource, nor with lines "
-      "of SeedSource. Turn it off.");
+    throw std::invalid_argument(std::string(gathers ? "GatherForExact" : "SpreadWork") +
+      " does not go together with BarrierSource, nor with lines of SeedSource. Turn it off" +
+      (gathers ? ", and bring the surface to one rank by Aggregate Dataset." : "."));
   }
-  if (ranks.isAny(!internal.Dealt || internal.Dealt->origin() != internal.Surface))
+  geodesic::distributed::Dealing dealing{ gathers };
+  if (gathers && this->UseMaximumDistance)
+  {
+    dealing.distance = this->MaximumDistance;
+    dealing.box = geodesic::distributed::boxOf(ranks, *internal.Surface, seeds);
+  }
+  if (ranks.isAny(!internal.Dealt || internal.Dealt->origin() != internal.Surface ||
+        !(internal.Dealt->dealing() == dealing)))
   {
     internal.Dealt =
-      std::make_unique<const geodesic::distributed::DealtSurface>(ranks, internal.Surface);
+      std::make_unique<const geodesic::distributed::DealtSurface>(ranks, internal.Surface, dealing);
     internal.OfPiece.emplace(internal.Surface->mesh().numberOfVertices());
   }
   const geodesic::distributed::DealtSurface& dealt = *internal.Dealt;
-  std::vector<double> cost;
-  std::vector<std::uint8_t> excluded;
-  std::vector<std::uint8_t> closed;
-  if (ranks.isAny(!options.cost.empty()))
-  {
-    cost = dealt.ofVertices(ranks, options.cost);
-  }
-  if (ranks.isAny(!options.excluded.empty()))
-  {
-    excluded = dealt.ofVertices(ranks, options.excluded);
-  }
-  if (ranks.isAny(!options.closedTriangles.empty()))
-  {
-    closed = dealt.ofTriangles(ranks, options.closedTriangles);
-  }
-  std::vector<geodesic::Triangle> targets;
-  for (const auto& place : dealt.places(ranks, destinations))
-  {
-    targets.push_back(geodesic::distributed::targetAt(dealt.mesh(), place));
-  }
-  const std::vector<geodesic::Seed> dealtSeeds = dealt.seeds(ranks, std::move(seeds));
+  geodesic::distributed::DealtRequest request(
+    ranks, dealt, options, std::move(seeds), destinations);
   geodesic::distributed::DistributedSolver partition(ranks, dealt.divided());
-  options.partition = &partition;
-  options.cost = cost;
-  options.excluded = excluded;
-  options.closedTriangles = closed;
-  options.targets = targets;
   internal.setSolver(this->GetSolver(), dealt.divided().sharedMesh());
-  const geodesic::DistanceField& field = internal.Solver->solve(dealtSeeds, options);
-  dealt.takeBack(ranks, field, *internal.OfPiece);
+  const geodesic::DistanceField* field = nullptr;
+  if (gathers)
+  {
+    const auto [solved, reason] =
+      geodesic::distributed::solveOnFirst(ranks, request, *internal.Solver);
+    dealt.takeBack(ranks, solved, reason, *internal.OfPiece);
+    field = solved;
+  }
+  else
+  {
+    request.options().partition = &partition;
+    field = &internal.Solver->solve(request.seeds(), request.options());
+    dealt.takeBack(ranks, field, field->stopReason(), *internal.OfPiece);
+  }
   internal.Field = &*internal.OfPiece;
-  this->ReportWork(run, partition, field,
+  const geodesic::DistanceField none(0);
+  this->ReportWork(run, partition, field ? *field : none,
     internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
 }
 
@@ -568,6 +576,7 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "SpreadWork: " << this->SpreadWork << "\n";
+  os << indent << "GatherForExact: " << this->GatherForExact << "\n";
   os << indent << "MaximumDistanceReached: " << this->MaximumDistanceReached << "\n";
   os << indent << "NumberOfVisitedPoints: " << this->NumberOfVisitedPoints << "\n";
   os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";

@@ -207,6 +207,18 @@ public:
   vtkBooleanMacro(SpreadWork, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether a method that needs the surface in one piece (Exact, VirtualSources, Bounded) may bring
+   * it to the first of several ranks, which then solves alone: the triangles within MaximumDistance
+   * of the box round the seeds, or all. Without it such a request is an error. Of no effect on one
+   * rank and with other methods. Not with lines of seeds and barriers. Default: off.
+   */
+  vtkSetMacro(GatherForExact, bool);
+  vtkGetMacro(GatherForExact, bool);
+  vtkBooleanMacro(GatherForExact, bool);
+  ///@}
+
   /**
    * The number of points with a final distance in the last run; 0 before the first. A point that
    * several ranks have counts once.
@@ -251,6 +263,7 @@ protected:
   int UnreachedAs = UNREACHED_AS_NAN;
   double UnreachedValue = -1.0;
   bool SpreadWork = false;
+  bool GatherForExact = false;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
   vtkIdType NumberOfRounds = 0;
@@ -273,9 +286,11 @@ private:
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
-  /** Solves on patches that are dealt out to the ranks. Collective, on several ranks. */
-  void SolveSpread(const Run& run, std::vector<geodesic::Seed> seeds,
-    geodesic::SolveOptions options,
+  /** Whether the method needs the surface on the first rank, and may bring it there. */
+  bool Gathers(const geodesic::distributed::RankGroup& ranks) const;
+  /** Solves on triangles that are dealt to other ranks. Collective, on several ranks. */
+  void SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
+    const geodesic::SolveOptions& options,
     const std::vector<std::vector<geodesic::SurfacePoint>>& destinations);
   /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,

@@ -70,6 +70,10 @@ expect("barrier", torus, SeedSource=simple.PolyLineSource(Points=[0.02, 1.2, 0.3
        BarrierArray=["CELLS", "CellWall"])
 expect("SpreadWork does not go together with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
        BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
+expect(("Exact", "several ranks", "GatherForExact"), torus, SeedPositions=SEED, Method="Exact")
+expect("GatherForExact does not go together with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
+       GatherForExact=1, BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
+expect("costs", torus, SeedPositions=SEED, Method="Exact", GatherForExact=1, CostArray=["POINTS", "Cost"])
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 # Each rank runs the script, and may set something else.

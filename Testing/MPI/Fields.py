@@ -22,5 +22,5 @@ for case, (surface, options) in cases.FIELDS.items():
         continue
     for cut in ("slabs", "random") if harness.RANKS > 1 else ("whole",):
         cases.check(FOLDER, f"{case}/{cut}", harness.surface(surface, cut), options)
-    if harness.RANKS > 1:
+    if harness.RANKS > 1 and "GatherForExact" not in options:
         cases.check(FOLDER, f"{case}/slabs spread", harness.surface(surface, "slabs"), dict(options, SpreadWork=1))

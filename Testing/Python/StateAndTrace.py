@@ -40,6 +40,7 @@ SETTINGS = {
     "MergeCoincidentPoints": 0,
     "ConnectBlocks": 0,
     "SpreadWork": 1,
+    "GatherForExact": 1,
 }
 INPUTS = ("SeedSource", "SeedSelection", "BarrierSource")
 

@@ -167,7 +167,8 @@ SolverDemands SolverDemands::of(const SolveOptions& options, int ranks)
 void checkServes(
   const SolverTraits& solver, const SolverDemands& demands, std::span<const SolverTraits> table)
 {
-  const auto check = [&](bool isDemanded, const char* what, const auto& serves)
+  const auto check =
+    [&](bool isDemanded, const char* what, const auto& serves, const char* remedy = "")
   {
     if (isDemanded && !serves(solver))
     {
@@ -176,13 +177,16 @@ void checkServes(
         listOf(table,
           [&](const SolverTraits& other)
           { return serves(other) ? std::string(other.name) : std::string(); }) +
-        ".");
+        "." + remedy);
     }
   };
   check(demands.hasCosts, "costs", [](const SolverTraits& s) { return s.takesCosts; });
   check(demands.hasBarriers, "barriers", [](const SolverTraits& s) { return s.takesBarriers; });
-  check(demands.isOnSeveralRanks, "a surface on several ranks",
-    [](const SolverTraits& s) { return s.ranks != RankSupport::None; });
+  check(
+    demands.isOnSeveralRanks, "a surface on several ranks",
+    [](const SolverTraits& s) { return s.ranks != RankSupport::None; },
+    " Or bring the surface to one rank: by GatherForExact of Geodesic Distance, or before by "
+    "Aggregate Dataset.");
 }
 
 }

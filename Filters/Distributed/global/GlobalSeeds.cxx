@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "global/GlobalSeeds.h"
 
+#include "mesh/TriangleMesh.h"
 #include "request/PointResolver.h"
 
+#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -35,6 +37,28 @@ std::vector<double> loosePoints(const bridge::PointSource& source)
   return loose;
 }
 
+}
+
+BoundingBox boxOf(RankGroup& ranks, const DistributedSurface& surface, std::span<const Seed> seeds)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  BoundingBox own;
+  for (const Seed& seed : seeds)
+  {
+    for (const SurfacePoint& point : seed.points)
+    {
+      own.add(mesh.positionOf(point));
+    }
+    for (const Index vertex : seed.vertices)
+    {
+      own.add(mesh.position(vertex));
+    }
+  }
+  std::array least{ own.low.x, own.low.y, own.low.z, -own.high.x, -own.high.y, -own.high.z };
+  ranks.takeLeast(least);
+  BoundingBox all;
+  all.add({ least[0], least[1], least[2] }, { -least[3], -least[4], -least[5] });
+  return all;
 }
 
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points)

@@ -3,11 +3,13 @@
 #ifndef geodesic_distributed_GlobalSeeds_h
 #define geodesic_distributed_GlobalSeeds_h
 
+#include "base/BoundingBox.h"
 #include "global/GlobalPoints.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
 #include "request/SeedResolver.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ class vtkDataObject;
 
 namespace geodesic::distributed
 {
+
+/** Returns the box round the points and regions of seeds, the same on all ranks. Collective. */
+BoundingBox boxOf(RankGroup& ranks, const DistributedSurface& surface, std::span<const Seed> seeds);
 
 /** Makes one seed at each point. */
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);

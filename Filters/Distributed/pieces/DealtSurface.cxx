@@ -72,10 +72,39 @@ std::vector<T> chosen(std::span<const T> values, std::span<const Index> places)
   return chosen;
 }
 
+/** Whether a point of a triangle can be within the distance: one of its corners is, but for a side.
+ */
+bool isWithin(const TriangleMesh& mesh, const Triangle& triangle, const Dealing& dealing)
+{
+  if (dealing.distance == BoundingBox::infinity)
+  {
+    return true;
+  }
+  double nearest = BoundingBox::infinity;
+  double longestSide = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const Vector3 corner = mesh.position(triangle[c]);
+    nearest = std::min(nearest, norm(dealing.box.nearestTo(corner) - corner));
+    longestSide = std::max(longestSide, norm(mesh.position(triangle[(c + 1) % 3]) - corner));
+  }
+  return nearest <= dealing.distance * (1.0 + 1e-9) + longestSide;
 }
 
-DealtSurface::DealtSurface(RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface)
+}
+
+bool Dealing::operator==(const Dealing& other) const
+{
+  const auto areSame = [](const Vector3& a, const Vector3& b)
+  { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  return this->isToFirst == other.isToFirst && areSame(this->box.low, other.box.low) &&
+    areSame(this->box.high, other.box.high) && this->distance == other.distance;
+}
+
+DealtSurface::DealtSurface(
+  RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface, const Dealing& dealing)
   : Origin(std::move(surface))
+  , How(dealing)
   , ToRank(ranks.size())
 {
   ranks.together([&] { this->cut(ranks); });
@@ -89,11 +118,14 @@ void DealtSurface::cut(const RankGroup& ranks)
   const std::size_t count = piece.numberOfTriangles();
   for (int patch = 0; patch < PatchesOfPiece; ++patch)
   {
-    Dealt& dealt = this->ToRank[(ranks.rank() + patch) % ranks.size()];
+    Dealt& dealt = this->ToRank[this->How.isToFirst ? 0 : (ranks.rank() + patch) % ranks.size()];
     for (std::size_t t = count * patch / PatchesOfPiece; t < count * (patch + 1) / PatchesOfPiece;
          ++t)
     {
-      dealt.triangles.push_back(static_cast<Index>(t));
+      if (isWithin(piece, piece.triangle(static_cast<Index>(t)), this->How))
+      {
+        dealt.triangles.push_back(static_cast<Index>(t));
+      }
     }
   }
   for (Dealt& dealt : this->ToRank)
@@ -339,7 +371,7 @@ std::vector<Seed> DealtSurface::seeds(RankGroup& ranks, std::vector<Seed> seeds)
 }
 
 void DealtSurface::takeBack(
-  RankGroup& ranks, const DistanceField& dealt, DistanceField& ofPiece) const
+  RankGroup& ranks, const DistanceField* dealt, StopReason reason, DistanceField& ofPiece) const
 {
   std::vector<std::vector<SentDistance>> toRank(ranks.size());
   for (int rank = 0; rank < ranks.size(); ++rank)
@@ -350,7 +382,7 @@ void DealtSurface::takeBack(
     for (Index point = first; point < last; ++point)
     {
       const Index vertex = this->mesh().vertexOfPoint(point);
-      toRank[rank].push_back({ dealt.distance(vertex), dealt.nearestSeed(vertex) });
+      toRank[rank].push_back({ dealt->distance(vertex), dealt->nearestSeed(vertex) });
     }
   }
   ofPiece.reset();
@@ -369,7 +401,7 @@ void DealtSurface::takeBack(
     }
   }
   ofPiece.orderReached();
-  ofPiece.finish(DistanceField::Unreached, dealt.stopReason());
+  ofPiece.finish(DistanceField::Unreached, reason);
 }
 
 Index DealtSurface::find(const GlobalVertex& vertex) const

@@ -3,6 +3,7 @@
 #ifndef geodesic_distributed_DealtSurface_h
 #define geodesic_distributed_DealtSurface_h
 
+#include "base/BoundingBox.h"
 #include "pieces/DistributedSurface.h"
 #include "pieces/DividedMesh.h"
 #include "pieces/SharedPoints.h"
@@ -19,10 +20,22 @@
 namespace geodesic::distributed
 {
 
+/** To whom the triangles of a surface are dealt. */
+struct Dealing
+{
+  /** Only to the first rank, for solvers that need the surface in one piece. */
+  bool isToFirst = false;
+  /** Only triangles within a distance of a box are dealt, and some beside them. */
+  BoundingBox box = {};
+  double distance = BoundingBox::infinity;
+
+  bool operator==(const Dealing& other) const;
+};
+
 /**
  * A surface whose pieces were cut into patches, which are dealt out to the ranks in turn. Each rank
  * has patches in many places, so it has work wherever the front is; of compact pieces, one waits
- * for the front while another works.
+ * for the front while another works. Or all triangles are dealt to the first rank.
  *
  * What is solved for are the dealt patches. Everything that a request says about the pieces is sent
  * along the same way as the triangles, and distances are sent back. A rank holds its piece and
@@ -32,10 +45,12 @@ class DealtSurface
 {
 public:
   /** Cuts and deals. Time O(n log n). */
-  DealtSurface(RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface);
+  DealtSurface(RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface,
+    const Dealing& dealing = {});
 
   /** The surface that was dealt. */
   const std::shared_ptr<const DistributedSurface>& origin() const { return this->Origin; }
+  const Dealing& dealing() const { return this->How; }
   /** The patches of this rank. */
   const DividedMesh& divided() const { return *this->Divided; }
   const TriangleMesh& mesh() const { return this->Divided->mesh(); }
@@ -58,8 +73,13 @@ public:
   /** Returns point seeds and regions with their places on mesh(). */
   std::vector<Seed> seeds(RankGroup& ranks, std::vector<Seed> seeds) const;
 
-  /** Sets the distances and nearest seeds at the piece's vertices to those of a field on mesh(). */
-  void takeBack(RankGroup& ranks, const DistanceField& dealt, DistanceField& ofPiece) const;
+  /**
+   * Sets the distances and nearest seeds at the piece's vertices to those of a field on mesh().
+   * @param dealt  null where mesh() has no triangles
+   * @param reason why the run ended, the same on all ranks
+   */
+  void takeBack(
+    RankGroup& ranks, const DistanceField* dealt, StopReason reason, DistanceField& ofPiece) const;
 
 private:
   /** What this rank dealt to a rank: triangles and vertices of its piece. */
@@ -86,6 +106,7 @@ private:
   Index find(const GlobalVertex& vertex) const;
 
   std::shared_ptr<const DistributedSurface> Origin;
+  Dealing How;
   std::vector<Dealt> ToRank;
   std::vector<Got> FromRank;
   /** The points of mesh(), sorted by what vertex of the surface they are. */
