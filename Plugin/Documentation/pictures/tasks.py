@@ -22,7 +22,7 @@ def opened(name):
     return OpenDataFile(os.path.join(data, name))
 
 
-def scene(camera, surface, array=None, lines=(), bands=16):
+def scene(camera, surface, array=None, lines=(), bands=16, up_to=None):
     """A view of a surface, coloured by an array in bands, and of lines on it."""
     view = CreateRenderView(ViewSize=[420, 400], OrientationAxesVisibility=0)
     display = Show(surface, view, "GeometryRepresentation")
@@ -30,7 +30,7 @@ def scene(camera, surface, array=None, lines=(), bands=16):
         ColorBy(display, ("POINTS", array), separate=True)
         colors = GetColorTransferFunction(array, display, separate=True)
         low, high = surface.PointData[array].GetRange()
-        colors.RescaleTransferFunction(low, high)
+        colors.RescaleTransferFunction(low, up_to or high)
         colors.NanColor = [0.8, 0.8, 0.8]
         colors.Discretize, colors.NumberOfTableValues = 1, bands
         display.SetScalarBarVisibility(view, False)
@@ -103,13 +103,14 @@ def methods():
     sphere = Sphere(ThetaResolution=48, PhiResolution=48)
     exact = distance(sphere, SeedPositions=[0.1, -0.45, 0.2], Method="Exact", DistanceArrayName="Exact")
     camera = [-0.6, -2, 0.9], [0, 0, 0], [0, 0, 1]
-    views = []
+    errors = []
     for method in ("FastMarching", "Dijkstra"):
         other = distance(exact, SeedPositions=[0.1, -0.45, 0.2], Method=method, DistanceArrayName="Other")
         error = Calculator(Input=other, ResultArrayName="Error", Function="abs(Other - Exact)")
         error.UpdatePipeline()
-        views.append(scene(camera, error, "Error", bands=256))
-    return views
+        errors.append(error)
+    largest = max(error.PointData["Error"].GetRange()[1] for error in errors)
+    return [scene(camera, error, "Error", bands=256, up_to=largest) for error in errors]
 
 
 def plots():
