@@ -58,5 +58,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "paraview (${paraview_range}), paraview
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "python3-paraview")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_version}, paraview-dev")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, python3-paraview, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/Plugin/CMake/debian/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 include(CPack)
