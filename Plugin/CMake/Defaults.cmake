@@ -3,6 +3,8 @@
 # What every part of the project is built with.
 
 include(GNUInstallDirs)
+# The component of what is installed without naming one.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "The kind of build" FORCE)

@@ -48,6 +48,9 @@ vtk_module_wrap_python(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INSTALL_HEADERS OFF)
 
-set(python_package_file "Plugin/Python/surfacegeodesics/__init__.py")
-configure_file("${python_package_file}" "${python_package_directory}/__init__.py" COPYONLY)
-install(FILES "${python_package_file}" DESTINATION "${python_package_directory}")
+foreach (file IN ITEMS __init__.py measure.py py.typed)
+  configure_file("Plugin/Python/surfacegeodesics/${file}" "${python_package_directory}/${file}" COPYONLY)
+  install(FILES "Plugin/Python/surfacegeodesics/${file}"
+    DESTINATION "${python_package_directory}"
+    COMPONENT python)
+endforeach ()

@@ -50,7 +50,7 @@ if distance.GetDataInformation().GetNumberOfPoints() == 0:
 # Not the default, appended data: with Debian 12's libexpat ParaView can't read those back.
 SaveData(os.path.join(folder, "BunnyDistance.vtp"), proxy=distance, DataMode="Binary")
 
-# The shortest ways from waypoint to waypoint and back to the first. The height offset lifts them a little,
+# The shortest paths from waypoint to waypoint and back to the first. The height offset lifts them a little,
 # so that the picture shows all of the line.
 path = GeodesicPath(
     Input=bunny, WaypointPositions=[x for point in ROUND_THE_NECK for x in point], Closed=1, HeightOffset=0.0003)

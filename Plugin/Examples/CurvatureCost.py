@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Geodesic distance on an ellipsoid with mean curvature as cost: ways through flat parts are cheap.
+"""Geodesic distance on an ellipsoid with mean curvature as cost: paths through flat parts are cheap.
 
 usage: pvpython CurvatureCost.py SurfaceGeodesics.so FOLDER
 
