@@ -86,16 +86,28 @@ private:
     const Vector3 edge = this->Mesh.position(face.right) - left;
     const Vector3 toCorner = this->Mesh.position(corner) - left;
     const PlanePoint flatEdge = flat.right - flat.left;
-    const double scale = std::sqrt(dot(edge, edge) * geodesic::dot(flatEdge, flatEdge));
-    if (!(scale > 0.0))
+    const double square = dot(edge, edge);
+    const double inverse = 1.0 / square;
+    const double stretch = geodesic::dot(flatEdge, flatEdge) * inverse;
+    if (!(stretch > 0.0))
     {
       // Both ends are one point, through which every path goes. So any direction will do.
       return { flat.left.x, flat.left.y + side * norm(toCorner) };
     }
-    const double x = dot(toCorner, edge) / scale;
-    const double h = side * norm(cross(toCorner, edge)) / scale;
+    const double shrink = inverseRoot(stretch);
+    const double x = dot(toCorner, edge) * inverse * shrink;
+    const double h = side * norm(cross(toCorner, edge)) * inverse * shrink;
     return { flat.left.x + x * flatEdge.x - h * flatEdge.y,
       flat.left.y + x * flatEdge.y + h * flatEdge.x };
+  }
+
+  /** 1 / sqrt(x). What is laid flat has its own length but for rounding, which takes no root: each
+   * face waits for the one before. */
+  static double inverseRoot(double x)
+  {
+    const double over = x - 1.0;
+    constexpr double rounding = 1e-9;
+    return std::abs(over) < rounding ? 1.0 - 0.5 * over : 1.0 / std::sqrt(x);
   }
 
   static PlanePoint place(const PathPoint& point, const StripFace& face, const Portal& portal,
@@ -144,9 +156,12 @@ public:
     Right
   };
 
-  explicit Funnel(const PlanePoint& start)
+  /** @param faces at most so many will have an end added */
+  Funnel(const PlanePoint& start, std::size_t faces)
     : Apex(start)
   {
+    this->Chains[Left].points.reserve(faces);
+    this->Chains[Right].points.reserve(faces);
   }
 
   /** Adds the next end of an edge on a side. Amortised time O(1). */
@@ -220,7 +235,7 @@ private:
 std::vector<Bend> bendsThrough(std::span<const StripFace> strip, const Unfolding& unfolding,
   const PlanePoint& start, const PlanePoint& end)
 {
-  Funnel funnel(start);
+  Funnel funnel(start, strip.size());
   for (std::size_t i = 1; i < strip.size(); ++i)
   {
     const bool isFirst = i == 1;
