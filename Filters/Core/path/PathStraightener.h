@@ -5,11 +5,9 @@
 
 #include "path/PathPoint.h"
 #include "path/StripFunnel.h"
-#include "path/VertexLink.h"
 #include "path/WeightedMesh.h"
 
-#include <optional>
-#include <utility>
+#include <list>
 #include <vector>
 
 namespace geodesic
@@ -24,11 +22,14 @@ namespace geodesic
  * The path is made shortest in its strip of faces. Where it then bends at a vertex with an angle
  * below 180 degrees on one side, the strip is led round the vertex on that side, until there is no
  * such vertex. Every step shortens the path. After S.-Q. Xin, G.-J. Wang, Efficiently determining a
- * locally exact shortest path on polyhedral surfaces, Computer-Aided Design 39 (2007). Each such
- * step lays two pieces of the path flat again, which adds up to much where both are long and bends
- * are many. After some work the rest is done at all bends at once, again and again. The smallest
- * angle is sought in the graph of directions round the vertex (VertexLink), so that boundaries and
- * edges with more than two faces need no case of their own.
+ * locally exact shortest path on polyhedral surfaces, Computer-Aided Design 39 (2007).
+ *
+ * They lead it round one vertex after the other, and lay the two pieces beside it flat again each
+ * time. Here neighbouring vertices are gone round together, and all over the path before a second
+ * time anywhere, so that pieces grow together in few rounds. A round costs only what lies between
+ * the nearest vertices that stay. The smallest angle is sought in the graph of directions round the
+ * vertex (VertexLink), so that boundaries and edges with more than two faces need no case of their
+ * own.
  */
 class PathStraightener
 {
@@ -45,27 +46,39 @@ public:
   SurfacePath straightened(const SurfacePath& path) const;
 
 private:
-  using Pieces = std::vector<StraightPiece>;
+  /** What is known of the vertex at the end of a piece. */
+  enum class Joint
+  {
+    Unknown,
+    /** No side of the vertex is shorter, or there is no next piece, or the piece is new. */
+    Stays,
+    /** The path bends to one side of the vertex, or runs straight through it. */
+    Turns,
+    /** The piece is no part of the path any more. */
+    Gone
+  };
+  struct JoinedPiece
+  {
+    StraightPiece piece;
+    Joint joint = Joint::Unknown;
+    /** The faces round the vertex on the side to which the path turns. */
+    std::vector<Triangle> turn{};
+  };
+  using Pieces = std::list<JoinedPiece>;
+  using Place = Pieces::iterator;
+  using Places = std::vector<Place>;
 
   /** The path, made shortest in the strips of faces between its vertices. */
   Pieces tautPieces(const SurfacePath& path) const;
-  /** Leads a path round one vertex after the other. @return the path when it bends nowhere that can
-   * be shortened, or when the work is over a limit, and which of the two it is */
-  std::pair<Pieces, bool> ledRoundOneByOne(Pieces pieces) const;
-  /** Leads a path round all vertices at once where it gets shorter, until it does so no more. It is
-   * led round vertices as well that it passes in a straight line: a long row of them on a boundary
-   * would else be left one by one. */
-  Pieces ledRoundTogether(Pieces pieces) const;
-  /** The faces round the vertex where two pieces join, on the side on which the path gets shorter;
-   * nothing if there is none. */
-  std::optional<std::vector<Triangle>> turnBetween(
-    const StraightPiece& piece, const StraightPiece& next, VertexLink::Bend bend) const;
-  /** The shortest path in a strip, or along the edge of both ends if there are no faces. */
-  Pieces shortestOf(
-    const PathPoint& start, const PathPoint& end, std::vector<Triangle> faces) const;
-  /** The path of two pieces that join at a vertex, led round the vertex; nothing if that is not
-   * shorter. */
-  std::optional<Pieces> ledRound(const StraightPiece& piece, const StraightPiece& next) const;
+  /** Leads a path once round its vertices at some joints. @return the joints that are new, or
+   * beside a piece that is new */
+  Places ledRound(Pieces& pieces, const Places& joints) const;
+  /** Whether the path gets shorter if it is led round the vertex at the end of a piece, or passes
+   * it in a straight line: a long row of such vertices on a boundary would else be left one by one.
+   */
+  bool turns(Pieces& pieces, Place place) const;
+  /** The shortest path in the strips of some pieces, led round the vertices between them. */
+  std::vector<StraightPiece> shortestRound(Place first, Place last) const;
 
   const WeightedMesh& Surface;
 };

@@ -20,6 +20,12 @@ constexpr double VertexFraction = 1e-9;
  * goes on along an edge. A path of ten million edges gains more at each step. */
 constexpr double LeastGain = 1e-7;
 
+/** Whether a step leaves less of a path. */
+bool gains(double stepLeft, double left)
+{
+  return stepLeft < (1.0 - LeastGain) * left;
+}
+
 double costAt(const WeightedMesh& surface, const PathPoint& point)
 {
   double cost = 0.0;
@@ -59,14 +65,14 @@ EdgeMinimum leastOverEdge(double a, double b, double c, double xp, double hp)
   if (s > 0.0)
   {
     x = std::clamp((sourceX * hp + xp * root) / (hp + root), 0.0, c);
-    left = std::hypot(x - sourceX, root);
+    left = std::sqrt((x - sourceX) * (x - sourceX) + root * root);
   }
   else
   {
     x = std::clamp(std::clamp(xp, sourceX - root, sourceX + root), 0.0, c);
     left = std::sqrt(std::max(0.0, (x - sourceX - root) * (x - sourceX + root)));
   }
-  return { x, left, left + std::hypot(xp - x, hp) };
+  return { x, left, left + std::sqrt((xp - x) * (xp - x) + hp * hp) };
 }
 
 }
@@ -143,9 +149,9 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
     std::optional<Step> step;
     if (order == PathOrder::Edges)
     {
-      step = this->stepAcrossFaces(here);
+      step = this->stepAhead(path, left);
     }
-    if (!step || !(step->left < (1.0 - LeastGain) * left))
+    if (!step || !gains(step->left, left))
     {
       step = this->stepAlongEdges(here);
     }
@@ -171,14 +177,14 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
 std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
 {
   const TriangleMesh& mesh = this->Surface.mesh();
-  const Vector3 position = point.position(mesh);
   std::optional<Step> best;
   const auto tryEnd = [&](Index seed, const Triangle& face)
   {
     if (seed != NoIndex && liesIn(this->Seeds[seed], face))
     {
       const PathPoint& end = this->Seeds[seed];
-      const double total = this->Surface.costOf(face) * norm(end.position(mesh) - position);
+      const double total =
+        this->Surface.costOf(face) * norm(end.position(mesh) - point.position(mesh));
       if (!best || total < best->total)
       {
         best = Step{ end, 0.0, total };
@@ -201,7 +207,24 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) c
   return best;
 }
 
-std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(const PathPoint& point) const
+std::optional<PathTracer::Step> PathTracer::stepAhead(const SurfacePath& path, double left) const
+{
+  const PathPoint& here = path.back();
+  if (path.size() > 1 && here.carriers().size() == 2)
+  {
+    // The last step was the best one across its face, so that two steps across it, there and back,
+    // leave no less.
+    const auto step = this->stepAcrossFaces(here, &path[path.size() - 2]);
+    if (step && step->total <= left)
+    {
+      return step;
+    }
+  }
+  return this->stepAcrossFaces(here, nullptr);
+}
+
+std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(
+  const PathPoint& point, const PathPoint* last) const
 {
   const Carriers carriers = point.carriers();
   const Vector3 position = point.position(this->Surface.mesh());
@@ -209,6 +232,10 @@ std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(const PathPoint& poi
   visitFaces(this->Surface, point,
     [&](const Triangle& face)
     {
+      if (last && liesIn(*last, face))
+      {
+        return;
+      }
       for (int c = 0; c < 3; ++c)
       {
         const Index a = face[(c + 1) % 3];

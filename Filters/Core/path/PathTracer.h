@@ -79,8 +79,12 @@ private:
   bool leadsToAim(Index vertex) const;
   /** The step to the nearest seed that shares an open face with the point; nothing if none does. */
   std::optional<Step> stepToSeed(const PathPoint& point) const;
-  /** The step to the point with the least total on the edges of the faces round the point. */
-  std::optional<Step> stepAcrossFaces(const PathPoint& point) const;
+  /** The step to the point with the least total on the edges of the faces round the point.
+   * @param last  a point of faces that are left out, none if nullptr */
+  std::optional<Step> stepAcrossFaces(const PathPoint& point, const PathPoint* last) const;
+  /** The same from the end of a path, which leaves out the face of the path's last step where it
+   * can. @param left  by the last step */
+  std::optional<Step> stepAhead(const SurfacePath& path, double left) const;
   /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.
    */
   std::optional<Step> stepAlongEdges(const PathPoint& point) const;

@@ -4,140 +4,121 @@
 
 #include "base/PlanePoint.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
+#include <utility>
 
 namespace geodesic
 {
 namespace
 {
 
-bool isSame(const PlanePoint& a, const PlanePoint& b)
+PlanePoint operator-(const PlanePoint& a, const PlanePoint& b)
 {
-  return a.x == b.x && a.y == b.y;
+  return { a.x - b.x, a.y - b.y };
 }
 
-bool hasCorner(const Triangle& face, Index vertex)
+double dot(const PlanePoint& a, const PlanePoint& b)
 {
-  return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+  return a.x * b.x + a.y * b.y;
 }
 
-/** The edge between two faces of the strip. Left and right are as seen on a walk along the strip.
- */
+/** The edge by which a face is entered, laid flat. */
 struct Portal
 {
-  Index left;
-  Index right;
-  PlanePoint flatLeft;
-  PlanePoint flatRight;
+  PlanePoint left;
+  PlanePoint right;
 };
 
-/** The two corners that consecutive faces share, and the other corner of each. */
-struct SharedEdge
-{
-  Index first;
-  Index second;
-  Index before;
-  Index after;
-};
-
-SharedEdge sharedEdge(const Triangle& face, const Triangle& next)
-{
-  SharedEdge edge{ NoIndex, NoIndex, NoIndex, NoIndex };
-  for (Index corner : face)
-  {
-    if (!hasCorner(next, corner))
-    {
-      edge.before = corner;
-    }
-    else
-    {
-      (edge.first == NoIndex ? edge.first : edge.second) = corner;
-    }
-  }
-  for (Index corner : next)
-  {
-    edge.after = hasCorner(face, corner) ? edge.after : corner;
-  }
-  return edge;
-}
-
-/** Lays a strip flat, face by face. */
+/** Lays a strip of at least two faces flat, face by face. */
 class Unfolding
 {
 public:
-  Unfolding(const WeightedMesh& surface, std::span<const Triangle> faces)
+  Unfolding(const WeightedMesh& surface, std::span<const StripFace> strip)
     : Mesh(surface.mesh())
+    , Faces(strip)
   {
-    this->Portals.reserve(faces.size());
-    for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+    surface.countSteps(strip.size());
+    this->Portals.reserve(strip.size() - 1);
+    const auto& [left, right, apex, crossing] = strip[1];
+    const double length = norm(this->Mesh.position(right) - this->Mesh.position(left));
+    this->Portals.push_back({ { 0.0, 0.0 }, { length, 0.0 } });
+    for (const Index corner : strip[0].corners())
     {
-      surface.countSteps(1);
-      const SharedEdge edge = sharedEdge(faces[i], faces[i + 1]);
-      if (i == 0)
-      {
-        const double length =
-          norm(this->Mesh.position(edge.second) - this->Mesh.position(edge.first));
-        this->Portals.push_back({ edge.first, edge.second, { 0.0, 0.0 }, { length, 0.0 } });
-        this->First = this->apex(this->Portals[0], edge.before, -1.0);
-        this->FirstApex = edge.before;
-      }
-      else
-      {
-        // One end of the portal stays, the other one becomes the new corner of the last face.
-        Portal portal = this->Portals.back();
-        const bool leftStays = portal.left == edge.first || portal.left == edge.second;
-        (leftStays ? portal.right : portal.left) = this->LastApex;
-        (leftStays ? portal.flatRight : portal.flatLeft) = this->Last;
-        this->Portals.push_back(portal);
-      }
-      this->LastApex = edge.after;
-      this->Last = this->apex(this->Portals.back(), edge.after, 1.0);
+      this->FirstApex = strip[1].isEnteredBy(corner, left) || strip[1].isEnteredBy(corner, right)
+        ? this->FirstApex
+        : corner;
     }
+    this->First = this->beyond(strip[1], this->FirstApex, -1.0);
+    for (std::size_t i = 2; i < strip.size(); ++i)
+    {
+      // One end of the edge stays, the other one becomes the corner of the last face.
+      const PlanePoint corner = this->beyond(strip[i - 1], strip[i - 1].apex, 1.0);
+      const Portal& last = this->Portals.back();
+      this->Portals.push_back(strip[i].left == strip[i - 1].left ? Portal{ last.left, corner }
+                                                                 : Portal{ corner, last.right });
+    }
+    this->Last = this->beyond(strip.back(), strip.back().apex, 1.0);
   }
 
-  std::span<const Portal> portals() const { return this->Portals; }
+  /** The edge by which face @p i is entered. */
+  const Portal& portal(std::size_t i) const { return this->Portals[i - 1]; }
   PlanePoint start(const PathPoint& point) const
   {
-    return this->place(point, this->Portals.front(), this->FirstApex, this->First);
+    return place(point, this->Faces[1], this->portal(1), this->FirstApex, this->First);
   }
   PlanePoint end(const PathPoint& point) const
   {
-    return this->place(point, this->Portals.back(), this->LastApex, this->Last);
+    const StripFace& face = this->Faces.back();
+    return place(point, face, this->Portals.back(), face.apex, this->Last);
   }
 
 private:
-  /** The place of a face's corner opposite to a portal. @param side 1 for the face beyond the
-   * portal, -1 for the face before it */
-  PlanePoint apex(const Portal& portal, Index corner, double side) const
+  /** The place of a corner opposite to the last edge laid flat. @param side 1 for the face beyond
+   * the edge, -1 for the face before it */
+  PlanePoint beyond(const StripFace& face, Index corner, double side) const
   {
-    const Vector3 edge = this->Mesh.position(portal.right) - this->Mesh.position(portal.left);
-    const Vector3 toCorner = this->Mesh.position(corner) - this->Mesh.position(portal.left);
-    const double length = norm(edge);
-    const PlanePoint flatEdge{ portal.flatRight.x - portal.flatLeft.x,
-      portal.flatRight.y - portal.flatLeft.y };
-    const double flatLength = std::sqrt(flatEdge.x * flatEdge.x + flatEdge.y * flatEdge.y);
-    if (!(length > 0.0 && flatLength > 0.0))
+    const Portal& flat = this->Portals.back();
+    const Vector3& left = this->Mesh.position(face.left);
+    const Vector3 edge = this->Mesh.position(face.right) - left;
+    const Vector3 toCorner = this->Mesh.position(corner) - left;
+    const PlanePoint flatEdge = flat.right - flat.left;
+    const double square = dot(edge, edge);
+    const double inverse = 1.0 / square;
+    const double stretch = geodesic::dot(flatEdge, flatEdge) * inverse;
+    if (!(stretch > 0.0))
     {
       // Both ends are one point, through which every path goes. So any direction will do.
-      return { portal.flatLeft.x, portal.flatLeft.y + side * norm(toCorner) };
+      return { flat.left.x, flat.left.y + side * norm(toCorner) };
     }
-    const PlanePoint along{ flatEdge.x / flatLength, flatEdge.y / flatLength };
-    const double x = dot(toCorner, edge) / length;
-    const double h = side * norm(cross(toCorner, edge)) / length;
-    return { portal.flatLeft.x + x * along.x - h * along.y,
-      portal.flatLeft.y + x * along.y + h * along.x };
+    const double shrink = inverseRoot(stretch);
+    const double x = dot(toCorner, edge) * inverse * shrink;
+    const double h = side * norm(cross(toCorner, edge)) * inverse * shrink;
+    return { flat.left.x + x * flatEdge.x - h * flatEdge.y,
+      flat.left.y + x * flatEdge.y + h * flatEdge.x };
   }
 
-  static PlanePoint place(
-    const PathPoint& point, const Portal& portal, Index apex, const PlanePoint& flatApex)
+  /** 1 / sqrt(x). What is laid flat has its own length but for rounding, which takes no root: each
+   * face waits for the one before. */
+  static double inverseRoot(double x)
+  {
+    const double over = x - 1.0;
+    constexpr double rounding = 1e-9;
+    return std::abs(over) < rounding ? 1.0 - 0.5 * over : 1.0 / std::sqrt(x);
+  }
+
+  static PlanePoint place(const PathPoint& point, const StripFace& face, const Portal& portal,
+    Index apex, const PlanePoint& flatApex)
   {
     PlanePoint flat{ 0.0, 0.0 };
     for (int i = 0; i < 3; ++i)
     {
       const PlanePoint& corner = point.corners[i] == apex ? flatApex
-        : point.corners[i] == portal.left                 ? portal.flatLeft
-                                                          : portal.flatRight;
+        : point.corners[i] == face.left                   ? portal.left
+                                                          : portal.right;
       flat.x += point.weights[i] * corner.x;
       flat.y += point.weights[i] * corner.y;
     }
@@ -145,9 +126,9 @@ private:
   }
 
   const TriangleMesh& Mesh;
+  std::span<const StripFace> Faces;
   std::vector<Portal> Portals;
   Index FirstApex = NoIndex;
-  Index LastApex = NoIndex;
   PlanePoint First{};
   PlanePoint Last{};
 };
@@ -157,166 +138,218 @@ struct Bend
 {
   Index vertex;
   PlanePoint flat;
-  /** The number of a portal with this vertex as an end. */
-  std::size_t portal;
+  /** The first face whose entry has this vertex as an end. */
+  std::size_t face;
 };
 
 /**
- * The bends of the shortest path through the portals. A vertex that the path only touches counts as
- * a bend, because the path may be shorter on the vertex's other side.
+ * The shortest paths from the last certain bend to both ends of an edge: they turn to the outside
+ * at each vertex of their chain. A vertex that a path only touches counts as a bend, because the
+ * path may be shorter on the vertex's other side.
  */
-std::vector<Bend> bendsThrough(const WeightedMesh& surface, std::span<const Portal> portals,
-  const PlanePoint& start, const PlanePoint& end)
+class Funnel
 {
-  std::vector<Bend> bends;
-  PlanePoint apex = start;
-  Bend left{ NoIndex, start, 0 };
-  Bend right = left;
-  for (std::size_t i = 0; i <= portals.size(); ++i)
+public:
+  enum Side : std::size_t
   {
-    surface.countSteps(1);
-    const bool isEnd = i == portals.size();
-    const Bend newLeft{ isEnd ? NoIndex : portals[i].left, isEnd ? end : portals[i].flatLeft, i };
-    const Bend newRight{ isEnd ? NoIndex : portals[i].right, isEnd ? end : portals[i].flatRight,
-      i };
-    const bool isOpen = !isSame(apex, left.flat) && !isSame(apex, right.flat);
-    const bool narrowsLeft = orientation(apex, left.flat, newLeft.flat) <= 0.0;
-    const bool narrowsRight = orientation(apex, right.flat, newRight.flat) >= 0.0;
-    const bool passesLeft = isOpen && narrowsRight && newRight.vertex != right.vertex &&
-      orientation(apex, left.flat, newRight.flat) >= 0.0;
-    const bool passesRight = isOpen && narrowsLeft && newLeft.vertex != left.vertex &&
-      orientation(apex, right.flat, newLeft.flat) <= 0.0;
-    if (passesLeft || passesRight)
-    {
-      const Bend bend = passesLeft ? left : right;
-      bends.push_back(bend);
-      apex = bend.flat;
-      left = right = bend;
-      i = bend.portal;
-      continue;
-    }
-    left = narrowsLeft ? newLeft : left;
-    right = narrowsRight ? newRight : right;
-  }
-  return bends;
-}
+    Left,
+    Right
+  };
 
-/** The part of a strip that a piece crosses: faces first to last - 1. */
-struct Range
-{
-  std::size_t first;
-  std::size_t last;
+  /** @param faces at most so many will have an end added */
+  Funnel(const PlanePoint& start, std::size_t faces)
+    : Apex(start)
+  {
+    this->Chains[Left].points.reserve(faces);
+    this->Chains[Right].points.reserve(faces);
+  }
+
+  /** Adds the next end of an edge on a side. Amortised time O(1). */
+  void add(Side side, const Bend& end)
+  {
+    Chain& own = this->Chains[side];
+    const double toLeft = side == Right ? 1.0 : -1.0;
+    while (!own.isEmpty() && isCutOff(own.beforeLast(this->Apex), own.last(), end.flat, toLeft))
+    {
+      own.points.pop_back();
+    }
+    if (own.isEmpty())
+    {
+      Chain& other = this->Chains[1 - side];
+      while (!other.isEmpty() && isPassed(this->Apex, other.first(), end.flat, toLeft))
+      {
+        this->Bends.push_back(other.points[other.begin++]);
+        this->Apex = this->Bends.back().flat;
+      }
+    }
+    own.points.push_back(end);
+  }
+
+  /** All bends of the path to a point of the last face. */
+  std::vector<Bend> bendsTo(const PlanePoint& end)
+  {
+    this->add(Right, { NoIndex, end, 0 });
+    const Chain& chain = this->Chains[Right];
+    this->Bends.insert(this->Bends.end(),
+      chain.points.begin() + static_cast<std::ptrdiff_t>(chain.begin), chain.points.end() - 1);
+    return std::move(this->Bends);
+  }
+
+private:
+  struct Chain
+  {
+    std::vector<Bend> points;
+    std::size_t begin = 0;
+
+    bool isEmpty() const { return this->begin == this->points.size(); }
+    const PlanePoint& first() const { return this->points[this->begin].flat; }
+    const PlanePoint& last() const { return this->points.back().flat; }
+    const PlanePoint& beforeLast(const PlanePoint& apex) const
+    {
+      const std::size_t size = this->points.size();
+      return size - this->begin > 1 ? this->points[size - 2].flat : apex;
+    }
+  };
+
+  /** Whether a path from @p a to @p next leaves @p b outside, where it comes after @p a.
+   * @param toLeft 1 if the inside is on the left, -1 if on the right */
+  static bool isCutOff(
+    const PlanePoint& a, const PlanePoint& b, const PlanePoint& next, double toLeft)
+  {
+    const double turn = toLeft * orientation(a, b, next);
+    return turn > 0.0 || (turn == 0.0 && dot(b - a, next - b) < 0.0);
+  }
+  /** Whether a path from @p a to @p next has to go round @p b on the other side, or touches it. */
+  static bool isPassed(
+    const PlanePoint& a, const PlanePoint& b, const PlanePoint& next, double toLeft)
+  {
+    const double turn = toLeft * orientation(a, b, next);
+    return turn > 0.0 || (turn == 0.0 && dot(b - a, next - b) >= 0.0);
+  }
+
+  PlanePoint Apex;
+  std::array<Chain, 2> Chains;
+  std::vector<Bend> Bends;
 };
 
-bool liesOnEdge(const PathPoint& point, const Triangle& face, const Triangle& next)
+std::vector<Bend> bendsThrough(std::span<const StripFace> strip, const Unfolding& unfolding,
+  const PlanePoint& start, const PlanePoint& end)
 {
-  return liesIn(point, face) && liesIn(point, next);
+  Funnel funnel(start, strip.size());
+  for (std::size_t i = 1; i < strip.size(); ++i)
+  {
+    const bool isFirst = i == 1;
+    if (isFirst || strip[i].left != strip[i - 1].left)
+    {
+      funnel.add(Funnel::Left, { strip[i].left, unfolding.portal(i).left, i });
+    }
+    if (isFirst || strip[i].right != strip[i - 1].right)
+    {
+      funnel.add(Funnel::Right, { strip[i].right, unfolding.portal(i).right, i });
+    }
+  }
+  return funnel.bendsTo(end);
 }
 
-/** The range without faces at its ends in which the path has no length: those that it only touches
- * at
- * @p start or @p end. */
-Range trimmed(
-  std::span<const Triangle> faces, Range range, const PathPoint& start, const PathPoint& end)
+/** Whether a point lies on the edge by which a face is entered. */
+bool liesOnEntry(const PathPoint& point, const StripFace& face)
 {
-  while (
-    range.last - range.first > 1 && liesOnEdge(start, faces[range.first], faces[range.first + 1]))
+  for (const Index vertex : point.carriers())
   {
-    ++range.first;
+    if (vertex != face.left && vertex != face.right)
+    {
+      return false;
+    }
   }
-  while (
-    range.last - range.first > 1 && liesOnEdge(end, faces[range.last - 2], faces[range.last - 1]))
-  {
-    --range.last;
-  }
-  return range;
+  return true;
 }
 
-/** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
-constexpr double VertexFraction = 1e-12;
-
-PathPoint crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
+/** The part of a strip without faces at its ends in which a path has no length: those that it only
+ * touches at @p start or @p end. */
+std::span<const StripFace> trimmed(
+  std::span<const StripFace> strip, const PathPoint& start, const PathPoint& end)
 {
-  const double left = orientation(start, end, portal.flatLeft);
-  const double right = orientation(start, end, portal.flatRight);
-  const double fraction = left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
-  if (fraction < VertexFraction)
+  while (strip.size() > 1 && liesOnEntry(start, strip[1]))
   {
-    return PathPoint::atVertex(portal.left);
+    strip = strip.subspan(1);
   }
-  if (fraction > 1.0 - VertexFraction)
+  while (strip.size() > 1 && liesOnEntry(end, strip.back()))
   {
-    return PathPoint::atVertex(portal.right);
+    strip = strip.first(strip.size() - 1);
   }
-  return PathPoint::onEdge(portal.left, portal.right, fraction);
+  return strip;
+}
+
+double crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
+{
+  const double left = orientation(start, end, portal.left);
+  const double right = orientation(start, end, portal.right);
+  return left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
+}
+
+double distanceBetween(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::sqrt(dot(b - a, b - a));
+}
+
+StraightPiece pieceInFace(
+  const TriangleMesh& mesh, const PathPoint& start, const PathPoint& end, const StripFace& face)
+{
+  const bool isAlongEdge = unionOf(start, end).size() <= 2;
+  return { start, end, isAlongEdge ? Strip{} : Strip{ face },
+    norm(end.position(mesh) - start.position(mesh)) };
 }
 
 }
 
-void appendFace(std::vector<Triangle>& faces, const Triangle& face)
+std::vector<StraightPiece> shortestInStrip(
+  const WeightedMesh& surface, const PathPoint& start, const PathPoint& end, const Strip& faces)
 {
-  const auto isFace = [&](const Triangle& other)
-  { return hasCorner(other, face[0]) && hasCorner(other, face[1]) && hasCorner(other, face[2]); };
-  if (!faces.empty() && isFace(faces.back()))
-  {
-    return;
-  }
-  if (faces.size() > 1 && isFace(faces[faces.size() - 2]))
-  {
-    faces.pop_back();
-    return;
-  }
-  faces.push_back(face);
-}
-
-std::vector<StraightPiece> shortestInStrip(const WeightedMesh& surface, const PathPoint& start,
-  const PathPoint& end, const std::vector<Triangle>& faces)
-{
-  const TriangleMesh& mesh = surface.mesh();
-  const Range whole = trimmed(faces, { 0, faces.size() }, start, end);
-  const std::span<const Triangle> strip(faces.data() + whole.first, whole.last - whole.first);
+  const std::span<const StripFace> strip = trimmed(faces, start, end);
+  std::vector<StraightPiece> pieces;
   if (strip.size() == 1)
   {
-    if (isSameVertex(start, end))
+    if (!isSameVertex(start, end))
     {
-      return {};
+      pieces.push_back(pieceInFace(surface.mesh(), start, end, strip[0]));
     }
-    return { { start, end, { strip[0] }, {}, norm(end.position(mesh) - start.position(mesh)) } };
+    return pieces;
   }
   const Unfolding unfolding(surface, strip);
-  const std::span<const Portal> portals = unfolding.portals();
-  const PlanePoint flatStart = unfolding.start(start);
-  const PlanePoint flatEnd = unfolding.end(end);
-
-  std::vector<StraightPiece> pieces;
   PathPoint from = start;
-  PlanePoint flatFrom = flatStart;
+  PlanePoint flatFrom = unfolding.start(start);
   std::size_t firstFace = 0;
   const auto addPiece = [&](const PathPoint& to, const PlanePoint& flatTo, std::size_t lastFace)
   {
-    if (isSameVertex(from, to))
+    if (!isSameVertex(from, to))
     {
-      return;
+      // Without faces between them both are ends of the edge by which the next face is entered.
+      const std::size_t count = std::max<std::size_t>(lastFace - firstFace, 1);
+      const auto part = trimmed(strip.subspan(firstFace, count), from, to);
+      if (part.size() == 1)
+      {
+        pieces.push_back(pieceInFace(surface.mesh(), from, to, part[0]));
+      }
+      else
+      {
+        pieces.push_back(
+          { from, to, Strip(part.begin(), part.end()), distanceBetween(flatFrom, flatTo) });
+        Strip& crossed = pieces.back().strip;
+        const std::size_t first = part.data() - strip.data();
+        for (std::size_t i = 1; i < crossed.size(); ++i)
+        {
+          crossed[i].crossing = crossingOf(unfolding.portal(first + i), flatFrom, flatTo);
+        }
+      }
     }
-    const Range range = trimmed(strip, { firstFace, lastFace }, from, to);
-    StraightPiece piece{ from, to,
-      { strip.begin() + static_cast<std::ptrdiff_t>(range.first),
-        strip.begin() + static_cast<std::ptrdiff_t>(range.last) },
-      {}, std::hypot(flatTo.x - flatFrom.x, flatTo.y - flatFrom.y) };
-    piece.crossings.reserve(range.last - range.first - 1);
-    for (std::size_t i = range.first; i + 1 < range.last; ++i)
-    {
-      surface.countSteps(1);
-      piece.crossings.push_back(crossingOf(portals[i], flatFrom, flatTo));
-    }
-    pieces.push_back(std::move(piece));
     from = to;
     flatFrom = flatTo;
     firstFace = lastFace;
   };
-  for (const Bend& bend : bendsThrough(surface, portals, flatStart, flatEnd))
+  const PlanePoint flatEnd = unfolding.end(end);
+  for (const Bend& bend : bendsThrough(strip, unfolding, flatFrom, flatEnd))
   {
-    addPiece(PathPoint::atVertex(bend.vertex), bend.flat, bend.portal + 1);
+    addPiece(PathPoint::atVertex(bend.vertex), bend.flat, std::max(bend.face, firstFace));
   }
   addPiece(end, flatEnd, strip.size());
   return pieces;

@@ -16,9 +16,9 @@ namespace geodesic
 namespace
 {
 
-/** An angle counts as below 180 degrees if it is so by more than this, in radians. The gain in
- * length is proportional to the square of the difference. */
-constexpr double LeastTurn = 1e-7;
+/** An angle counts as 180 degrees if it differs by less than this, in radians. What a path could
+ * gain is proportional to the square of the difference. */
+constexpr double Rounding = 1e-7;
 
 }
 
@@ -176,7 +176,7 @@ void VertexLink::settle(Sweep& sweep) const
 }
 
 std::optional<std::vector<Triangle>> VertexLink::shorterSide(
-  const PathPoint& from, const PathPoint& to, Bend bend) const
+  const PathPoint& from, const PathPoint& to) const
 {
   const std::optional<Direction> source = this->directionTo(from);
   const std::optional<Direction> target = this->directionTo(to);
@@ -198,8 +198,7 @@ std::optional<std::vector<Triangle>> VertexLink::shorterSide(
   const auto [angles, previous] = this->sweepFrom(*source);
   const double first = angles[target->nodes[0]] + target->angles[0];
   const double second = angles[target->nodes[1]] + target->angles[1];
-  const double most = std::numbers::pi + (bend == Bend::Real ? -LeastTurn : LeastTurn);
-  if (!(std::min(first, second) < most))
+  if (!(std::min(first, second) < std::numbers::pi + Rounding))
   {
     return std::nullopt;
   }

@@ -3,7 +3,6 @@
 #ifndef geodesic_VertexLink_h
 #define geodesic_VertexLink_h
 
-#include "path/StripFunnel.h"
 #include "path/WeightedMesh.h"
 
 #include <array>
@@ -24,25 +23,17 @@ namespace geodesic
 class VertexLink
 {
 public:
-  /** What shorterSide() takes for a bend: an angle of less than 180 degrees, or also one of 180. */
-  enum class Bend
-  {
-    Real,
-    OrStraight
-  };
-
   VertexLink(const WeightedMesh& weighted, Index vertex);
 
   /**
-   * The side on which a path that bends at the vertex gets shorter.
+   * The side on which a path that bends at the vertex gets shorter, or at least no longer.
    * @param from, to  points of the path before and after the vertex, each in a face with it
-   * @param bend      whether a path that runs straight through the vertex counts as well
    * @return the faces round the vertex on the side where the angle between the two points is
-   * smallest, if it is less than 180 degrees or as @p bend says; nothing otherwise. The faces in
-   * which the points lie are among them, unless the path runs along an edge there.
+   * smallest, if it is at most 180 degrees; nothing otherwise. The faces in which the points lie
+   * are among them, unless the path runs along an edge there.
    */
   std::optional<std::vector<Triangle>> shorterSide(
-    const PathPoint& from, const PathPoint& to, Bend bend = Bend::Real) const;
+    const PathPoint& from, const PathPoint& to) const;
 
 private:
   /** A face as an arc between two nodes. */

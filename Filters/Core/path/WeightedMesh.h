@@ -10,6 +10,7 @@
 #include "solve/SolveOptions.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace geodesic
@@ -97,16 +98,24 @@ inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visi
 {
   const Carriers carriers = point.carriers();
   const Index centre = centreOf(surface, carriers);
+  // The carriers beside the centre; fewer are the centre or the last one again.
+  std::array<Index, 2> others{ centre, centre };
+  for (const Index carrier : carriers)
+  {
+    if (carrier != centre)
+    {
+      others = { others[1], carrier };
+    }
+  }
   const std::span<const RingEntry> ring = surface.ring(centre);
   surface.countSteps(ring.size());
   // The last entry of a ring opens no triangle.
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)
   {
     const Triangle face{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-    const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
-      [&](Index carrier)
-      { return carrier == face[0] || carrier == face[1] || carrier == face[2]; });
-    if (hasAll && surface.isOpen(centre, i))
+    const auto isCorner = [&](Index vertex)
+    { return vertex == centre || vertex == face[1] || vertex == face[2]; };
+    if (isCorner(others[0]) && isCorner(others[1]) && surface.isOpen(centre, i))
     {
       visit(face);
     }
