@@ -512,6 +512,41 @@ TEST_F(Blocks, LevelsThatOverlapAreRefused)
   this->expectError(levels, "vtkOverlappingAMR");
 }
 
+// Blocks that have names may move to other places, with all that they hold unchanged.
+TEST_F(Blocks, ThatMoveAreNamedByTheirNewPlaces)
+{
+  const auto input = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  const auto add = [&](unsigned int place, vtkDataObject* block, const char* name)
+  {
+    input->SetBlock(place, block);
+    input->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name);
+  };
+  const auto first = square(2);
+  const auto second = square(2);
+  add(0, first, "first");
+  add(1, second, "second");
+  vtkNew<vtkSurfaceGeodesicPath> filter;
+  filter->SetInputDataObject(input);
+  filter->SetConnectBlocks(false);
+  for (const double coordinate : { 0.0, 0.0, 0.0, 2.0, 1.0, 0.0 })
+  {
+    filter->AddWaypointCoordinate(coordinate);
+  }
+  const auto blocksOfPath = [&]
+  {
+    EXPECT_EQ(errorsOf(filter.Get()), "");
+    vtkDataArray* blocks =
+      vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("OriginalBlocks");
+    return std::pair(blocks->GetRange()[0], blocks->GetRange()[1]);
+  };
+  EXPECT_EQ(blocksOfPath(), std::pair(1.0, 1.0));
+  const vtkNew<vtkPolyData> empty;
+  add(0, empty, "empty");
+  add(1, first, "first");
+  add(2, second, "second");
+  EXPECT_EQ(blocksOfPath(), std::pair(2.0, 2.0));
+}
+
 TEST_F(Blocks, PathsCrossThemAsTheWhole)
 {
   const auto bunny = readData("Bunny.vtp");

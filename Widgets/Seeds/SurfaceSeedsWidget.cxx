@@ -33,6 +33,7 @@
 #include "vtkSMProxy.h"
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPointer>
 #include <QVBoxLayout>
 
@@ -85,7 +86,17 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   auto* property = vtkSMDoubleVectorProperty::SafeDownCast(group->GetProperty("Positions"));
   if (!property || !group->GetProperty("Input"))
   {
-    qFatal("The property group of a SurfaceSeeds widget needs the functions Positions and Input.");
+    // The group is another plugin's, so it must not end the program.
+    const QString complaint =
+      tr("The property group %1 of %2 can't be shown: the panel widget SurfaceSeeds needs a "
+         "DoubleVectorProperty with function=\"Positions\" and an InputProperty with "
+         "function=\"Input\" in it.")
+        .arg(group->GetXMLLabel(), proxy->GetXMLName());
+    qCritical("%s", qUtf8Printable(complaint));
+    auto* label = new QLabel(complaint, this);
+    label->setWordWrap(true);
+    (new QVBoxLayout(this))->addWidget(label);
+    return;
   }
   this->Internal = std::make_unique<Internals>(proxy, group);
   Internals& my = *this->Internal;
@@ -115,8 +126,11 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
 
 SurfaceSeedsWidget::~SurfaceSeedsWidget()
 {
-  this->detach();
-  delete this->Internal->Error;
+  if (this->Internal)
+  {
+    this->detach();
+    delete this->Internal->Error;
+  }
 }
 
 void SurfaceSeedsWidget::connectPanel()
@@ -199,6 +213,10 @@ void SurfaceSeedsWidget::setPositions(const QList<QVariant>& positions)
 void SurfaceSeedsWidget::setView(pqView* view)
 {
   pqPropertyGroupWidget::setView(view);
+  if (!this->Internal)
+  {
+    return;
+  }
   Internals& my = *this->Internal;
   auto* renderView = qobject_cast<pqRenderView*>(view);
   if (my.Bands)
@@ -219,6 +237,10 @@ void SurfaceSeedsWidget::setView(pqView* view)
 void SurfaceSeedsWidget::showEvent(QShowEvent* event)
 {
   pqPropertyGroupWidget::showEvent(event);
+  if (!this->Internal)
+  {
+    return;
+  }
   this->attachTo(qobject_cast<pqRenderView*>(this->view()));
   // The first group of a panel has the keys until the user clicks another group.
   if (this->parentWidget()->findChild<SurfaceSeedsWidget*>() == this)
@@ -229,17 +251,19 @@ void SurfaceSeedsWidget::showEvent(QShowEvent* event)
 
 void SurfaceSeedsWidget::hideEvent(QHideEvent* event)
 {
-  this->detach();
-  this->Internal->Keys->giveUp();
+  if (this->Internal)
+  {
+    this->detach();
+    this->Internal->Keys->giveUp();
+  }
   pqPropertyGroupWidget::hideEvent(event);
 }
 
 void SurfaceSeedsWidget::keyPressEvent(QKeyEvent* event)
 {
-  Internals& my = *this->Internal;
-  if (event->key() == Qt::Key_Escape && my.Panel->isPicking())
+  if (this->Internal && event->key() == Qt::Key_Escape && this->Internal->Panel->isPicking())
   {
-    my.Panel->setPicking(false);
+    this->Internal->Panel->setPicking(false);
     return;
   }
   pqPropertyGroupWidget::keyPressEvent(event);

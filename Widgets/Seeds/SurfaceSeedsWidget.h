@@ -76,6 +76,7 @@ private:
   /** Takes away what was measured for other points than those in the table. */
   void forgetLengths();
 
+  /** Null if the group lacks a function; the widget then says so and does nothing else. */
   std::unique_ptr<Internals> Internal;
 };
 

@@ -21,12 +21,22 @@ namespace geodesic::bridge
 namespace
 {
 
+/** What the surface tells of a block: its place among the others, and its name. */
+struct BlockPlace
+{
+  unsigned int flatIndex;
+  unsigned int number;
+  std::string name;
+
+  friend bool operator==(const BlockPlace&, const BlockPlace&) = default;
+};
+
 /** Identifies the points and cells of an input. */
 struct InputVersion
 {
   PointIdentity points;
   std::vector<ObjectVersion> parts;
-  std::vector<std::string> names;
+  std::vector<BlockPlace> places;
 
   friend bool operator==(const InputVersion&, const InputVersion&) = default;
 };
@@ -44,7 +54,7 @@ InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& points)
     {
       version.parts.emplace_back(block.globalPointIds());
     }
-    version.names.push_back(block.name);
+    version.places.push_back({ block.flatIndex, block.block, block.name });
   }
   return version;
 }

@@ -26,8 +26,8 @@ public:
   /**
    * Returns the surface of an input; it is built now unless some filter still holds it. The surface
    * is identified by the VTK objects that hold the points, the cells and, if they matter, the ids,
-   * and by the modification times of these objects. So a shallow copy of the input, and the same
-   * input with new arrays, find the same surface.
+   * and by the modification times of these objects, and by the places and names of the blocks. So a
+   * shallow copy of the input, and the same input with new arrays, find the same surface.
    * @param team the threads that build the surface
    * @throws std::invalid_argument if the input has no triangle, polygon or strip with an area,
    * unless it is one piece of several; also as TriangleMesh and kindsOfPoints()
