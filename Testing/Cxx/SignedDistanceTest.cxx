@@ -153,7 +153,7 @@ TEST_F(SignedDistance, GoesOnBehindBarriersAndStopsAtTheLimit)
   // Through the loop, out of it and nearly to the border.
   wall->SetOutput(linesOf({ { { 1.03, 1.03, 0 }, { 1.03, 1.93, 0 } } }));
   this->Filter->SetBarrierSourceConnection(wall->GetOutputPort());
-  expectError(plane, "barrier");
+  expectError(plane, "Seed 0 lies on a line of BarrierSource");
   wall->SetOutput(linesOf({ { { 0.33, 1.63, 0 }, { 1.73, 1.63, 0 } } }));
   this->Filter->UseMaximumDistanceOn();
   this->Filter->SetMaximumDistance(0.3);

@@ -70,11 +70,13 @@ expect("barrier", torus, SeedSource=simple.PolyLineSource(Points=[0.02, 1.2, 0.3
        BarrierArray=["CELLS", "CellWall"])
 expect("SpreadWork does not go together with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
        BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
+expect(("Signed", "Aggregate Dataset"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 # Each rank runs the script, and may set something else.
 expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else SEED + SEED)
 expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else [])
+expect("same on all ranks", torus, SeedPositions=SEED, Signed=int(harness.IS_FIRST))
 expect("same on all ranks", torus, SeedPositions=SEED, MergeCoincidentPoints=int(harness.IS_FIRST))
 expect("same on all ranks", torus, SeedPositions=SEED, CostArray=["POINTS", "Cost" if harness.IS_FIRST else "None"])
 expect("same on all ranks", torus, SeedPositions=SEED, Method="Dijkstra" if harness.IS_FIRST else "FastMarching")
