@@ -349,8 +349,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::FindSides(
-  const Run& run, const std::vector<geodesic::Seed>& seeds)
+void vtkSurfaceGeodesicDistance::FindSides(const Run& run, const std::vector<geodesic::Seed>& seeds)
 {
   Internals& internal = *this->Internal;
   if (!this->Signed)
@@ -416,9 +415,10 @@ void vtkSurfaceGeodesicDistance::CheckSides() const
     if (internal.Signs[vertex] == 0 &&
       internal.Field->isReached(split ? split->vertexOf(vertex) : vertex))
     {
-      throw std::invalid_argument("A part of the surface hangs on the lines of SeedSource by single "
-                                  "points only, so that it is on neither side of them. Leave it "
-                                  "out, or turn Signed off.");
+      throw std::invalid_argument(
+        "A part of the surface hangs on the lines of SeedSource by single "
+        "points only, so that it is on neither side of them. Leave it "
+        "out, or turn Signed off.");
     }
   }
 }

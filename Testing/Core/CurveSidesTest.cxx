@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // On which side of curves vertices are.
 
+#include "split/CurveSides.h"
 #include "LevelSides.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "path/SurfaceCurve.h"
 #include "search/ClosestPointTree.h"
-#include "split/CurveSides.h"
 
 #include <gtest/gtest.h>
 
@@ -163,8 +163,7 @@ TEST(CurveSides, OnAPlaneTheInsideOfAClosedCurveIsMinusHoweverLargeItIs)
   Subject plane(planeGrid(20, 20, 2.0, 2.0));
   for (const double radius : { 0.3, 0.97 })
   {
-    for (const Positions& loop :
-      { circle(1, 1, radius, 60), reversed(circle(1, 1, radius, 60)) })
+    for (const Positions& loop : { circle(1, 1, radius, 60), reversed(circle(1, 1, radius, 60)) })
     {
       const auto signs = plane.sides({ loop });
       for (Index v = 0; v < signs.size(); ++v)
@@ -229,7 +228,8 @@ TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
   expectContains(plane.errorOf({ { { 1, 1, 0 }, { 1, 1, 0 } } }), "line 0 has no side");
   expectContains(plane.errorOf({ { { 0.31, 1, 0 }, { 1, 1, 0 }, { 0.31, 1, 0 } } }), "no side");
   // The two lines run towards each other.
-  expectContains(plane.errorOf({ { { 0, 1.03, 0 }, { 1, 1.04, 0 } }, { { 2, 1.07, 0 }, { 1, 1.04, 0 } } }),
+  expectContains(
+    plane.errorOf({ { { 0, 1.03, 0 }, { 1, 1.04, 0 } }, { { 2, 1.07, 0 }, { 1, 1.04, 0 } } }),
     "lines 0 and 1 together have no constant left side");
   // A loop in an open line.
   expectContains(
@@ -238,7 +238,8 @@ TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
   Subject sphere(icosphere(3));
   expectContains(sphere.errorOf({ { { 1, 0, 0 }, { 0, 1, 0.2 } } }), "line 0 has no two sides");
   Subject ring(torus(40, 20, 1.0, 0.4));
-  expectContains(ring.errorOf({ { { 1.4, 0, 0 }, { 1, 0, 0.4 }, { 0.6, 0, 0 }, { 1, 0, -0.4 }, { 1.4, 0, 0 } } }),
+  expectContains(ring.errorOf({ { { 1.4, 0, 0 }, { 1, 0, 0.4 }, { 0.6, 0, 0 }, { 1, 0, -0.4 },
+                   { 1.4, 0, 0 } } }),
     "line 0 has no inside");
 }
 

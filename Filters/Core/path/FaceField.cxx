@@ -12,8 +12,8 @@ namespace geodesic
 namespace
 {
 
-/** The largest angle between two points of an arc: chords are then 4e-5 radii from it at most. */
-constexpr double LargestStep = std::numbers::pi / 180.0;
+/** The largest angle between two points of an arc: chords are then 2e-4 radii from it at most. */
+constexpr double LargestStep = std::numbers::pi / 90.0;
 /** The source of a face's seed has the distances of all corners but for this part of its size. */
 constexpr double ExactSource = 1e-6;
 
@@ -24,8 +24,7 @@ double distanceOf(const PlanePoint& a, const PlanePoint& b)
 
 }
 
-FaceField::FaceField(
-  const std::array<PlanePoint, 3>& corners, const std::array<double, 3>& values)
+FaceField::FaceField(const std::array<PlanePoint, 3>& corners, const std::array<double, 3>& values)
   : Corners(corners)
   , Area(0.5 * orientation(corners[0], corners[1], corners[2]))
   , Size(std::max({ distanceOf(corners[0], corners[1]), distanceOf(corners[1], corners[2]),
@@ -56,8 +55,7 @@ void FaceField::findSource(const std::array<double, 3>& values)
     const double first = values[(c + 1) % 3];
     const double second = values[(c + 2) % 3];
     // The source is at this place along the edge, and as far from it.
-    const double along =
-      0.5 * (length + (first - second) * (first + second) / length);
+    const double along = 0.5 * (length + (first - second) * (first + second) / length);
     const double squared = (first - along) * (first + along);
     if (!(squared > -ExactSource * this->Size * this->Size))
     {
@@ -86,8 +84,7 @@ double FaceField::depth(const PlanePoint& point) const
   double depth = std::numeric_limits<double>::infinity();
   for (int c = 0; c < 3; ++c)
   {
-    depth =
-      std::min(depth, orientation(this->Corners[c], this->Corners[(c + 1) % 3], point));
+    depth = std::min(depth, orientation(this->Corners[c], this->Corners[(c + 1) % 3], point));
   }
   return depth;
 }
@@ -98,19 +95,13 @@ FaceField::Arc FaceField::arc(const PlanePoint& from, const PlanePoint& to) cons
   {
     return { { from, to }, distanceOf(from, to), 0.0 };
   }
-  const double angle = std::atan2(
-    orientation(this->Source, from, to),
+  const double angle = std::atan2(orientation(this->Source, from, to),
     (from.x - this->Source.x) * (to.x - this->Source.x) +
       (from.y - this->Source.y) * (to.y - this->Source.y));
-  // Round a source in the face an arc can be longer than half a circle.
-  const double other = angle > 0.0 ? angle - 2.0 * std::numbers::pi : angle + 2.0 * std::numbers::pi;
-  const auto middleDepth = [&](double turn)
-  {
-    const Arc half = this->arcOver(from, to, turn);
-    return this->depth(half.points[half.points.size() / 2]);
-  };
-  const bool takesOther = this->depth(this->Source) > 0.0 && middleDepth(other) > middleDepth(angle);
-  return this->arcOver(from, to, takesOther ? other : angle);
+  // The turn is counterclockwise. Beside a source outside of the face it is less than half a
+  // circle, and below 0 by rounding only.
+  const bool isLong = angle < (this->HasSource ? 0.0 : -0.5 * std::numbers::pi);
+  return this->arcOver(from, to, isLong ? angle + 2.0 * std::numbers::pi : angle);
 }
 
 FaceField::Arc FaceField::circle(double radius) const
@@ -119,8 +110,7 @@ FaceField::Arc FaceField::circle(double radius) const
   return this->arcOver(start, start, 2.0 * std::numbers::pi);
 }
 
-FaceField::Arc FaceField::arcOver(
-  const PlanePoint& from, const PlanePoint& to, double angle) const
+FaceField::Arc FaceField::arcOver(const PlanePoint& from, const PlanePoint& to, double angle) const
 {
   const PlanePoint& centre = this->Source;
   const double first = distanceOf(centre, from);
@@ -136,10 +126,12 @@ FaceField::Arc FaceField::arcOver(
       centre.y + radius * std::sin(begin + part * angle) });
   }
   arc.points.push_back(to);
-  const double radius = 0.5 * (first + second);
+  // The radius changes steadily along the arc: Simpson's rule.
   const double turn = std::abs(angle);
-  arc.length = std::hypot(radius * turn, second - first);
-  arc.segment = 0.5 * radius * radius * (turn - std::sin(turn));
+  const auto speed = [&](double radius) { return std::hypot(radius * turn, second - first); };
+  arc.length = (speed(first) + 4.0 * speed(0.5 * (first + second)) + speed(second)) / 6.0;
+  arc.segment = turn * (first * first + first * second + second * second) / 6.0 -
+    0.5 * first * second * std::sin(turn);
   return arc;
 }
 
@@ -155,13 +147,11 @@ std::vector<double> placesOnEdge(
   const bool differ = firstIsBelow != secondIsBelow;
   if (!isRound || std::abs(second - first) >= length)
   {
-    return differ
-      ? std::vector{ std::clamp((level - first) / (second - first), 0.0, 1.0 ) }
-      : std::vector<double>{};
+    return differ ? std::vector{ std::clamp((level - first) / (second - first), 0.0, 1.0) }
+                  : std::vector<double>{};
   }
   // The square of the distance is a parabola: least * at * its middle.
-  const double middle =
-    0.5 * (1.0 - (second - first) * (second + first) / (length * length));
+  const double middle = 0.5 * (1.0 - (second - first) * (second + first) / (length * length));
   const double least = (first - middle * length) * (first + middle * length);
   const double squared = (level * level - least) / (length * length);
   const double half = std::sqrt(std::max(squared, 0.0));

@@ -44,7 +44,8 @@ public:
     /** The area between the arc and the straight line between its ends. */
     double segment;
   };
-  /** The arc between two points of the border at which the field has one value. */
+  /** The arc between two points of the border at which the field has one value. What is nearer is
+   * on its left. */
   Arc arc(const PlanePoint& from, const PlanePoint& to) const;
   /** The circle of a radius round the source. */
   Arc circle(double radius) const;

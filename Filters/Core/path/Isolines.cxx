@@ -215,8 +215,7 @@ private:
       const double low = *least > 0.0 ? 0.0 : *least;
       const double high = *most < 0.0 ? 0.0 : *most;
       const double size = this->Mesh.longestEdgeAround(this->Mesh.triangle(face)[0]);
-      this->Ranges.push_back(
-        { std::max(low, *least - size), std::min(high, *most + size), face });
+      this->Ranges.push_back({ std::max(low, *least - size), std::min(high, *most + size), face });
     }
     std::ranges::sort(this->Ranges, {}, &Range::low);
   }
@@ -253,7 +252,8 @@ private:
       this->Events.push_back({ values[1], range.face, false });
       this->Events.push_back({ values[2], range.face, true });
     }
-    std::ranges::sort(this->Events, {}, [](const Event& e) { return std::pair(e.value, e.isWhole); });
+    std::ranges::sort(
+      this->Events, {}, [](const Event& e) { return std::pair(e.value, e.isWhole); });
   }
 
   void connect(Index a, Index b)
@@ -268,22 +268,21 @@ private:
   /** Brings all that depends on the level to it. */
   void raise()
   {
-    for (; this->NextEvent < this->Events.size() &&
-         this->Events[this->NextEvent].value < this->Level;
+    for (;
+         this->NextEvent < this->Events.size() && this->Events[this->NextEvent].value < this->Level;
          ++this->NextEvent)
     {
       const Event& event = this->Events[this->NextEvent];
       Triangle t = this->Mesh.triangle(event.face);
-      std::sort(t.begin(), t.end(),
-        [&](Index a, Index b) { return this->Values[a] < this->Values[b]; });
+      std::sort(
+        t.begin(), t.end(), [&](Index a, Index b) { return this->Values[a] < this->Values[b]; });
       this->connect(t[0], t[event.isWhole ? 2 : 1]);
       if (event.isWhole)
       {
         this->AreaBelow[this->Below.rootOf(t[0])] += this->areaOf(event.face);
       }
     }
-    for (; this->NextRange < this->Ranges.size() &&
-         this->Ranges[this->NextRange].low < this->Level;
+    for (; this->NextRange < this->Ranges.size() && this->Ranges[this->NextRange].low < this->Level;
          ++this->NextRange)
     {
       this->Active.push_back(this->NextRange);
@@ -344,8 +343,8 @@ private:
       }
       else
       {
-        places = placesOnEdge(
-          first, second, length, sign > 0 && this->IsRound[halfEdge], this->Level);
+        places =
+          placesOnEdge(first, second, length, sign > 0 && this->IsRound[halfEdge], this->Level);
       }
       std::vector<Crossing> ofSide;
       for (std::size_t i = 0; i < places.size(); ++i)
@@ -376,16 +375,15 @@ private:
     // Where the distance is less than the level's, which is convex.
     const bool nearIsBelow = sign >= 0;
     const bool firstIsBelow = values[0] < this->Level;
-    const FaceField field = sign == 0
-      ? FaceField(flat.corners, values)
-      : fieldOf(flat, values);
+    const FaceField field = sign == 0 ? FaceField(flat.corners, values) : fieldOf(flat, values);
     if (crossings.empty())
     {
       this->addCircle(face, flat, field, sign);
       return;
     }
     std::optional<Index> set;
-    const auto unite = [&](Index other) { set = set ? this->Sets->connect(*set, other).first : other; };
+    const auto unite = [&](Index other)
+    { set = set ? this->Sets->connect(*set, other).first : other; };
     for (int c = 0; c < 3; ++c)
     {
       if (values[c] < this->Level)
@@ -409,10 +407,9 @@ private:
       }
       const Crossing& from = crossings[i];
       const Crossing& to = crossings[(i + 1) % count];
-      FaceField::Arc arc = sign == 0
-        ? FaceField::Arc{ { from.place, to.place },
-            std::hypot(to.place.x - from.place.x, to.place.y - from.place.y), 0.0 }
-        : field.arc(from.place, to.place);
+      FaceField::Arc arc = sign == 0 ? FaceField::Arc{ { from.place, to.place },
+        std::hypot(to.place.x - from.place.x, to.place.y - from.place.y), 0.0 }
+                                     : field.arc(from.place, to.place);
       near -= this->areaBeside(flat, from, to, i + 1 == count) - arc.segment;
       this->addPiece(flat, arc, { from.node, to.node }, *set);
     }
@@ -451,15 +448,18 @@ private:
     const double disc = std::numbers::pi * radius * radius;
     if (sign > 0)
     {
-      const Index set = this->setOf(
-        std::uint64_t{ this->Mesh.numberOfVertices() } + 3 * std::uint64_t{ this->Mesh.numberOfTriangles() } + face, 0.0);
+      const Index set = this->setOf(std::uint64_t{ this->Mesh.numberOfVertices() } +
+          3 * std::uint64_t{ this->Mesh.numberOfTriangles() } + face,
+        0.0);
       this->SetAreas[set] += disc;
-      this->addPiece(flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
+      this->addPiece(
+        flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
       return;
     }
     const Index set = this->setOfVertex(this->Mesh.triangle(face)[0]);
     this->SetAreas[set] -= disc;
-    this->addPiece(flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
+    this->addPiece(
+      flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
   }
 
   void addPiece(

@@ -43,8 +43,8 @@ struct Side
 class Collector
 {
 public:
-  Collector(const RegionMesh& mesh, const RegionCut& cut, std::size_t curves,
-    const std::string& name)
+  Collector(
+    const RegionMesh& mesh, const RegionCut& cut, std::size_t curves, const std::string& name)
     : Mesh(mesh)
     , Cut(cut)
     , Name(name)

@@ -63,8 +63,9 @@ public:
     {
       if (!this->Chains[chain].hasLeft)
       {
-        this->fail(chain, " no side: the surface has no face beside it, or it goes back where it "
-                          "came from, or it is a single point; give a line of some length.");
+        this->fail(chain,
+          " no side: the surface has no face beside it, or it goes back where it "
+          "came from, or it is a single point; give a line of some length.");
       }
     }
     std::vector<std::int8_t> signs;
@@ -117,8 +118,9 @@ private:
       {
         if (left == 0 && !this->Lines[number].isClosed)
         {
-          this->fail(number, " no left side: the faces on its two sides are turned differently. "
-                             "Make them consistent, for example by Surface Normals (Consistency).");
+          this->fail(number,
+            " no left side: the faces on its two sides are turned differently. "
+            "Make them consistent, for example by Surface Normals (Consistency).");
         }
       }
     }
@@ -214,9 +216,10 @@ private:
       }
       if (isOpen && chain.leftIsFar != leftIsFar)
       {
-        this->fail(number, " no constant left side: an open line must not cross itself, lines that "
-                           "follow on each other must run in one direction, and the faces along them "
-                           "must be turned alike, as Surface Normals (Consistency) makes them.");
+        this->fail(number,
+          " no constant left side: an open line must not cross itself, lines that "
+          "follow on each other must run in one direction, and the faces along them "
+          "must be turned alike, as Surface Normals (Consistency) makes them.");
       }
     }
   }
@@ -321,7 +324,8 @@ private:
       i += 2;
     }
     const Index number = wrong[i];
-    this->fail(number, this->Lines[number].isClosed
+    this->fail(number,
+      this->Lines[number].isClosed
         ? " no inside: it is closed, but the surface goes on from one side to the other, as round "
           "a handle. Close it elsewhere, or turn Signed off."
         : " no two sides: it is open, and the surface goes on from one side to the other, beyond "
@@ -332,8 +336,8 @@ private:
   [[noreturn]] void fail(Index chain, const std::string& what) const
   {
     const LineChain& lines = this->Lines[chain];
-    throw std::invalid_argument(
-      nameOfLines(this->Name, lines) + (lines.lines.size() == 1 ? " has" : " together have") + what);
+    throw std::invalid_argument(nameOfLines(this->Name, lines) +
+      (lines.lines.size() == 1 ? " has" : " together have") + what);
   }
 
   struct Step
