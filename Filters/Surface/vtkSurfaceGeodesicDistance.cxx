@@ -14,6 +14,7 @@
 
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
+#include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
 #include "global/GlobalPoints.h"
 #include "global/GlobalSeeds.h"
@@ -31,9 +32,12 @@
 #include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
+#include "split/CurveSides.h"
+#include "split/RegionMesh.h"
 #include "split/SplitMesh.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -65,6 +69,10 @@ struct vtkSurfaceGeodesicDistance::Internals
    * piece. */
   std::unique_ptr<const geodesic::distributed::DealtSurface> Dealt;
   std::optional<geodesic::DistanceField> OfPiece;
+  /** With Signed: the sign of each vertex of the mesh, and what it was found for. */
+  std::vector<std::int8_t> Signs;
+  std::shared_ptr<const geodesic::RegionMesh> SidesMesh;
+  std::vector<geodesic::SurfacePath> SidesOf;
 
   /** Makes the solver of a method on a mesh, unless it is there. */
   void setSolver(
@@ -236,6 +244,8 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
   this->Solve({ ranks, blocks, inputVector });
+  this->CheckUnreachedValue();
+  this->CheckSides();
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
     geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
@@ -267,7 +277,8 @@ void vtkSurfaceGeodesicDistance::DescribeRequest(std::vector<double>& numbers)
       this->MaximumDistance, static_cast<double>(this->ComputeNearestSeed),
       static_cast<double>(std::hash<std::string>{}(this->DistanceArrayName)),
       static_cast<double>(this->UnreachedAs), this->UnreachedValue,
-      static_cast<double>(this->SpreadWork), static_cast<double>(this->GatherForExact) });
+      static_cast<double>(this->SpreadWork), static_cast<double>(this->GatherForExact),
+      static_cast<double>(this->Signed) });
 }
 
 //------------------------------------------------------------------------------
@@ -294,6 +305,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
+  this->FindSides(run, seeds);
 
   std::vector<geodesic::Triangle> targets;
   geodesic::distributed::DealtSurface::Places destinations;
@@ -339,6 +351,81 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   internal.setSolver(method, surface.mesh());
   internal.Field = &internal.Solver->solve(openSeeds, options);
   this->ReportWork(run, partition, *internal.Field, internal.Lined.mesh()->numberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::FindSides(const Run& run, const std::vector<geodesic::Seed>& seeds)
+{
+  Internals& internal = *this->Internal;
+  if (!this->Signed)
+  {
+    internal.Signs.clear();
+    internal.SidesMesh.reset();
+    return;
+  }
+  const auto noLine = std::find_if(seeds.begin(), seeds.end(),
+    [](const geodesic::Seed& seed) { return seed.kind != geodesic::Seed::Kind::Curve; });
+  if (noLine != seeds.end())
+  {
+    throw std::invalid_argument("Signed needs seeds with two sides, and seed " +
+      std::to_string(noLine - seeds.begin()) +
+      " is no line. Leave only lines of SeedSource as seeds, or turn Signed off.");
+  }
+  const bool isElsewhere = run.ranks.rank() > 0 && run.blocks.numberWithFaces() > 0;
+  if (run.ranks.isAny(isElsewhere))
+  {
+    throw std::invalid_argument("The surface is spread over ranks, and Signed needs all of it on "
+                                "the first one. Bring it there by Aggregate Dataset with 1 target "
+                                "process, or turn Signed off.");
+  }
+  run.ranks.together(
+    [&]
+    {
+      const auto& mesh = internal.Lined.mesh();
+      const std::vector<geodesic::SurfacePath>& lines = internal.Lined.seedPaths();
+      if (!internal.SidesMesh || &internal.SidesMesh->mesh() != mesh.get())
+      {
+        internal.SidesMesh = std::make_shared<const geodesic::RegionMesh>(mesh);
+        internal.Signs.clear();
+      }
+      if (internal.Signs.empty() || internal.SidesOf != lines)
+      {
+        internal.Signs = geodesic::curveSides(internal.SidesMesh, lines, "SeedSource");
+        internal.SidesOf = lines;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::CheckUnreachedValue() const
+{
+  const double value = this->UnreachedValue;
+  const bool isDistance = value == -1.0 || (value < 0.0 && value >= -this->MaximumDistanceReached);
+  if (this->Signed && this->UnreachedAs == UNREACHED_AS_VALUE && isDistance)
+  {
+    throw std::invalid_argument("UnreachedValue is " + geodesic::textOf(value) +
+      ", which with Signed is a distance on the minus side; the largest distance is " +
+      geodesic::textOf(this->MaximumDistanceReached) +
+      ". Set UnreachedAs to NaN, or give a value below minus that and other than -1.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::CheckSides() const
+{
+  const Internals& internal = *this->Internal;
+  const geodesic::SplitMesh* split = internal.Lined.split();
+  for (geodesic::Index vertex = 0; vertex < internal.Signs.size(); ++vertex)
+  {
+    if (internal.Signs[vertex] == 0 &&
+      internal.Field->isReached(split ? split->vertexOf(vertex) : vertex))
+    {
+      throw std::invalid_argument(
+        "A part of the surface hangs on the lines of SeedSource by single "
+        "points only, so that it is on neither side of them. Leave it "
+        "out, or turn Signed off.");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -535,7 +622,7 @@ void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* ou
   const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
   const geodesic::bridge::FieldOnInput field{ *this->Internal->Lined.mesh(), *this->Internal->Field,
     this->Internal->Lined.split(), surface.numbering().firstPointOf(block),
-    static_cast<geodesic::Index>(output->GetNumberOfPoints()) };
+    static_cast<geodesic::Index>(output->GetNumberOfPoints()), this->Internal->Signs };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)
   {
@@ -569,6 +656,7 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DestinationMode: " << (this->DestinationMode == ANY_DESTINATION ? "Any" : "All")
      << "\n";
   os << indent << "ComputeNearestSeed: " << this->ComputeNearestSeed << "\n";
+  os << indent << "Signed: " << this->Signed << "\n";
   os << indent << "UseMaximumDistance: " << this->UseMaximumDistance << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";

@@ -148,6 +148,24 @@ public:
 
   ///@{
   /**
+   * Whether distances have a sign: that of the side of the seeds, which must be lines of the seed
+   * source. Inside of closed lines it is minus. To the left of open ones, which must lead from
+   * border to border, it is plus; the left is that of somebody who walks along the line on the side
+   * that the normals point to, where the corners of each face are in counterclockwise order. The
+   * inside of a closed line is the side with less of the surface's border or, if both have as much,
+   * with the smaller area. Lines with a common end are one. The sign changes at each line, so it is
+   * plus again inside of two. Costs and barriers have no part in it. Default: off.
+   *
+   * Errors: a seed that is no line, a line without two sides, see geodesic::regionSigns(), an
+   * UnreachedValue that can be a distance, and a surface on several ranks.
+   */
+  vtkSetMacro(Signed, bool);
+  vtkGetMacro(Signed, bool);
+  vtkBooleanMacro(Signed, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether MaximumDistance is in use. Default: off.
    */
   vtkSetMacro(UseMaximumDistance, bool);
@@ -257,6 +275,7 @@ protected:
   vtkNew<vtkIdList> DestinationPointIds;
   int DestinationMode = ANY_DESTINATION;
   bool ComputeNearestSeed = false;
+  bool Signed = false;
   bool UseMaximumDistance = false;
   double MaximumDistance = 1.0;
   std::string DistanceArrayName = "GeodesicDistance";
@@ -286,6 +305,12 @@ private:
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
+  /** Finds the sign of each vertex, if Signed. Collective. */
+  void FindSides(const Run& run, const std::vector<geodesic::Seed>& seeds);
+  /** Throws if a point that was reached is on no side. */
+  void CheckSides() const;
+  /** Throws if UnreachedValue can be a distance. */
+  void CheckUnreachedValue() const;
   /** Whether the method needs the surface on the first rank, and may bring it there. */
   bool Gathers(const geodesic::distributed::RankGroup& ranks) const;
   /** Solves on triangles that are dealt to other ranks. Collective, on several ranks. */

@@ -74,11 +74,15 @@ expect(("Exact", "several ranks", "GatherForExact"), torus, SeedPositions=SEED, 
 expect("GatherForExact does not go together with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
        GatherForExact=1, BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("costs", torus, SeedPositions=SEED, Method="Exact", GatherForExact=1, CostArray=["POINTS", "Cost"])
+expect(("Signed", "Aggregate Dataset"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
+expect("Geodesic Isolines needs all of it on one", simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
+       simple.GeodesicIsolines)
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
 
 # Each rank runs the script, and may set something else.
 expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else SEED + SEED)
 expect("same on all ranks", torus, SeedPositions=SEED if harness.IS_FIRST else [])
+expect("same on all ranks", torus, SeedPositions=SEED, Signed=int(harness.IS_FIRST))
 expect("same on all ranks", torus, SeedPositions=SEED, MergeCoincidentPoints=int(harness.IS_FIRST))
 expect("same on all ranks", torus, SeedPositions=SEED, CostArray=["POINTS", "Cost" if harness.IS_FIRST else "None"])
 expect("same on all ranks", torus, SeedPositions=SEED, Method="Dijkstra" if harness.IS_FIRST else "FastMarching")

@@ -15,7 +15,7 @@ namespace
 
 /**
  * Calls @p visit with each of the input's points and its vertex in the field, or NoIndex if the
- * field does not reach the point.
+ * field does not reach the point, and the sign there.
  */
 template <class Visit>
 void visitPoints(const FieldOnInput& input, Visit&& visit)
@@ -23,11 +23,12 @@ void visitPoints(const FieldOnInput& input, Visit&& visit)
   for (Index point = 0; point < input.numberOfPoints; ++point)
   {
     Index vertex = input.mesh.vertexOfPoint(input.firstPoint + point);
+    const double sign = input.signs.empty() || vertex == NoIndex ? 1.0 : input.signs[vertex];
     if (input.split && vertex != NoIndex)
     {
       vertex = input.split->vertexOf(vertex);
     }
-    visit(point, vertex != NoIndex && input.field.isReached(vertex) ? vertex : NoIndex);
+    visit(point, vertex != NoIndex && input.field.isReached(vertex) ? vertex : NoIndex, sign);
   }
 }
 
@@ -41,8 +42,8 @@ vtkSmartPointer<vtkDoubleArray> distanceArray(
   array->SetNumberOfTuples(input.numberOfPoints);
   double* values = array->GetPointer(0);
   visitPoints(input,
-    [&](Index point, Index vertex)
-    { values[point] = vertex == NoIndex ? unreached : input.field.distance(vertex); });
+    [&](Index point, Index vertex, double sign)
+    { values[point] = vertex == NoIndex ? unreached : sign * input.field.distance(vertex); });
   return array;
 }
 
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
   array->SetNumberOfTuples(input.numberOfPoints);
   vtkIdType* values = array->GetPointer(0);
   visitPoints(input,
-    [&](Index point, Index vertex)
+    [&](Index point, Index vertex, double)
     {
       values[point] =
         vertex == NoIndex ? -1 : static_cast<vtkIdType>(input.field.nearestSeed(vertex));
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkIdTypeArray> nearestSeedArray(const FieldOnInput& input, cons
 vtkIdType numberOfReachedPoints(const FieldOnInput& input)
 {
   vtkIdType count = 0;
-  visitPoints(input, [&](Index, Index vertex) { count += vertex == NoIndex ? 0 : 1; });
+  visitPoints(input, [&](Index, Index vertex, double) { count += vertex == NoIndex ? 0 : 1; });
   return count;
 }
 

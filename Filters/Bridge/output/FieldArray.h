@@ -8,6 +8,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
+#include <span>
+
 class vtkDoubleArray;
 class vtkIdTypeArray;
 
@@ -30,6 +33,8 @@ struct FieldOnInput
   /** The points to show: all of them, or those of one block. */
   Index firstPoint = 0;
   Index numberOfPoints = mesh.numberOfPoints();
+  /** A sign for each vertex of the mesh, with which distances are multiplied; empty for none. */
+  std::span<const std::int8_t> signs{};
 };
 
 /**

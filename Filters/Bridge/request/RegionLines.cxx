@@ -6,15 +6,15 @@
 #include "path/SurfaceCurve.h"
 #include "request/PointResolver.h"
 #include "request/PointSource.h"
+#include "split/LineChains.h"
 #include "split/RegionCut.h"
 
 #include "vtkDataObject.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace geodesic::bridge
 {
@@ -78,59 +78,15 @@ void writeNames(std::ostream& message, const std::vector<std::size_t>& lines)
   }
 }
 
-/** Lines that follow on each other. */
-struct Chain
+std::vector<LineChain> chainsOfLines(const RegionCut& cut, std::size_t lines)
 {
-  std::vector<std::size_t> lines;
-  bool separates = false;
-  /** Whether each end of a line is the end of another one too. */
-  bool isClosed = true;
-};
-
-std::vector<Chain> chainsOf(const RegionCut& cut, std::size_t lines)
-{
-  // Lines of one chain have the same number: that of the first line with one of their ends.
-  std::vector<std::size_t> first(lines);
-  std::iota(first.begin(), first.end(), std::size_t{ 0 });
-  const auto rootOf = [&](std::size_t line)
-  {
-    while (first[line] != line)
-    {
-      line = first[line] = first[first[line]];
-    }
-    return line;
-  };
-  std::map<Index, std::pair<std::size_t, std::size_t>> ends;
+  std::vector<std::pair<Index, Index>> ends;
   for (std::size_t line = 0; line < lines; ++line)
   {
     const std::vector<Index> points = cut.pointsOf(line);
-    for (const Index end : { points.front(), points.back() })
-    {
-      auto& [known, count] = ends.emplace(end, std::pair{ line, 0 }).first->second;
-      const std::size_t a = rootOf(known);
-      const std::size_t b = rootOf(line);
-      first[std::max(a, b)] = std::min(a, b);
-      ++count;
-    }
+    ends.emplace_back(points.front(), points.back());
   }
-  std::map<std::size_t, Chain> chains;
-  for (std::size_t line = 0; line < lines; ++line)
-  {
-    Chain& chain = chains[rootOf(line)];
-    chain.lines.push_back(line);
-    chain.separates = chain.separates || cut.separates(line);
-  }
-  for (const auto& [end, lineAndCount] : ends)
-  {
-    Chain& chain = chains[rootOf(lineAndCount.first)];
-    chain.isClosed = chain.isClosed && lineAndCount.second % 2 == 0;
-  }
-  std::vector<Chain> list;
-  for (auto& [root, chain] : chains)
-  {
-    list.push_back(std::move(chain));
-  }
-  return list;
+  return chainsOf(ends);
 }
 
 }
@@ -188,9 +144,11 @@ std::string linesThatSeparateNothing(const RegionCut& cut, std::size_t lines)
 {
   std::ostringstream message;
   std::size_t count = 0;
-  for (const Chain& chain : chainsOf(cut, lines))
+  for (const LineChain& chain : chainsOfLines(cut, lines))
   {
-    if (chain.separates || ++count > MostNamed)
+    const bool separates = std::any_of(chain.lines.begin(), chain.lines.end(),
+      [&](std::size_t line) { return cut.separates(line); });
+    if (separates || ++count > MostNamed)
     {
       continue;
     }

@@ -57,6 +57,8 @@ public:
   const DividedMesh& divided() const;
   /** The split mesh; null if this rank has split nothing. */
   const SplitMesh* split() const { return this->Lines.split().get(); }
+  /** The lines of seeds on mesh(); on several ranks, the first one has all of them. */
+  const std::vector<SurfacePath>& seedPaths() const { return this->Lines.seeds(); }
   /** The surface with moved triangles; null if there is only one rank, or no line. */
   const GatheredSurface* gathered() const { return this->Gathered.get(); }
   /** Returns points with their places on mesh(). */

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceGeodesicIsolines.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include "base/NumberText.h"
+#include "base/SortUnique.h"
+#include "filter/ErrorMessage.h"
+#include "filter/VtkVersions.h"
+#include "input/ArrayValues.h"
+#include "input/InputBlocks.h"
+#include "input/InputSurface.h"
+#include "input/PointIdentity.h"
+#include "mesh/EdgeTable.h"
+#include "path/Isolines.h"
+#include "pieces/InnerFaces.h"
+#include "pieces/PointKeys.h"
+#include "ranks/RankGroup.h"
+#include "request/PointResolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace
+{
+
+/** The mark of Geodesic Distance for points without a distance, if it is not NaN. */
+constexpr double NoDistance = -1.0;
+
+vtkSmartPointer<vtkDoubleArray> arrayOf(const char* name, std::size_t count)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return array;
+}
+
+/** Fills the output with the curves. */
+void writeCurves(
+  const std::vector<geodesic::Isoline>& curves, const char* distanceName, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  const auto distances = arrayOf(distanceName, curves.size());
+  const auto lengths = arrayOf("Length", curves.size());
+  const auto areas = arrayOf("EnclosedArea", curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    const geodesic::Isoline& curve = curves[i];
+    const bool isClosed = curve.points.front() == curve.points.back();
+    lines->InsertNextCell(static_cast<int>(curve.points.size()));
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (std::size_t p = 0; p + (isClosed ? 1 : 0) < curve.points.size(); ++p)
+    {
+      const geodesic::Vector3& point = curve.points[p];
+      lines->InsertCellPoint(points->InsertNextPoint(point.x, point.y, point.z));
+    }
+    if (isClosed)
+    {
+      lines->InsertCellPoint(first);
+    }
+    const auto cell = static_cast<vtkIdType>(i);
+    distances->SetValue(cell, curve.level);
+    lengths->SetValue(cell, curve.length);
+    areas->SetValue(cell, curve.area);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->SetScalars(distances);
+  output->GetCellData()->AddArray(lengths);
+  output->GetCellData()->AddArray(areas);
+}
+
+}
+
+/** The state that is kept from run to run, so that only what changed is computed again. */
+struct vtkSurfaceGeodesicIsolines::Internals
+{
+  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::unique_ptr<const geodesic::EdgeTable> Edges;
+};
+
+vtkStandardNewMacro(vtkSurfaceGeodesicIsolines);
+
+//------------------------------------------------------------------------------
+vtkSurfaceGeodesicIsolines::vtkSurfaceGeodesicIsolines()
+  : Internal(std::make_unique<Internals>())
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GeodesicDistance");
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceGeodesicIsolines::~vtkSurfaceGeodesicIsolines() = default;
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicIsolines::ClearValues()
+{
+  this->Values.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicIsolines::AddValue(double value)
+{
+  this->Values.push_back(value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceGeodesicIsolines::GetErrorText()
+{
+  return this->ErrorText.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesicIsolines::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  // The executive passes composite data whole, and not block by block, only if they are among these
+  // types.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesicIsolines::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  if (!vtkPolyData::GetData(outputVector))
+  {
+    vtkNew<vtkPolyData> output;
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesicIsolines::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->ErrorText.clear();
+  try
+  {
+    geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    ranks.run([&] { this->RunOnAll(ranks, inputVector, output); });
+  }
+  catch (const std::exception& error)
+  {
+    *this->Internal = Internals();
+    output->Initialize();
+    this->ErrorText = geodesic::bridge::messageOf(error);
+    vtkErrorMacro(<< this->ErrorText);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicIsolines::RunOnAll(
+  geodesic::distributed::RankGroup& ranks, vtkInformationVector** inputVector, vtkPolyData* output)
+{
+  std::unique_ptr<geodesic::bridge::InputBlocks> blocks;
+  ranks.together(
+    [&]
+    {
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      if (geodesic::bridge::hasOverlappingLevels(input))
+      {
+        throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
+          ", whose blocks overlap and are no surface together. Give a surface of it, for example "
+          "by Slice or Contour.");
+      }
+      blocks = std::make_unique<geodesic::bridge::InputBlocks>(input);
+    });
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  std::vector<double> settings{ static_cast<double>(this->NumberOfValues),
+    static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks),
+    static_cast<double>(std::hash<std::string>{}(name ? name : "")),
+    static_cast<double>(this->Values.size()) };
+  settings.insert(settings.end(), this->Values.begin(), this->Values.end());
+  ranks.requireSame(settings, "properties");
+  geodesic::distributed::hideInnerFaces(ranks, *blocks,
+    geodesic::distributed::identityOf(
+      ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
+  const bool hasFaces = blocks->numberWithFaces() > 0;
+  const double ranksWithFaces = ranks.sum(hasFaces ? 1.0 : 0.0);
+  ranks.together(
+    [&]
+    {
+      if (ranksWithFaces > 1.0)
+      {
+        throw std::invalid_argument("The surface is spread over " +
+          std::to_string(static_cast<int>(ranksWithFaces)) +
+          " ranks, and Geodesic Isolines needs all of it on one. Bring it to one by Aggregate "
+          "Dataset.");
+      }
+      if (hasFaces || (ranksWithFaces == 0.0 && ranks.rank() == 0))
+      {
+        this->Trace(*blocks, output);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicIsolines::Trace(
+  const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output)
+{
+  Internals& internal = *this->Internal;
+  const auto surface = geodesic::bridge::InputSurface::of(
+    blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
+  const geodesic::TriangleMesh& mesh = *surface->mesh();
+  if (internal.Surface != surface)
+  {
+    internal.Edges = std::make_unique<const geodesic::EdgeTable>(mesh);
+    internal.Surface = surface;
+  }
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  const auto array = geodesic::bridge::chosenArray(blocks, "DistanceArray", name ? name : "None",
+    choice->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL);
+  if (!array || array.isOfCells)
+  {
+    throw std::invalid_argument(
+      "DistanceArray is no point array. Choose that of Geodesic Distance.");
+  }
+  std::vector<double> distances;
+  for (geodesic::Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    distances.push_back(array.values[mesh.pointOfVertex(vertex)]);
+  }
+  const bool isSigned = std::any_of(distances.begin(), distances.end(),
+    [](double distance) { return distance < 0.0 && distance != NoDistance; });
+  if (!isSigned)
+  {
+    std::replace(
+      distances.begin(), distances.end(), NoDistance, std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::vector<double> levels = this->LevelsOf(distances, isSigned);
+  std::size_t done = 0;
+  const auto curves = geodesic::isolines(mesh, *internal.Edges, distances, levels,
+    [&]
+    {
+      this->UpdateProgress(static_cast<double>(done++) / static_cast<double>(levels.size()));
+      return !geodesic::bridge::checkAbort(*this);
+    });
+  writeCurves(curves, name, output);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkSurfaceGeodesicIsolines::LevelsOf(
+  const std::vector<double>& distances, bool isSigned) const
+{
+  std::vector<double> levels = this->Values;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    if (!std::isfinite(levels[i]))
+    {
+      throw std::invalid_argument("Value " + std::to_string(i) + " of Values is " +
+        geodesic::textOf(levels[i]) + "; give finite distances.");
+    }
+  }
+  if (levels.empty())
+  {
+    if (this->NumberOfValues < 1 || this->NumberOfValues > MostValues)
+    {
+      throw std::invalid_argument("NumberOfValues is " + std::to_string(this->NumberOfValues) +
+        "; give 1 to " + std::to_string(MostValues) + ", or the distances themselves in Values.");
+    }
+    double least = 0.0;
+    double most = 0.0;
+    for (const double distance : distances)
+    {
+      least = isSigned && std::isfinite(distance) ? std::min(least, distance) : least;
+      most = std::isfinite(distance) ? std::max(most, distance) : most;
+    }
+    for (int i = 1; i <= this->NumberOfValues; ++i)
+    {
+      levels.push_back(least + i * (most - least) / (this->NumberOfValues + 1.0));
+    }
+  }
+  geodesic::sortUnique(levels);
+  return levels;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicIsolines::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Values:";
+  for (const double value : this->Values)
+  {
+    os << " " << value;
+  }
+  os << "\n";
+  os << indent << "NumberOfValues: " << this->NumberOfValues << "\n";
+  os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";
+}
