@@ -3,6 +3,7 @@
 #include "survey/FarthestPointSampling.h"
 
 #include "base/NumberText.h"
+#include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceSolver.h"
 #include "solve/Partition.h"
@@ -55,7 +56,7 @@ public:
     , Mesh(solver.mesh())
     , Request(request)
     , Pieces(partition)
-    , Result{ {}, DistanceField(this->Mesh.numberOfVertices()), 0.0, false }
+    , Result{ {}, DistanceField(this->Mesh.numberOfVertices()) }
     , IsOpen(openVertices(this->Mesh, request.options, request.neverSamples, partition))
     , Farthest(this->Mesh, this->Result.field.distances(), this->IsOpen)
   {
@@ -72,7 +73,7 @@ public:
     this->Result.isCancelled = this->IsCancelled;
     if (!this->IsCancelled)
     {
-      this->Result.coveringRadius = this->farthestOfAll();
+      this->measure();
       this->Result.field.finish(DistanceField::Unreached, StopReason::Exhausted);
     }
     return std::move(this->Result);
@@ -121,12 +122,24 @@ private:
     for (const Seed& point : points)
     {
       this->Result.samples.push_back(
-        { point.position ? *point.position : this->Mesh.positionOf(point.points.at(0)) });
+        { point.position ? *point.position : this->Mesh.positionOf(point.points.at(0)),
+          DistanceField::Unreached, this->vertexOf(point) });
     }
     if (!points.empty() && this->mayGoOn())
     {
       this->spread(points, 0, DistanceField::Unreached);
     }
+  }
+
+  /** The vertex at which a point lies and for which this piece speaks. */
+  Index vertexOf(const Seed& point) const
+  {
+    if (point.points.empty())
+    {
+      return NoIndex;
+    }
+    const Carriers carriers = carriersOf(this->Mesh, point.points[0]);
+    return carriers.size() == 1 && this->Pieces.owns(carriers[0]) ? carriers[0] : NoIndex;
   }
 
   /** Takes the farthest vertex as a sample.
@@ -158,6 +171,22 @@ private:
     {
       this->refuseCount(static_cast<double>(this->Result.samples.size()));
     }
+  }
+
+  void measure()
+  {
+    double own = 0.0;
+    for (Index vertex = 0; vertex < this->IsOpen.size(); ++vertex)
+    {
+      const bool isReached = this->Result.field.isReached(vertex);
+      if (this->IsOpen[vertex])
+      {
+        own = isReached ? std::max(own, this->Result.field.distance(vertex)) : own;
+        this->Result.numberOfUnreached += isReached ? 0 : 1;
+      }
+    }
+    const std::vector<double> all = this->Pieces.gather({ &own, 1 });
+    this->Result.coveringRadius = *std::max_element(all.begin(), all.end());
   }
 
   double farthestOfAll()

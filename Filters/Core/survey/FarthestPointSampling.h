@@ -57,8 +57,11 @@ struct Sampling
   std::vector<Sample> samples;
   /** The distance of each vertex from the nearest sample, whose number is its nearest seed. */
   DistanceField field;
-  /** The largest distance of a vertex that can be a sample; infinity if no sample reaches one. */
+  /** The largest distance of a vertex that can be a sample and that a sample reaches, on all
+   * pieces. */
   double coveringRadius = 0.0;
+  /** How many vertices of this piece can be samples and are reached by none. */
+  std::size_t numberOfUnreached = 0;
   bool isCancelled = false;
 };
 
