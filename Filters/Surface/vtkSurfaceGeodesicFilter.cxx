@@ -68,13 +68,13 @@ int vtkSurfaceGeodesicFilter::RequestDataObject(vtkInformation* vtkNotUsed(reque
 
 //------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::SetOutputClass(
-  vtkInformationVector* outputVector, const char* className)
+  vtkInformationVector* outputVector, const char* className, int port)
 {
-  vtkDataObject* present = vtkDataObject::GetData(outputVector);
+  vtkDataObject* present = vtkDataObject::GetData(outputVector, port);
   if (!present || std::string(present->GetClassName()) != className)
   {
     const auto output = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(className));
-    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+    outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), output);
   }
 }
 

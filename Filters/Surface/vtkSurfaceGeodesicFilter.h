@@ -190,8 +190,9 @@ protected:
   /** Reports an error of this run. */
   void Report(const std::string& message);
 
-  /** Makes the output an object of the given class, unless it is one already. */
-  static void SetOutputClass(vtkInformationVector* outputVector, const char* className);
+  /** Makes the output of a port an object of the given class, unless it is one already. */
+  static void SetOutputClass(
+    vtkInformationVector* outputVector, const char* className, int port = 0);
   /** Returns the array chosen by SetInputArrayToProcess(). Throws if it does not exist. */
   geodesic::bridge::ChosenArray GetChosenArray(
     int number, const geodesic::bridge::InputBlocks& blocks);

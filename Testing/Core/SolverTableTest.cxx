@@ -65,6 +65,7 @@ TEST(SolverTable, IsWhatTheXmlOffers)
   EXPECT_EQ(methodsIn("GeodesicDistance.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicDistanceMatrix.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicPath.xml"), offered);
+  EXPECT_EQ(methodsIn("GeodesicSamples.xml"), offered);
 }
 
 // State files and programs have these numbers.

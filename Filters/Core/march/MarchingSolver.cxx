@@ -175,13 +175,23 @@ bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceFie
   {
     this->DiscSolver = this->another();
   }
-  const VertexCost cost(
-    this->mesh(), request.options.cost, margins.ofVertices(), request.partition);
-  std::vector<float> reaches;
+  // The margins of several labels are this run's own.
+  const bool isOneLabel = request.front.labels.size() == 1;
+  if (!request.keepsSurface || !isOneLabel || !this->IsCostOfOneLabel)
+  {
+    this->LastCost.emplace(
+      this->mesh(), request.options.cost, margins.ofVertices(), request.partition);
+    this->IsCostOfOneLabel = isOneLabel;
+    this->CostReaches.reset();
+  }
+  const VertexCost& cost = *this->LastCost;
   if (limit.isPossible())
   {
-    reaches = stopReaches(this->mesh(), request.options.cost, request.partition);
-    limit.setReaches(reaches);
+    if (!this->CostReaches)
+    {
+      this->CostReaches = stopReaches(this->mesh(), request.options.cost, request.partition);
+    }
+    limit.setReaches(*this->CostReaches);
   }
   const auto starts = costedStarts(
     this->mesh(), request.front, request.options, request.partition, *this->DiscSolver);

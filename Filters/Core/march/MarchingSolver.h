@@ -61,6 +61,11 @@ private:
 
   std::shared_ptr<const UpdateBounds> Bounds;
   std::optional<std::vector<float>> UnitReaches;
+  /** The cost of the last run with one, and its reaches if that run could stop, for the next run
+   * that keeps the surface. */
+  std::optional<VertexCost> LastCost;
+  bool IsCostOfOneLabel = false;
+  std::optional<std::vector<float>> CostReaches;
   /** Measures the lengths in the discs round seeds (see CostedStart.h); made at the first run with
    * a cost. */
   std::unique_ptr<FrontSolver> DiscSolver;

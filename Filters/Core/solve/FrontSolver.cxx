@@ -3,7 +3,6 @@
 #include "solve/FrontSolver.h"
 
 #include "mesh/TriangleMesh.h"
-#include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
 #include "solve/StopLimit.h"
@@ -25,6 +24,7 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
 {
   Partition onePiece;
   Partition& partition = options.partition ? *options.partition : onePiece;
+  const bool keepsSurface = options.keepsSurface && this->Closed;
   partition.together(
     [&]
     {
@@ -32,13 +32,21 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
       {
         throw std::invalid_argument("There is no seed to measure from; give at least one.");
       }
+      if (!keepsSurface)
+      {
+        checkSurface(*this->Mesh, options);
+      }
       checkOptions(*this->Mesh, options);
       checkSeeds(*this->Mesh, seeds, partition);
     });
-  const double ownCost = options.cost.empty() ? 0.0 : 1.0;
-  const std::vector<double> costs = partition.gather({ &ownCost, 1 });
-  const bool hasCost = *std::max_element(costs.begin(), costs.end()) > 0.0;
-  const ClosedTriangles closed(*this->Mesh, options.closedTriangles);
+  if (!keepsSurface)
+  {
+    const double ownCost = options.cost.empty() ? 0.0 : 1.0;
+    const std::vector<double> costs = partition.gather({ &ownCost, 1 });
+    this->HasCost = *std::max_element(costs.begin(), costs.end()) > 0.0;
+    this->Closed.emplace(*this->Mesh, options.closedTriangles);
+  }
+  const ClosedTriangles& closed = *this->Closed;
   SeedFront& front = this->Front;
   makeSeedFront(*this->Mesh, closed, seeds, partition, front);
   checkSeedsAreOpen(*this->Mesh, seeds, options, closed, partition);
@@ -47,8 +55,8 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
 
   this->Field.reset();
   StopLimit limit(*this->Mesh, options, this->Field);
-  const bool finished =
-    this->march({ front, closed, options, partition, hasCost }, limit, this->Field);
+  const bool finished = this->march(
+    { front, closed, options, partition, this->HasCost, keepsSurface }, limit, this->Field);
   limit.update();
   this->Field.setLeavesOutElsewhere(limit.goal().isKnown());
   this->Field.finish(limit.value(), finished ? limit.reason() : StopReason::Cancelled);

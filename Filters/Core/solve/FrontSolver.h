@@ -3,16 +3,17 @@
 #ifndef geodesic_FrontSolver_h
 #define geodesic_FrontSolver_h
 
+#include "solve/ClosedTriangles.h"
 #include "solve/DistanceSolver.h"
 #include "solve/SeedFront.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace geodesic
 {
 
-class ClosedTriangles;
 class Partition;
 class StopLimit;
 class TriangleMesh;
@@ -51,6 +52,8 @@ protected:
     Partition& partition;
     /** Whether there are costs; the same on all pieces, also on one without vertices. */
     bool hasCost;
+    /** Whether cost and barriers are those of the run before, see SolveOptions::keepsSurface. */
+    bool keepsSurface = false;
   };
 
   /**
@@ -66,6 +69,9 @@ protected:
 private:
   std::shared_ptr<const TriangleMesh> Mesh;
   DistanceField Field;
+  /** Of the last run, for the next that keeps the surface. */
+  std::optional<ClosedTriangles> Closed;
+  bool HasCost = false;
   /** That of the last run, kept for its memory. */
   SeedFront Front;
 };

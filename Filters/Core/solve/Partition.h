@@ -7,6 +7,7 @@
 #include "solve/MarchingFront.h"
 #include "solve/StartValue.h"
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
@@ -30,6 +31,8 @@ class Partition
 public:
   virtual ~Partition() = default;
 
+  /** The number of this piece in the order of gather(), from 0. */
+  virtual std::size_t number() const { return 0; }
   /** Whether the surface is in several pieces. */
   virtual bool isDivided() const { return false; }
   /** Whether this piece owns a vertex: of the pieces that share it, exactly one does. */

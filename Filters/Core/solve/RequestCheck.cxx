@@ -126,7 +126,7 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
 
 }
 
-void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
+void checkSurface(const TriangleMesh& mesh, const SolveOptions& options)
 {
   checkSize("The cost", options.cost.size(), mesh.numberOfVertices(), "vertices");
   checkSize(
@@ -134,6 +134,12 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
   checkSize("The mask of closed triangles", options.closedTriangles.size(),
     mesh.numberOfTriangles(), "triangles");
   checkCost(mesh, options.cost);
+}
+
+void checkOptions(const TriangleMesh& mesh, const SolveOptions& options)
+{
+  checkSize(
+    "The useful distances", options.usefulBelow.size(), mesh.numberOfVertices(), "vertices");
   if (!(options.maximumDistance >= 0.0))
   {
     throw std::invalid_argument(

@@ -15,8 +15,12 @@ class ClosedTriangles;
 class Partition;
 class TriangleMesh;
 
-/** @throws std::invalid_argument for an option that does not fit the mesh; the message has the
- * value and what is allowed */
+/** Checks cost and barriers, in time O(n).
+ * @throws std::invalid_argument where they do not fit the mesh, or a cost is not positive */
+void checkSurface(const TriangleMesh& mesh, const SolveOptions& options);
+
+/** Checks the other options. @throws std::invalid_argument for an option that does not fit the
+ * mesh; the message has the value and what is allowed */
 void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
 
 /**

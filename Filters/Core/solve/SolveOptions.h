@@ -59,6 +59,17 @@ struct SolveOptions
   /** Vertices up to this distance get their final one, farther ones get none. At least 0. */
   double maximumDistance = std::numeric_limits<double>::infinity();
   /**
+   * For each vertex the distance from which on its own is of no use, such as the one that runs
+   * before have given it. A distance below that is the same as else; another is missing or too
+   * large, as the front need not go there. Must not change during the run. Empty: all are of use.
+   */
+  std::span<const double> usefulBelow;
+  /**
+   * Whether cost and barriers are the same arrays, with the same content, as in the solver's run
+   * before, on all pieces: what a run checks and prepares of them, in time O(n), is then kept.
+   */
+  bool keepsSurface = false;
+  /**
    * The targets to reach. A target is three vertices: the corners of a point's triangle, or the
    * same vertex three times. It is reached when all three are. Vertices farther than the last
    * target that targetMode needs get no distance. Empty: no targets.

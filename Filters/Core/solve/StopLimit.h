@@ -17,8 +17,9 @@ namespace geodesic
 
 /**
  * The distance beyond which no vertex needs a value: the maximum distance or that of the targets,
- * whichever is less. It falls when the targets' distances fall, and never rises. So a value once
- * ignored as too large is never needed later, in whatever order the march goes.
+ * whichever is less. At single vertices SolveOptions::usefulBelow can be less still. The limit
+ * falls when the targets' distances fall, and never rises. So a value once ignored as too large is
+ * never needed later, in whatever order the march goes.
  */
 class StopLimit
 {
@@ -28,6 +29,7 @@ public:
     , Options(options)
     , Field(field)
     , Limit(options.maximumDistance)
+    , UsefulBelow(options.usefulBelow)
     , Elsewhere(options.targets.size(), DistanceField::Unreached)
   {
     const bool hasGoal = options.onlyTowardsTargets && !options.partition &&
@@ -43,7 +45,10 @@ public:
   /** Whether there is a limit now. */
   bool isKnown() const { return this->Limit < DistanceField::Unreached; }
   /** Whether there is a limit now or may be one later. */
-  bool isPossible() const { return this->isKnown() || !this->Options.targets.empty(); }
+  bool isPossible() const
+  {
+    return this->isKnown() || !this->Options.targets.empty() || !this->UsefulBelow.empty();
+  }
 
   /**
    * Sets how far a value at each vertex can lie above the limit and still matter to values below
@@ -57,19 +62,17 @@ public:
    */
   double with(Index vertex) const
   {
-    if (!this->isKnown())
-    {
-      return this->Limit;
-    }
-    // From one vertex to the next not only the distance can grow, but also what is left. And what
-    // lies beside a path must be right for it to be traced.
-    constexpr double beside = 4.0;
-    return this->Towards.isKnown()
-      ? this->Limit + beside * this->Reaches[vertex] - this->leftFrom(vertex)
-      : this->Limit + this->Reaches[vertex];
+    const double ofAll = this->ofAllWith(vertex);
+    return this->UsefulBelow.empty()
+      ? ofAll
+      : std::min(ofAll, this->UsefulBelow[vertex] + this->Reaches[vertex]);
   }
   /** The largest exact distance of a vertex that may matter. */
-  double exactly(Index vertex) const { return this->Limit - this->leftFrom(vertex); }
+  double exactly(Index vertex) const
+  {
+    const double ofAll = this->Limit - this->leftFrom(vertex);
+    return this->UsefulBelow.empty() ? ofAll : std::min(ofAll, this->UsefulBelow[vertex]);
+  }
 
   /** The goal of the march, if it has one. */
   const Goal& goal() const { return this->Towards; }
@@ -119,6 +122,21 @@ public:
   }
 
 private:
+  /** with(), by the limit of all vertices alone. */
+  double ofAllWith(Index vertex) const
+  {
+    if (!this->isKnown())
+    {
+      return this->Limit;
+    }
+    // From one vertex to the next not only the distance can grow, but also what is left. And what
+    // lies beside a path must be right for it to be traced.
+    constexpr double beside = 4.0;
+    return this->Towards.isKnown()
+      ? this->Limit + beside * this->Reaches[vertex] - this->leftFrom(vertex)
+      : this->Limit + this->Reaches[vertex];
+  }
+
   double distanceOf(std::size_t number) const
   {
     const Triangle& target = this->Options.targets[number];
@@ -157,6 +175,7 @@ private:
   const DistanceField& Field;
   Goal Towards;
   double Limit;
+  std::span<const double> UsefulBelow;
   std::span<const float> Reaches;
   /** For each target the distance that other pieces know. */
   std::vector<double> Elsewhere;

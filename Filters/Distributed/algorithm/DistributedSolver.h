@@ -52,6 +52,7 @@ public:
   /** @param ranks,mesh must outlive this object */
   DistributedSolver(RankGroup& ranks, const DividedMesh& mesh);
 
+  std::size_t number() const override { return static_cast<std::size_t>(this->Ranks.rank()); }
   bool isDivided() const override { return this->Ranks.size() > 1; }
   bool owns(Index vertex) const override;
   std::span<const Index> sharedVertices() const override;
