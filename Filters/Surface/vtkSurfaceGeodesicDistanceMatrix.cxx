@@ -10,8 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
-#include "algorithm/DistributedPathFinder.h"
 #include "algorithm/LandmarkDistances.h"
+#include "algorithm/PathSearches.h"
 #include "base/MachineMemory.h"
 #include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
@@ -24,6 +24,7 @@
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
 #include "methods/SolverTable.h"
+#include "methods/SolverTeam.h"
 #include "output/PathAttributes.h"
 #include "path/PathFinder.h"
 #include "pieces/DistributedSurface.h"
@@ -44,8 +45,7 @@ struct vtkSurfaceGeodesicDistanceMatrix::Internals
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
   std::optional<geodesic::bridge::SolveSurface> Solved;
-  int Method = FAST_MARCHING;
-  std::unique_ptr<geodesic::DistanceSolver> Solver;
+  geodesic::SolverTeam Solvers;
 };
 
 /** Both sets of landmarks; all paths lead among the first if there is no second one. */
@@ -184,12 +184,7 @@ void vtkSurfaceGeodesicDistanceMatrix::Compute(geodesic::distributed::RankGroup&
   options.tolerance = this->GetCheckedTolerance();
   ranks.together(
     [&] { geodesic::checkServes(method, geodesic::SolverDemands::of(options, ranks.size())); });
-  if (!internal.Solver || &internal.Solver->mesh() != mesh.get() ||
-    internal.Method != method.number)
-  {
-    internal.Solver = method.make(mesh);
-    internal.Method = method.number;
-  }
+  internal.Solvers.prepare(method, mesh, this->GetThreadsOfRun(ranks));
   this->Open(ranks, landmarks);
 
   const std::size_t marches = landmarks.HasSecond
@@ -205,11 +200,12 @@ void vtkSurfaceGeodesicDistanceMatrix::Compute(geodesic::distributed::RankGroup&
                                                        : geodesic::PathOrder::Vertices,
     method.crossesFaces };
   const geodesic::distributed::PathRequest request{ ranks, *internal.Surface,
-    internal.Lined.gathered(), internal.Lined.split(), internal.Lined.divided(), *internal.Solver,
-    options, style, attributes };
+    internal.Lined.gathered(), internal.Lined.split(), internal.Lined.divided(),
+    internal.Solvers.first(), options, style, attributes };
+  geodesic::distributed::PathSearches searches(request, internal.Solvers, isAborted);
   const auto lengths = landmarks.HasSecond
-    ? geodesic::distributed::distancesBetween(request, landmarks.First, landmarks.Second, isAborted)
-    : geodesic::distributed::distancesAmong(request, landmarks.First, isAborted);
+    ? geodesic::distributed::distancesBetween(searches, landmarks.First, landmarks.Second)
+    : geodesic::distributed::distancesAmong(searches, landmarks.First);
   if (lengths)
   {
     const auto unjoined = std::count_if(

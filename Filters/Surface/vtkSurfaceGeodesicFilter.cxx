@@ -7,9 +7,11 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include "base/NumberText.h"
+#include "base/ThreadTeam.h"
 #include "filter/ErrorMessage.h"
 #include "filter/VtkVersions.h"
 #include "global/SharedCostAndBarriers.h"
@@ -25,6 +27,7 @@
 #include "request/CostAndBarriers.h"
 #include "request/PointResolver.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -114,6 +117,7 @@ void vtkSurfaceGeodesicFilter::RunOnAll(geodesic::distributed::RankGroup& ranks,
       this->GetSolver();
       this->GetCheckedTolerance();
       this->GetMemoryLimitInBytes();
+      this->CheckNumberOfThreads();
       blocks.emplace(input);
     });
   std::vector<double> numbers;
@@ -144,7 +148,7 @@ void vtkSurfaceGeodesicFilter::DescribeRequest(std::vector<double>& numbers)
   numbers.insert(numbers.end(),
     { static_cast<double>(this->CostMode), static_cast<double>(this->Method), this->Tolerance,
       this->MemoryLimit, static_cast<double>(this->MergeCoincidentPoints),
-      static_cast<double>(this->ConnectBlocks) });
+      static_cast<double>(this->ConnectBlocks), static_cast<double>(this->NumberOfThreads) });
   for (const int number : { SEED_ARRAY, COST_ARRAY, BARRIER_ARRAY })
   {
     vtkInformation* choice = this->GetInputArrayInformation(number);
@@ -221,9 +225,13 @@ std::shared_ptr<const geodesic::distributed::DistributedSurface>
 vtkSurfaceGeodesicFilter::FindSurface(
   geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const
 {
+  const unsigned all = ranks.threadsOfThisRank();
+  const geodesic::ThreadTeam team(
+    this->NumberOfThreads > 0 ? static_cast<unsigned>(this->NumberOfThreads) : all);
   return geodesic::distributed::DistributedSurface::of(ranks, blocks,
     geodesic::distributed::identityOf(
-      ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
+      ranks, blocks, this->MergeCoincidentPoints, this->ConnectBlocks),
+    team);
 }
 
 //------------------------------------------------------------------------------
@@ -257,6 +265,31 @@ std::size_t vtkSurfaceGeodesicFilter::GetMemoryLimitInBytes() const
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceGeodesicFilter::CheckNumberOfThreads() const
+{
+  constexpr int most = 1024;
+  if (this->NumberOfThreads < -1 || this->NumberOfThreads > most)
+  {
+    throw std::invalid_argument("NumberOfThreads is " + std::to_string(this->NumberOfThreads) +
+      "; give -1 (as many as VTK uses), 0 (all processors) or a number from 1 to " +
+      std::to_string(most) + ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfRun(geodesic::distributed::RankGroup& ranks) const
+{
+  const std::size_t all = ranks.threadsOfThisRank();
+  if (this->NumberOfThreads > 0)
+  {
+    return static_cast<std::size_t>(this->NumberOfThreads);
+  }
+  const auto ofVtk =
+    static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  return this->NumberOfThreads == 0 ? all : std::min(all, ofVtk);
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -264,6 +297,7 @@ void vtkSurfaceGeodesicFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";
 }

@@ -160,6 +160,19 @@ public:
   vtkBooleanMacro(ConnectBlocks, bool);
   ///@}
 
+  ///@{
+  /**
+   * How many threads a run may use on each rank. -1: as many as VTK uses (see vtkSMPTools), one
+   * with its backend Sequential, and no more than 0 gives. 0: all processors; ranks on one machine
+   * share them. A number from 1 to 1024: so many. Threads share searches that do not depend on each
+   * other: the segments and starts of paths, the landmarks of a matrix. What they find does not
+   * depend on their number. The structure of a new surface is built by all processors unless this
+   * is 1 or more. Other numbers are an error when the filter runs. Default: -1.
+   */
+  vtkSetMacro(NumberOfThreads, int);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
   /**
    * What was wrong with the last run, in full sentences; empty if nothing was.
    */
@@ -213,11 +226,14 @@ protected:
   double GetCheckedTolerance() const;
   /** MemoryLimit in bytes. Throws if it is no limit. */
   std::size_t GetMemoryLimitInBytes() const;
+  /** The number of threads of this rank that a run uses. Collective. */
+  std::size_t GetThreadsOfRun(geodesic::distributed::RankGroup& ranks) const;
 
   int CostMode = COST;
   int Method = FAST_MARCHING;
   double Tolerance = 1e-3;
   double MemoryLimit = 0.0;
+  int NumberOfThreads = -1;
   bool MergeCoincidentPoints = true;
   bool ConnectBlocks = true;
 
@@ -228,6 +244,8 @@ private:
   /** What the ranks do together. Throws the same error on all. */
   void RunOnAll(geodesic::distributed::RankGroup& ranks, vtkInformationVector** inputVector,
     vtkDataObject* output);
+  /** Throws if NumberOfThreads is none. */
+  void CheckNumberOfThreads() const;
   void GatherBarriers(const geodesic::bridge::InputBlocks& blocks,
     const geodesic::bridge::InputSurface& surface, geodesic::bridge::Barriers& barriers);
   std::vector<double> GatherCost(

@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include "algorithm/DistributedPathFinder.h"
+#include "algorithm/PathSearches.h"
 #include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
 #include "filter/VtkVersions.h"
@@ -21,7 +22,9 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
+#include "mesh/TriangleMesh.h"
 #include "methods/SolverTable.h"
+#include "methods/SolverTeam.h"
 #include "output/PathAttributes.h"
 #include "output/PathOutput.h"
 #include "output/SegmentMeasures.h"
@@ -38,6 +41,20 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+namespace
+{
+
+/** The steps of some searches. With more than an index holds, the progress only comes near to 1
+ * more slowly. */
+geodesic::Index stepsOf(const geodesic::TriangleMesh& mesh, std::size_t searches)
+{
+  const double steps = static_cast<double>(mesh.numberOfVertices()) * static_cast<double>(searches);
+  return static_cast<geodesic::Index>(
+    std::min<double>(steps, std::numeric_limits<geodesic::Index>::max()));
+}
+
+}
 
 /** The input of a run. */
 struct vtkSurfaceGeodesicPath::Run
@@ -63,7 +80,7 @@ struct vtkSurfaceGeodesicPath::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
-  std::unique_ptr<geodesic::DistanceSolver> Solver;
+  geodesic::SolverTeam Solvers;
   // The segments below stay valid as long as these five stay the same on all ranks.
   std::optional<geodesic::bridge::SolveSurface> Solved;
   /** What the corridors of segments hold ids and normals of. On several ranks only. */
@@ -252,7 +269,6 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
                                                                  : geodesic::PathOrder::Edges,
     this->Straighten == STRAIGHTEN_AUTO && this->InterpolationOrder == 1 && !hasCost };
   const geodesic::SolverTraits& method = this->GetSolver();
-  const bool hadMethod = internal.Method == method.number;
   internal.setSurface(run,
     internal.Lined.update(ranks,
       { internal.Surface, run.input, {}, barrierLines, barriers, cost, !method.crossesFaces }),
@@ -264,10 +280,7 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
       geodesic::checkServes(
         method, geodesic::SolverDemands::of(internal.Solved->options(), ranks.size()));
     });
-  if (!internal.Solver || &internal.Solver->mesh() != mesh.get() || !hadMethod)
-  {
-    internal.Solver = method.make(mesh);
-  }
+  internal.Solvers.prepare(method, mesh, this->GetThreadsOfRun(ranks));
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
     ? this->TraceThroughWaypoints(run, waypoints)
     : this->TraceToNearest(run, waypoints, starts);
@@ -309,14 +322,14 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::OpenPoints(
 }
 
 //------------------------------------------------------------------------------
-geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run) const
+geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run& run)
 {
-  const Internals& internal = *this->Internal;
+  Internals& internal = *this->Internal;
   geodesic::SolveOptions options = internal.Solved->options();
   options.memoryLimit = this->GetMemoryLimitInBytes();
   options.tolerance = this->GetCheckedTolerance();
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
-    internal.Lined.divided(), *internal.Solver, options, internal.Style, run.input };
+    internal.Lined.divided(), internal.Solvers.first(), options, internal.Style, run.input };
 }
 
 //------------------------------------------------------------------------------
@@ -345,14 +358,13 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
       " waypoints; a path needs two at least. Set WaypointPositions to x, y and z of two or more "
       "points on or near the surface, or give a WaypointSource.");
   }
-  const Internals& internal = *this->Internal;
+  Internals& internal = *this->Internal;
   const Points points = this->OpenPoints(run, waypoints, "Waypoint");
-  geodesic::distributed::PathRequest request = this->MakeRequest(run);
   const auto knownSegments = internal.segmentsByEnds();
-  std::vector<Segment> segments;
-  std::vector<std::string> missing;
   const std::size_t count = this->Closed ? waypoints.size() : waypoints.size() - 1;
-  for (std::size_t i = 0; i < count && !this->IsAborted(run); ++i)
+  std::vector<Segment> segments;
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t next = (i + 1) % waypoints.size();
     const auto known = knownSegments.find(Internals::endsOf(waypoints[i], waypoints[next]));
@@ -362,29 +374,58 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     }
     else
     {
-      ++this->NumberOfSearches;
       segments.push_back({ waypoints[i], waypoints[next], {} });
-      geodesic::bridge::ProgressReporter reporter(*this, request.solver.mesh().numberOfVertices());
-      request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
-      geodesic::distributed::DistributedPathFinder finder(request, { points[i] });
+      unknown.push_back(i);
+    }
+  }
+  geodesic::distributed::PathRequest request = this->MakeRequest(run);
+  geodesic::bridge::ProgressReporter reporter(
+    *this, stepsOf(request.solver.mesh(), std::max<std::size_t>(unknown.size(), 1)));
+  request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
+  geodesic::distributed::PathSearches searches(
+    request, internal.Solvers, [&] { return this->IsAborted(run); });
+  const auto areMade = searches.run(unknown.size(),
+    [&](std::size_t number, const geodesic::distributed::PathRequest& own, const auto&)
+    {
+      const std::size_t i = unknown[number];
+      const std::size_t next = (i + 1) % waypoints.size();
+      geodesic::distributed::DistributedPathFinder finder(own, { points[i] });
       auto path = finder.march({ &points[next], 1 }) ? finder.pathFrom(points[next]) : std::nullopt;
       if (path)
       {
         std::reverse(path->path.begin(), path->path.end());
       }
-      segments.back().Path = internal.onInput(std::move(path));
-      this->MostPointsOnARank = std::max(this->MostPointsOnARank, finder.mostPointsOnARank());
-      if (this->IsAborted(run))
-      {
-        // It tells nothing about whether there is a path, so it must not be found by a later run.
-        segments.pop_back();
-        break;
-      }
-    }
-    if (!segments.back().Path)
+      segments[i].Path = internal.onInput(std::move(path));
+      searches.count(finder);
+    });
+  this->NumberOfSearches = static_cast<vtkIdType>(std::count(areMade.begin(), areMade.end(), true));
+  if (!unknown.empty())
+  {
+    this->MostPointsOnARank = std::max(this->MostPointsOnARank, searches.mostPointsOnARank());
+  }
+  if (this->NumberOfSearches < static_cast<vtkIdType>(unknown.size()))
+  {
+    // An aborted search tells nothing about whether there is a path, so no later run may find it.
+    std::size_t number = 0;
+    std::vector<Segment> made;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      missing.push_back(
-        "from waypoint " + std::to_string(i) + " to waypoint " + std::to_string(next));
+      const bool isUnknown = number < unknown.size() && unknown[number] == i;
+      if (!isUnknown || areMade[number])
+      {
+        made.push_back(std::move(segments[i]));
+      }
+      number += isUnknown ? 1 : 0;
+    }
+    return made;
+  }
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!segments[i].Path)
+    {
+      missing.push_back("from waypoint " + std::to_string(i) + " to waypoint " +
+        std::to_string((i + 1) % waypoints.size()));
     }
   }
   this->ReportMissing(missing, segments.size());
@@ -402,28 +443,21 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
       " starts; ToNearestSeed needs one of each at least. Set WaypointPositions and "
       "StartPositions, or give a WaypointSource and a StartSource.");
   }
-  const Internals& internal = *this->Internal;
+  Internals& internal = *this->Internal;
   const Points ends = this->OpenPoints(run, waypoints, "Waypoint");
   const Points points = this->OpenPoints(run, starts, "Start");
   geodesic::distributed::PathRequest request = this->MakeRequest(run);
   geodesic::bridge::ProgressReporter reporter(*this, request.solver.mesh().numberOfVertices());
   request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
-  geodesic::distributed::DistributedPathFinder finder(request, ends);
-  if (!finder.march(points))
-  {
-    return {};
-  }
-
+  geodesic::distributed::PathSearches searches(
+    request, internal.Solvers, [&] { return this->IsAborted(run); });
   std::vector<Segment> segments;
   std::vector<std::string> missing;
-  for (std::size_t i = 0; i < starts.size() && !this->IsAborted(run); ++i)
+  auto found = searches.fromStarts(points, ends);
+  for (std::size_t i = 0; i < starts.size() && found[i].isMade; ++i)
   {
     ++this->NumberOfSearches;
-    auto path = internal.onInput(finder.pathFrom(points[i]));
-    if (this->IsAborted(run))
-    {
-      break;
-    }
+    auto path = internal.onInput(std::move(found[i].path));
     if (path)
     {
       const geodesic::Index end = path->end;
@@ -435,7 +469,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
       missing.push_back("from start " + std::to_string(i) + " to any waypoint");
     }
   }
-  this->MostPointsOnARank = finder.mostPointsOnARank();
+  this->MostPointsOnARank = searches.mostPointsOnARank();
   this->ReportMissing(missing, segments.size());
   return segments;
 }

@@ -242,7 +242,7 @@ private:
   std::vector<Segment> TraceThroughWaypoints(const Run& run, const Points& waypoints);
   std::vector<Segment> TraceToNearest(
     const Run& run, const Points& waypoints, const Points& starts);
-  geodesic::distributed::PathRequest MakeRequest(const Run& run) const;
+  geodesic::distributed::PathRequest MakeRequest(const Run& run);
   /** Whether the run was aborted on any rank. Collective. */
   bool IsAborted(const Run& run);
 

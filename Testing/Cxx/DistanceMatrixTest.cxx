@@ -296,6 +296,10 @@ TEST(DistanceMatrix, SaysWhatIsWrong)
   expectError(
     "MemoryLimit", [](Filter* filter) { filter->SetMemoryLimit(-1.0); }, two);
   expectError(
+    "NumberOfThreads is -2", [](Filter* filter) { filter->SetNumberOfThreads(-2); }, two);
+  expectError(
+    "NumberOfThreads is 1025", [](Filter* filter) { filter->SetNumberOfThreads(1025); }, two);
+  expectError(
     "A matrix of 2 by 2 landmarks needs 6.4e-08 gigabytes",
     [](Filter* filter) { filter->SetMemoryLimit(5e-8); }, two);
 }
@@ -303,18 +307,82 @@ TEST(DistanceMatrix, SaysWhatIsWrong)
 // After an abort there is no table, and the next run has all of it.
 TEST(DistanceMatrix, CanBeAborted)
 {
-  vtkNew<vtkSurfaceGeodesicDistanceMatrix> filter;
-  filter->SetInputDataObject(polyDataOf(icosphere(5)));
-  addLandmarks(filter, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
-  const auto tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
-  EXPECT_EQ(errorsOf(filter.Get()), "");
-  EXPECT_EQ(tableOf(filter)->GetNumberOfColumns(), 0);
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
-  filter->Modified();
-  EXPECT_EQ(errorsOf(filter.Get()), "");
-  EXPECT_NEAR(matrixOf(filter)[0][2], std::numbers::pi / 2, 2e-3);
+  for (const int threads : { 1, 2, 8 })
+  {
+    vtkNew<vtkSurfaceGeodesicDistanceMatrix> filter;
+    filter->SetNumberOfThreads(threads);
+    filter->SetInputDataObject(polyDataOf(icosphere(5)));
+    addLandmarks(filter, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
+    vtkNew<vtkCallbackCommand> abort;
+    abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+      { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+    const auto tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
+    EXPECT_EQ(errorsOf(filter.Get()), "");
+    EXPECT_EQ(tableOf(filter)->GetNumberOfColumns(), 0);
+    filter->RemoveObserver(tag);
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    EXPECT_EQ(errorsOf(filter.Get()), "");
+    EXPECT_NEAR(matrixOf(filter)[0][2], std::numbers::pi / 2, 2e-3);
+  }
+}
+
+// Whatever the number of threads, each length is the same to the bit, for each method.
+TEST(DistanceMatrix, IsTheSameForAnyNumberOfThreads)
+{
+  const auto input = polyDataOf(icosphere(5));
+  std::mt19937 random(35);
+  std::normal_distribution<double> anywhere;
+  std::vector<Vector3> landmarks(12);
+  for (Vector3& landmark : landmarks)
+  {
+    landmark = { anywhere(random), anywhere(random), anywhere(random) };
+    landmark = (1.0 / norm(landmark)) * landmark;
+  }
+  for (const int method : { 0, 1, 4 })
+  {
+    for (const bool hasSecond : { false, true })
+    {
+      Matrix ofOne;
+      for (const int threads : { 1, 2, 3, 8, 0, -1 })
+      {
+        vtkNew<vtkSurfaceGeodesicDistanceMatrix> filter;
+        filter->SetInputDataObject(input);
+        filter->SetMethod(method);
+        filter->SetNumberOfThreads(threads);
+        addLandmarks(filter, landmarks);
+        if (hasSecond)
+        {
+          addSecondLandmarks(filter, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
+        }
+        EXPECT_EQ(errorsOf(filter.Get()), "");
+        const Matrix matrix = matrixOf(filter);
+        ofOne = threads == 1 ? matrix : ofOne;
+        EXPECT_EQ(matrix, ofOne) << "method " << method << ", " << threads << " threads";
+      }
+    }
+  }
+}
+
+// The windows of runs at a time share the limit; what needs all of it runs alone.
+TEST(DistanceMatrix, KeepsTheMemoryLimitOnSeveralThreads)
+{
+  const auto input = polyDataOf(icosphere(4));
+  const auto errorAt = [&](double gigabytes, int threads)
+  {
+    vtkNew<vtkSurfaceGeodesicDistanceMatrix> filter;
+    filter->SetInputDataObject(input);
+    filter->SetMethod(vtkSurfaceGeodesicFilter::EXACT);
+    filter->SetMemoryLimit(gigabytes);
+    filter->SetNumberOfThreads(threads);
+    addLandmarks(filter, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 } });
+    return errorsOf(filter.Get());
+  };
+  double least = 1e-6;
+  while (!errorAt(least, 1).empty())
+  {
+    least *= 1.5;
+  }
+  EXPECT_EQ(errorAt(least, 4), "");
+  EXPECT_NE(errorAt(least / 1.5, 4).find("more than the memory limit of"), std::string::npos);
 }

@@ -137,12 +137,15 @@ MISTAKES = [
     # Memory.
     (dict(MemoryLimit=-1), "MemoryLimit is -1", "give gigabytes from 0"),
     (dict(MemoryLimit=float("nan")), "MemoryLimit is nan", "give gigabytes from 0"),
+    # Number of threads.
+    (dict(NumberOfThreads=-2), "NumberOfThreads is -2", "a number from 1 to 1024"),
+    (dict(NumberOfThreads=1025), "NumberOfThreads is 1025", "a number from 1 to 1024"),
     (dict(Method="Bounded", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
     (dict(Method="Exact", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
 ]
 RIGHT = dict(
     SeedPositions=[0, 0, 0], SeedPointIds=[], SeedSource=None, SeedArray=["POINTS", "None"], SeedSelection=None,
-    Method="FastMarching", Tolerance=1e-3, MemoryLimit=0, UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
+    Method="FastMarching", Tolerance=1e-3, MemoryLimit=0, NumberOfThreads=-1, UseMaximumDistance=0, DestinationPositions=[], DestinationPointIds=[],
     CostArray=["POINTS", "None"], CostMode="Cost", BarrierArray=["POINTS", "None"], BarrierSource=None)
 
 

@@ -24,6 +24,7 @@ SETTINGS = {
     "Method": "Dijkstra",
     "Tolerance": 0.01,
     "MemoryLimit": 2.5,
+    "NumberOfThreads": 3,
     "UseMaximumDistance": 1,
     "MaximumDistance": 0.375,
     "DestinationPositions": [0.5, 0.0, 0.0],

@@ -192,14 +192,6 @@ std::optional<TracedPath> DistributedPathFinder::pathAlongEdgesFrom(const Global
   return traced;
 }
 
-vtkIdType DistributedPathFinder::mostPointsOnARank()
-{
-  double most = -static_cast<double>(this->Request.mesh.mesh().numberOfPoints()) -
-    static_cast<double>(this->LargestCorridor);
-  this->Request.ranks.takeLeast({ &most, 1 });
-  return static_cast<vtkIdType>(-most);
-}
-
 Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, const Action& action)
 {
   if (this->Request.ranks.rank() > 0)

@@ -98,8 +98,10 @@ public:
   /** See PathFinder::pathFrom(). Returns none as well if the search was cancelled. */
   std::optional<TracedPath> pathFrom(const GlobalPoint& start);
 
-  /** Returns the largest number of points on any rank, including those of corridors. */
-  vtkIdType mostPointsOnARank();
+  /** The field that the last march made. @pre there is one rank */
+  const DistanceField& fieldOfOneRank() const { return this->Whole->field(); }
+  /** The number of points of the largest corridor so far; 0 on all ranks but the first. */
+  std::size_t largestCorridor() const { return this->LargestCorridor; }
 
 private:
   class CorridorSolver;

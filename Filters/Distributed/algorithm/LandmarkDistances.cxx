@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace geodesic::distributed
 {
@@ -23,78 +24,60 @@ double lengthOf(const PathRequest& request, const std::optional<TracedPath>& pat
     path->corridor ? path->corridor->mesh() : request.solver.mesh(), path->path);
 }
 
-/** The lengths from one landmark, whose march is number @p march, to some others; fewer if aborted.
- */
-std::vector<double> lengthsFrom(const PathRequest& request, std::size_t march,
-  const GlobalPoint& landmark, std::span<const GlobalPoint> others,
-  const std::function<bool()>& isAborted)
+/** Writes the lengths from one landmark to some others; stops where the search is aborted.
+ * @param write  takes the number of each of the others and the length of the path to it */
+template <class Write>
+void findLengths(const PathRequest& request, const GlobalPoint& landmark,
+  std::span<const GlobalPoint> others, const PathSearches::IsAborted& isAborted, const Write& write)
 {
-  PathRequest own = request;
-  if (request.options.onProgress)
-  {
-    const std::size_t before = march * request.solver.mesh().numberOfVertices();
-    own.options.onProgress = [&request, before](std::size_t taken)
-    { return request.options.onProgress(before + taken); };
-  }
-  std::vector<double> lengths;
-  DistributedPathFinder finder(own, { landmark });
+  DistributedPathFinder finder(request, { landmark });
   finder.march(others);
-  for (auto other = others.begin(); other != others.end() && !isAborted(); ++other)
+  for (std::size_t i = 0; i < others.size() && !isAborted(); ++i)
   {
-    const double length = lengthOf(request, finder.pathFrom(*other));
-    if (isAborted())
-    {
-      break;
-    }
-    lengths.push_back(length);
+    write(i, lengthOf(request, finder.pathFrom(others[i])));
   }
-  return lengths;
+}
+
+bool areAll(const std::vector<bool>& areMade)
+{
+  return std::find(areMade.begin(), areMade.end(), false) == areMade.end();
 }
 
 }
 
-std::optional<std::vector<double>> distancesAmong(const PathRequest& request,
-  std::span<const GlobalPoint> landmarks, const std::function<bool()>& isAborted)
+std::optional<std::vector<double>> distancesAmong(
+  PathSearches& searches, std::span<const GlobalPoint> landmarks)
 {
   const std::size_t count = landmarks.size();
   std::vector<double> matrix(count * count, 0.0);
-  for (std::size_t i = 0; i + 1 < count; ++i)
-  {
-    const auto later = landmarks.subspan(i + 1);
-    const auto lengths = lengthsFrom(request, i, landmarks[i], later, isAborted);
-    if (lengths.size() < later.size())
+  const auto areMade = searches.run(count - 1,
+    [&](std::size_t i, const PathRequest& request, const PathSearches::IsAborted& isAborted)
     {
-      return std::nullopt;
-    }
-    for (std::size_t j = i + 1; j < count; ++j)
-    {
-      matrix[i * count + j] = matrix[j * count + i] = lengths[j - i - 1];
-    }
-  }
-  return matrix;
+      findLengths(request, landmarks[i], landmarks.subspan(i + 1), isAborted,
+        [&](std::size_t later, double length)
+        {
+          const std::size_t j = i + 1 + later;
+          matrix[i * count + j] = matrix[j * count + i] = length;
+        });
+    });
+  return areAll(areMade) ? std::optional(std::move(matrix)) : std::nullopt;
 }
 
-std::optional<std::vector<double>> distancesBetween(const PathRequest& request,
-  std::span<const GlobalPoint> from, std::span<const GlobalPoint> to,
-  const std::function<bool()>& isAborted)
+std::optional<std::vector<double>> distancesBetween(
+  PathSearches& searches, std::span<const GlobalPoint> from, std::span<const GlobalPoint> to)
 {
   const bool marchesFromRows = from.size() <= to.size();
   const auto seeds = marchesFromRows ? from : to;
   const auto others = marchesFromRows ? to : from;
   std::vector<double> matrix(from.size() * to.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    const auto lengths = lengthsFrom(request, i, seeds[i], others, isAborted);
-    if (lengths.size() < others.size())
+  const auto areMade = searches.run(seeds.size(),
+    [&](std::size_t i, const PathRequest& request, const PathSearches::IsAborted& isAborted)
     {
-      return std::nullopt;
-    }
-    for (std::size_t j = 0; j < others.size(); ++j)
-    {
-      matrix[marchesFromRows ? i * to.size() + j : j * to.size() + i] = lengths[j];
-    }
-  }
-  return matrix;
+      findLengths(request, seeds[i], others, isAborted,
+        [&](std::size_t j, double length)
+        { matrix[marchesFromRows ? i * to.size() + j : j * to.size() + i] = length; });
+    });
+  return areAll(areMade) ? std::optional(std::move(matrix)) : std::nullopt;
 }
 
 }

@@ -41,12 +41,11 @@ struct Known
 
 }
 
-std::shared_ptr<const DistributedSurface> DistributedSurface::of(
-  RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity)
+std::shared_ptr<const DistributedSurface> DistributedSurface::of(RankGroup& ranks,
+  const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity, const ThreadTeam& team)
 {
   static RankCache<Known> cache;
   std::shared_ptr<const bridge::InputSurface> piece;
-  const ThreadTeam team(ranks.threadsOfThisRank());
   ranks.together([&] { piece = bridge::InputSurface::of(blocks, identity, team); });
   const auto found = cache.find(ranks, [&](const Known& k) { return k.piece.lock() == piece; });
   // Meanwhile another filter may have let go of it.

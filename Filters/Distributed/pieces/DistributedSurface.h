@@ -27,10 +27,12 @@ public:
    * Returns the surface of an input; it is built now unless all ranks still hold the one that they
    * built together. This rank's piece may have no triangles. Collective.
    * @param identity see identityOf()
+   * @param team     builds this rank's piece
    * @throws std::exception on all ranks if no rank has a triangle
    */
-  static std::shared_ptr<const DistributedSurface> of(
-    RankGroup& ranks, const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);
+  static std::shared_ptr<const DistributedSurface> of(RankGroup& ranks,
+    const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity,
+    const ThreadTeam& team);
 
   DistributedSurface(RankGroup& ranks, std::shared_ptr<const bridge::InputSurface> piece,
     const bridge::InputBlocks& blocks, const bridge::PointIdentity& identity);

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "algorithm/PathSearches.h"
+
+#include "base/MachineMemory.h"
+#include "base/SharedJobs.h"
+#include "mesh/TriangleMesh.h"
+#include "methods/SolverTeam.h"
+#include "solve/SolvedField.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace geodesic::distributed
+{
+namespace
+{
+
+/** Each thread's part of the memory for windows. */
+std::size_t partOfMemory(std::size_t limit, std::size_t threads)
+{
+  return std::max<std::size_t>((limit > 0 ? limit : machineMemory() / 4 * 3) / threads, 1);
+}
+
+}
+
+PathSearches::PathSearches(const PathRequest& request, SolverTeam& solvers, IsAborted isAborted)
+  : Request(request)
+  , Solvers(solvers)
+  , IsAbortedNow(std::move(isAborted))
+{
+}
+
+PathRequest PathSearches::withSolver(DistanceSolver& solver) const
+{
+  const PathRequest& own = this->Request;
+  return { own.ranks, own.surface, own.gathered, own.split, own.mesh, solver, own.options,
+    own.style, own.input };
+}
+
+std::vector<bool> PathSearches::run(std::size_t count, const Search& search)
+{
+  if (this->Request.ranks.size() > 1)
+  {
+    return this->runTogether(count, search);
+  }
+  if (this->IsAbortedNow())
+  {
+    return std::vector<bool>(count, false);
+  }
+  const std::size_t threads = this->Solvers.numberOfThreads();
+  SharedJobs jobs(threads, this->Solvers.stepsToMakeOne(), this->Solvers.mesh().numberOfVertices(),
+    this->Request.options.onProgress);
+  return jobs.run(count,
+    [&](const SharedJobs::Turn& turn)
+    {
+      PathRequest own = this->withSolver(this->Solvers.ofThread(turn.thread));
+      bool isAborted = false;
+      own.options.onProgress = [&](std::size_t steps)
+      {
+        isAborted = !turn.onProgress(steps);
+        return !isAborted;
+      };
+      if (turn.isShared)
+      {
+        own.options.memoryLimit = partOfMemory(own.options.memoryLimit, threads);
+      }
+      try
+      {
+        search(turn.number, own, [&] { return isAborted; });
+      }
+      catch (...)
+      {
+        this->Solvers.renew(turn.thread);
+        throw;
+      }
+    });
+}
+
+std::vector<bool> PathSearches::runTogether(std::size_t count, const Search& search)
+{
+  std::vector<bool> areMade(count, false);
+  for (std::size_t number = 0; number < count && !this->IsAbortedNow(); ++number)
+  {
+    PathRequest own = this->withSolver(this->Solvers.first());
+    const std::size_t before = number * own.solver.mesh().numberOfVertices();
+    own.options.onProgress = [&](std::size_t steps)
+    { return this->Request.options.onProgress(before + steps); };
+    search(number, own, this->IsAbortedNow);
+    areMade[number] = !this->IsAbortedNow();
+  }
+  return areMade;
+}
+
+std::vector<PathSearches::FromStart> PathSearches::fromStarts(
+  std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends)
+{
+  std::vector<FromStart> found(starts.size());
+  std::size_t stepsOfMarch = 0;
+  PathRequest own = this->withSolver(this->Solvers.first());
+  own.options.onProgress = [&](std::size_t steps)
+  {
+    stepsOfMarch = std::max(stepsOfMarch, steps);
+    return this->Request.options.onProgress(steps);
+  };
+  DistributedPathFinder finder(own, ends);
+  if (!finder.march(starts))
+  {
+    return found;
+  }
+  if (this->Request.ranks.size() == 1 && this->Solvers.numberOfThreads() > 1)
+  {
+    this->shareStarts(starts, ends, finder.fieldOfOneRank(), stepsOfMarch, found);
+  }
+  for (std::size_t i = 0; i < starts.size() && !this->IsAbortedNow(); ++i)
+  {
+    if (!found[i].isMade)
+    {
+      found[i].path = finder.pathFrom(starts[i]);
+      found[i].isMade = !this->IsAbortedNow();
+    }
+  }
+  this->count(finder);
+  return found;
+}
+
+void PathSearches::shareStarts(std::span<const GlobalPoint> starts,
+  const std::vector<GlobalPoint>& ends, const DistanceField& field, std::size_t stepsOfMarch,
+  std::vector<FromStart>& found)
+{
+  // A search from one start takes far longer than as many steps of a march.
+  constexpr std::size_t stepsOfStart = 256;
+  constexpr std::size_t stepsAlone = 4096;
+  constexpr std::size_t chunksOfThread = 16;
+  const std::size_t threads = this->Solvers.numberOfThreads();
+  const std::size_t size = std::max<std::size_t>(starts.size() / (threads * chunksOfThread), 1);
+  SharedJobs jobs(threads, stepsAlone, size * stepsOfStart,
+    [&](std::size_t steps) { return this->Request.options.onProgress(stepsOfMarch + steps); });
+  jobs.run((starts.size() + size - 1) / size,
+    [&](const SharedJobs::Turn& turn)
+    {
+      const std::size_t first = turn.number * size;
+      const auto chunk = starts.subspan(first, std::min(size, starts.size() - first));
+      bool isAborted = false;
+      SolvedField solved(this->Solvers.first(), field);
+      PathRequest own = this->withSolver(solved);
+      own.options.onProgress = [&](std::size_t steps)
+      {
+        isAborted = !turn.onProgress(steps);
+        return !isAborted;
+      };
+      DistributedPathFinder finder(own, ends);
+      if (!finder.march(chunk))
+      {
+        return;
+      }
+      for (std::size_t i = 0; i < chunk.size() && !isAborted; ++i)
+      {
+        try
+        {
+          found[first + i].path = finder.pathFrom(chunk[i]);
+          found[first + i].isMade = !isAborted;
+        }
+        catch (const FieldTooSmall&)
+        {
+          // The caller finds this path with the solver itself.
+        }
+      }
+    });
+}
+
+void PathSearches::count(const DistributedPathFinder& finder)
+{
+  // On one rank, where several threads may call this, there are no corridors.
+  if (this->Request.ranks.size() > 1)
+  {
+    this->LargestCorridor = std::max(this->LargestCorridor, finder.largestCorridor());
+  }
+}
+
+vtkIdType PathSearches::mostPointsOnARank()
+{
+  double most = -static_cast<double>(this->Request.mesh.mesh().numberOfPoints()) -
+    static_cast<double>(this->LargestCorridor);
+  this->Request.ranks.takeLeast({ &most, 1 });
+  return static_cast<vtkIdType>(-most);
+}
+
+}
