@@ -62,6 +62,7 @@ TEST(SolverTable, IsWhatTheXmlOffers)
       offered[solver.number] = solver.name;
     }
   }
+  EXPECT_EQ(methodsIn("GeodesicCentre.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicDistance.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicDistanceMatrix.xml"), offered);
   EXPECT_EQ(methodsIn("GeodesicPath.xml"), offered);
