@@ -8,13 +8,16 @@
 #include "FaceSequences.h"
 #include "RandomMeshes.h"
 #include "Solving.h"
+#include "base/WorkCount.h"
 #include "path/PathFinder.h"
+#include "windows/BoundedSolver.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -220,6 +223,47 @@ TEST(Exact, IsTheLeastOfAllFaceSequences)
 }
 
 // Also where CGAL has no answer: non-manifold and careless surfaces, holes, parts.
+// Sheets that lie on each other and share edges: windows that go from sheet to sheet and back must
+// die out. Once 15 million of them crossed 8 triangles, and round 1,680 did not end.
+TEST(Exact, WindowsDieOutBetweenSheets)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int round = 0; round < 1800; ++round)
+  {
+    const Index points = 6 + round % 5;
+    Surface surface;
+    for (Index i = 0; i < points; ++i)
+    {
+      const double x = uniform(random);
+      const double y = uniform(random) * (round % 7 == 0 ? 1e-3 : 1.0);
+      surface.points.push_back({ x, y, round % 3 == 0 ? 0.0 : uniform(random) });
+    }
+    std::vector<Index> order(points);
+    std::iota(order.begin(), order.end(), Index{ 0 });
+    for (int t = 0; t < 8; ++t)
+    {
+      std::shuffle(order.begin(), order.end(), random);
+      surface.triangles.push_back({ order[0], order[1], order[2] });
+    }
+    const auto mesh = meshOf(surface);
+    ExactSolver exact(mesh);
+    BoundedSolver bounded(mesh);
+    for (DistanceSolver* solver : std::array<DistanceSolver*, 2>{ &exact, &bounded })
+    {
+      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+      {
+        const Seed seed = Seed::atPoint(mesh->pointAtVertex(vertex));
+        const std::size_t before = WorkCount::steps();
+        SolveOptions options;
+        options.onProgress = [&](std::size_t) { return WorkCount::steps() - before < 1'000'000; };
+        solver->solve({ &seed, 1 }, options);
+        ASSERT_LT(WorkCount::steps() - before, 100'000u) << "round " << round;
+      }
+    }
+  }
+}
+
 TEST(Exact, IsSymmetricOnRandomMeshes)
 {
   for (unsigned seed = 0; seed < 60; ++seed)

@@ -3,7 +3,9 @@
 // Input that no mesh generator should make and every archive contains.
 
 #include "Solving.h"
+#include "base/NumberText.h"
 #include "march/FastMarchingSolver.h"
+#include "methods/SolverTable.h"
 #include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -129,6 +132,76 @@ TEST(OddInput, APointThatIsNotFiniteIsNamed)
   EXPECT_NE(messageOf(surface).find("Point 17"), std::string::npos);
   surface.points[17].y = std::numeric_limits<double>::infinity();
   EXPECT_NE(messageOf(surface).find("Point 17"), std::string::npos);
+}
+
+// Squares of lengths would overflow, and lengths in single precision do.
+TEST(OddInput, ASurfaceTooSmallOrTooLargeIsRefusedWithTheLimit)
+{
+  const auto scaled = [](double scale)
+  {
+    Surface surface = plane;
+    for (Vector3& p : surface.points)
+    {
+      p = scale * p;
+    }
+    return surface;
+  };
+  for (const double scale : { 1e-300, 1e-60, 0.9e-30, 1.1e30, 1e60, 1e300 })
+  {
+    const std::string message = messageOf(scaled(scale));
+    for (const std::string& part : { textOf(scale), textOf(1e-30), textOf(1e30) })
+    {
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+  }
+  for (const double scale : { 1.1e-30, 0.9e30 })
+  {
+    for (const SolverTraits& solver : solverTable())
+    {
+      const Surface surface = scaled(scale);
+      const auto mesh = meshOf(surface);
+      const Seed seed = seedAt(*mesh, 480);
+      const auto made = solver.make(mesh);
+      const DistanceField& field = made->solve({ &seed, 1 }, {});
+      // Dijkstra's paths follow the edges: to the corner along the diagonals.
+      EXPECT_NEAR(field.distance(mesh->vertexOfPoint(960)) / scale, std::sqrt(0.5), 1e-3)
+        << solver.name;
+    }
+  }
+  EXPECT_EQ(messageOf(scaled(0.0)), "");
+}
+
+// The numbers are checked before anything is read.
+TEST(OddInput, MorePointsOrTrianglesThanNumbersAreRefusedWithTheLimit)
+{
+  const Vector3 point{};
+  const Triangle triangle{};
+  EXPECT_NE(
+    errorOf<std::length_error>([&] { TriangleMesh(std::span(&point, std::size_t{ 1 } << 30), {}); })
+      .find("1073741823"),
+    std::string::npos);
+  EXPECT_NE(errorOf<std::length_error>(
+              [&] { TriangleMesh({}, std::span(&triangle, std::size_t{ 1 } << 30)); })
+              .find("715827882"),
+    std::string::npos);
+}
+
+TEST(OddInput, ACostBeyondTheLimitsIsRefused)
+{
+  const auto mesh = meshOf(plane);
+  for (const double bad : { 1e-40, 1e40, 0.0, -1.0, std::nan("") })
+  {
+    std::vector<double> cost(mesh->numberOfVertices(), 1.0);
+    cost[3] = bad;
+    SolveOptions options;
+    options.cost = cost;
+    const Seed seed = seedAt(*mesh, 480);
+    const std::string message = errorOf(
+      [&] {
+        FastMarchingSolver(mesh).solve({ &seed, 1 }, options);
+      });
+    EXPECT_NE(message.find("1e+30"), std::string::npos) << message;
+  }
 }
 
 TEST(OddInput, APointThatIsNotFiniteAndNotUsedDoesNoHarm)

@@ -9,6 +9,7 @@
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkNew.h"
 #include "vtkSurfaceGeodesicDistance.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -141,6 +142,25 @@ TEST(CellTypes, ARepeatedCornerMakesAQuadrilateralATriangle)
   const vtkIdType corners[4] = { 0, 1, 1, 4 };
   surface->GetPolys()->InsertNextCell(4, corners);
   expectStraightLines(surface, 5, 16);
+}
+
+// No such face fits into memory: only its offsets say that it is there.
+TEST(CellTypes, AFaceOfMoreCornersThanAnIntHoldsIsRefused)
+{
+  const auto surface = square(3);
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->InsertNextValue(0);
+  offsets->InsertNextValue(vtkTypeInt64{ 1 } << 31);
+  vtkNew<vtkTypeInt64Array> connectivity;
+  connectivity->InsertNextValue(0);
+  vtkNew<vtkCellArray> faces;
+  faces->SetData(offsets, connectivity);
+  surface->SetPolys(faces);
+  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->SetSeeds(idList({ 0 }));
+  EXPECT_NE(errorsOf(filter.Get()).find("2147483648 corners; it may have at most 2147483647"),
+    std::string::npos);
 }
 
 TEST(CellTypes, VerticesAndLinesAreNoSurface)

@@ -180,6 +180,18 @@ private:
   vtkNew<vtkIdList> Cut;
 };
 
+/** VTK's vtkPolygon counts corners by an int. */
+void checkSize(vtkIdType cell, vtkIdType corners)
+{
+  constexpr vtkIdType most = std::numeric_limits<int>::max();
+  if (corners < 0 || corners > most)
+  {
+    throw std::length_error("Polygon or strip " + std::to_string(cell) + " of the input has " +
+      std::to_string(corners) + " corners; it may have at most " + std::to_string(most) +
+      ". Cut it into smaller ones.");
+  }
+}
+
 /** Calls @p add with the corners of each cell, after checking that they exist. */
 template <class Add>
 void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoint, const Add& add)
@@ -192,6 +204,7 @@ void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoin
     {
       corners.clear();
       const auto end = static_cast<vtkIdType>(offsets[cell + 1]);
+      checkSize(cell, end - static_cast<vtkIdType>(offsets[cell]));
       for (auto i = static_cast<vtkIdType>(offsets[cell]); i < end; ++i)
       {
         const auto id = static_cast<vtkIdType>(connectivity[i]);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <sstream>
@@ -29,6 +30,27 @@ void throwNotFinite(Index point, const Vector3& position)
 
 namespace
 {
+
+/** Checks that squares of lengths, and lengths in single precision, can hold the surface. */
+void checkMagnitude(const BoundingBox& box)
+{
+  constexpr double least = 1e-30;
+  constexpr double most = 1e30;
+  double largest = 0.0;
+  for (const Vector3& p : { box.low, box.high })
+  {
+    largest = std::max({ largest, std::abs(p.x), std::abs(p.y), std::abs(p.z) });
+  }
+  if (isFinite(box.low) && largest > 0.0 && !(largest >= least && largest <= most))
+  {
+    std::ostringstream message;
+    message << "The largest coordinate of the surface is " << largest << "; it must lie between "
+            << least << " and " << most
+            << ", beyond which lengths overflow. Scale the surface, for "
+            << "example with Transform.";
+    throw std::invalid_argument(message.str());
+  }
+}
 
 constexpr int RadixBits = 11;
 constexpr int RadixPasses = 3;
@@ -63,6 +85,7 @@ BoundingBox boxOf(
   {
     box.add(other.low, other.high);
   }
+  checkMagnitude(box);
   return box;
 }
 

@@ -34,7 +34,8 @@ inline void checkFinite(Index point, const Vector3& position)
  * @param team    threads to work on; the order does not depend on their number
  * @return the ids of the used points in curve order. Points of equal coordinates stand together, by
  *         increasing id; otherwise the order depends on coordinates alone, not on ids.
- * @throws std::invalid_argument where the coordinates of a used point are not finite
+ * @throws std::invalid_argument where the coordinates of a used point are not finite, or the
+ *         largest one is below 1e-30 (but not 0) or above 1e30
  * Time O(n), memory 16 bytes a point while it runs.
  * G. M. Morton, A computer oriented geodetic data base, IBM (1966).
  */

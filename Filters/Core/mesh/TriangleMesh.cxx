@@ -19,8 +19,9 @@ namespace geodesic
 namespace
 {
 
-void checkNumber(std::size_t points)
+void checkNumbers(std::size_t points, std::size_t triangles)
 {
+  VertexRings::checkNumber(triangles);
   // A march's queue numbers its other items, secondary values, from the number of vertices on.
   constexpr std::size_t most = 0x3fffffff;
   if (points > most)
@@ -68,7 +69,7 @@ bool repeatsCorner(const Triangle& t)
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
   CoincidentPoints coincident, const ThreadTeam& team, const RingMeasurer* measurer)
 {
-  checkNumber(points.size());
+  checkNumbers(points.size(), triangles.size());
   this->numberVertices(points, usedPoints(points.size(), triangles, team), coincident, team);
   this->build(triangles, team, measurer);
 }
@@ -76,7 +77,7 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
   std::span<const Index> kinds, const ThreadTeam& team, const RingMeasurer* measurer)
 {
-  checkNumber(points.size());
+  checkNumbers(points.size(), triangles.size());
   const std::vector<std::uint8_t> used = usedPoints(points.size(), triangles, team);
   std::vector<std::uint8_t> isFirst(points.size(), 0);
   std::vector<Index> firstOfKind(points.size(), NoIndex);

@@ -53,7 +53,8 @@ public:
    * @param measurer    of numbers to make along with the rings, see RingNumbers.h; null for none.
    *                    It must outlive the mesh.
    * @throws std::invalid_argument where a triangle names a point that does not exist, or one whose
-   *         coordinates are not finite
+   *         coordinates are not finite, and where the largest coordinate is below 1e-30 (but not 0)
+   *         or above 1e30
    * @throws std::length_error for more than 2^30 - 1 vertices or 700 million triangles
    * Time O(n).
    */

@@ -335,19 +335,24 @@ private:
   std::vector<Ring> Others;
 };
 
+void VertexRings::checkNumber(std::size_t triangles)
+{
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 6;
+  if (triangles > most)
+  {
+    throw std::length_error("The surface has " + std::to_string(triangles) +
+      " triangles; one process holds at most " + std::to_string(most) +
+      ". Spread it over more ranks.");
+  }
+}
+
 VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
   std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers)
   : Starts(positions.size() + 1)
   , LongestSides(positions.size())
 {
   const std::size_t vertices = positions.size();
-  constexpr std::size_t maximumTriangles = std::numeric_limits<std::uint32_t>::max() / 6;
-  if (triangles.size() > maximumTriangles)
-  {
-    throw std::length_error("The surface has " + std::to_string(triangles.size()) +
-      " triangles; one process holds at most " + std::to_string(maximumTriangles) +
-      ". Spread it over more ranks.");
-  }
+  checkNumber(triangles.size());
   std::vector<std::optional<Range>> ranges(team.numberOfRanges(vertices));
   std::vector<std::size_t> starts(ranges.size());
   team.run(vertices,

@@ -65,6 +65,9 @@ public:
   VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
     std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers = nullptr);
 
+  /** @throws std::length_error where rings can't hold so many triangles: above 715,827,882 */
+  static void checkNumber(std::size_t triangles);
+
   /** Numbers of workspace that each triangle takes while the rings are made. */
   static constexpr std::size_t RoomOfTriangle = 6;
   /** The number of entries that may be read past the end of a ring, so that code can read several

@@ -30,13 +30,17 @@ void checkSize(const char* what, std::size_t size, std::size_t expected, const c
   }
 }
 
+/** Beyond these, squares of distances overflow on the largest and smallest surfaces. */
+constexpr double LeastCost = 1e-30;
+constexpr double MostCost = 1e30;
+
 void checkCost(const TriangleMesh& mesh, std::span<const double> cost)
 {
   Index firstBad = NoIndex;
   Index vertex = 0;
   for (Index v = 0; v < cost.size(); ++v)
   {
-    if (!(cost[v] > 0.0 && std::isfinite(cost[v])) && mesh.pointOfVertex(v) < firstBad)
+    if (!(cost[v] >= LeastCost && cost[v] <= MostCost) && mesh.pointOfVertex(v) < firstBad)
     {
       firstBad = mesh.pointOfVertex(v);
       vertex = v;
@@ -45,7 +49,8 @@ void checkCost(const TriangleMesh& mesh, std::span<const double> cost)
   if (firstBad != NoIndex)
   {
     throw std::invalid_argument("The cost of point " + std::to_string(firstBad) + " is " +
-      textOf(cost[vertex]) + "; every cost must be positive and finite.");
+      textOf(cost[vertex]) + "; every cost must be positive and finite, between " +
+      textOf(LeastCost) + " and " + textOf(MostCost) + ".");
   }
 }
 

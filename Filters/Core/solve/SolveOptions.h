@@ -47,7 +47,7 @@ private:
 struct SolveOptions
 {
   /**
-   * The cost of a unit of length at each vertex, positive and finite. The cost of a triangle is the
+   * The cost of a unit of length at each vertex, from 1e-30 to 1e30. The cost of a triangle is the
    * mean of its corners' costs; distances are lengths times cost. Empty: 1 everywhere.
    */
   std::span<const double> cost;

@@ -240,12 +240,34 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
   }
 }
 
+void WindowFront::dropKnown(Index halfEdge)
+{
+  WindowList& known = this->Work.crossed[halfEdge];
+  const std::size_t before = known.bytes();
+  this->Nearer.clear();
+  for (const Window& window : this->Crossing.windows())
+  {
+    known.appendNearer(window, this->Nearer);
+  }
+  this->Crossing.clear();
+  for (const Window& window : this->Nearer)
+  {
+    known.insert(window);
+    this->Crossing.insert(window);
+  }
+  this->Work.bytes += known.bytes() - before;
+}
+
 void WindowFront::crossTriangle(Index halfEdge)
 {
   Index& place = this->Work.places[halfEdge];
   WindowList& list = this->Work.waiting[place].list;
   this->Crossing.clear();
   this->Crossing.swap(list);
+  if (const Index next = this->Edges.next(halfEdge); this->Edges.next(next) != halfEdge)
+  {
+    this->dropKnown(halfEdge);
+  }
   if (this->Merging)
   {
     this->Merging->merge(this->Crossing);

@@ -32,6 +32,11 @@ WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
 
 void WindowWorkspace::empty(std::span<const Index> reached)
 {
+  for (const auto& [halfEdge, list] : this->crossed)
+  {
+    this->bytes -= list.bytes();
+  }
+  this->crossed.clear();
   this->free.clear();
   for (Index i = 0; i < this->waiting.size(); ++i)
   {

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -50,6 +51,9 @@ struct WindowWorkspace
   /** For each half-edge the number of its entry in @ref waiting; NoIndex where no window waits. */
   std::vector<Index> places;
   std::vector<Waiting> waiting;
+  /** For half-edges of edges with more than two triangles the nearest of all windows that have
+   * crossed. */
+  std::unordered_map<Index, WindowList> crossed;
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
   /** For each vertex how the shortest path comes there; kept only if there are points from which
@@ -73,10 +77,12 @@ struct WindowWorkspace
  * any order gives the same field.
  *
  * A window, or a part of it, is dropped where a path through an end of its edge is shorter, or
- * another window that waits at the same half-edge. The first is the filter of S. Xin, G. Wang,
- * Improving Chen and Han's algorithm on the discrete geodesic problem, ACM Trans. Graph. 28 (2009),
- * applied to parts. Windows that have crossed a triangle are not kept; where paths are wanted
- * (SolveOptions::pathStarts), each vertex remembers the one that gave it its distance.
+ * another window that waits at the same half-edge. At edges of more than two triangles, where a
+ * front divides and its parts can cross each other's sheets for ever, so do all windows that have
+ * crossed. The first is the filter of S. Xin, G. Wang, Improving Chen and Han's algorithm on the
+ * discrete geodesic problem, ACM Trans. Graph. 28 (2009), applied to parts. Else windows that have
+ * crossed a triangle are not kept; where paths are wanted (SolveOptions::pathStarts), each vertex
+ * remembers the one that gave it its distance.
  */
 class WindowFront
 {
@@ -140,6 +146,9 @@ private:
 
   /** Whether windows can go on from any other triangle of the half-edge's edge. */
   bool leadsOn(Index halfEdge) const;
+  /** Keeps of the windows that are about to cross what is nearer than all that have crossed, and
+   * notes it. */
+  void dropKnown(Index halfEdge);
   /** Lets the windows that wait at a half-edge cross its triangle. */
   void crossTriangle(Index halfEdge);
   /** Gives the apex the distances of the windows that light it. */
@@ -192,6 +201,8 @@ private:
   const WindowMerging* Merging = nullptr;
   /** The windows that cross a triangle now. */
   WindowList Crossing;
+  /** What dropKnown() leaves of them. */
+  std::vector<Window> Nearer;
   std::size_t MostBytes;
   static constexpr std::size_t LookInterval = 1024;
   /** How many windows have crossed a triangle, and when mayGoOn() looks at things again. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "windows/WindowList.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -147,14 +148,15 @@ private:
   std::ptrdiff_t LastOwner = NoOwner;
 };
 
-/** Gives each point from @p first to @p last to the nearer of two windows.
- * @param owner the number of the present window; the added one has -1 */
-void divide(const Window& present, std::ptrdiff_t owner, const Window& added, double first,
-  double last, Pieces& pieces)
+/** The number of the window that is added to a list; those that are there have their places'. */
+constexpr std::ptrdiff_t AddedOwner = -1;
+
+/** Gives each point from @p first to @p last to the nearer of two windows: calls @p give with
+ * whether the added one has it, and the ends of a part. */
+template <class Give>
+void divide(const Window& present, const Window& added, double first, double last, const Give& give)
 {
   const Contest contest(present, added);
-  const auto give = [&](bool toAdded, double from, double to)
-  { pieces.add(toAdded ? added : present, toAdded ? -1 : owner, from, to); };
   std::array<double, 3> ends{ first, last, last };
   std::size_t parts = 1;
   if (present.offset != added.offset)
@@ -247,6 +249,32 @@ bool WindowList::insertBehind(const Window& window)
   return true;
 }
 
+void WindowList::appendNearer(const Window& window, std::vector<Window>& parts) const
+{
+  static thread_local Pieces pieces;
+  pieces.clear();
+  double reached = window.first;
+  auto present = std::partition_point(this->Windows.begin(), this->Windows.end(),
+    [&](const Window& w) { return w.last <= window.first; });
+  for (; present != this->Windows.end() && present->first < window.last; ++present)
+  {
+    pieces.add(window, AddedOwner, reached, present->first);
+    const double first = std::max(reached, present->first);
+    const double last = std::min(window.last, present->last);
+    divide(*present, window, first, last,
+      [&](bool toAdded, double from, double to)
+      {
+        if (toAdded)
+        {
+          pieces.add(window, AddedOwner, from, to);
+        }
+      });
+    reached = last;
+  }
+  pieces.add(window, AddedOwner, reached, window.last);
+  parts.insert(parts.end(), pieces.Windows.begin(), pieces.Windows.end());
+}
+
 void WindowList::insertAmong(const Window& window)
 {
   static thread_local Pieces pieces;
@@ -263,14 +291,16 @@ void WindowList::insertAmong(const Window& window)
   {
     const std::ptrdiff_t owner = end - all.begin();
     pieces.add(*end, owner, end->first, std::min(end->last, reached));
-    pieces.add(window, -1, reached, end->first);
+    pieces.add(window, AddedOwner, reached, end->first);
     reached = std::max(reached, end->first);
     const double last = std::min(window.last, end->last);
-    divide(*end, owner, window, reached, last, pieces);
+    divide(*end, window, reached, last,
+      [&](bool toAdded, double from, double to)
+      { pieces.add(toAdded ? window : *end, toAdded ? AddedOwner : owner, from, to); });
     pieces.add(*end, owner, last, end->last);
     reached = std::max(reached, end->last);
   }
-  pieces.add(window, -1, reached, window.last);
+  pieces.add(window, AddedOwner, reached, window.last);
   // The list from begin to end is replaced; most often it is one window by one or two.
   const std::size_t old = static_cast<std::size_t>(end - begin);
   const std::size_t same = std::min(old, pieces.Windows.size());

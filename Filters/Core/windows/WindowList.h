@@ -41,6 +41,9 @@ public:
     }
   }
 
+  /** Appends those parts of a window that are nearer than what this list has there. */
+  void appendNearer(const Window& window, std::vector<Window>& parts) const;
+
   /** Exchanges the windows of two lists. */
   void swap(WindowList& other) { this->Windows.swap(other.Windows); }
 
