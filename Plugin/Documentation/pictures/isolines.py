@@ -34,7 +34,7 @@ def scene(curves):
 
 
 views = [scene(Contour(Input=distance, ContourBy=["POINTS", "GeodesicDistance"], Isosurfaces=LEVELS)),
-         scene(GeodesicIsolines(Input=distance, Values=LEVELS))]
+         scene(GeodesicIsolines(Input=distance, DistanceArray=["POINTS", "GeodesicDistance"], Values=LEVELS))]
 layout = CreateLayout("Isolines")
 layout.SplitHorizontal(0, 1 / 2)
 for place, view in zip((1, 2), views):
