@@ -21,6 +21,7 @@
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
+#include "lines/GlobalSides.h"
 #include "lines/LinedSurface.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
@@ -32,7 +33,6 @@
 #include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
-#include "split/CurveSides.h"
 #include "split/RegionMesh.h"
 #include "split/SplitMesh.h"
 
@@ -245,7 +245,7 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
   this->NumberOfVisitedPoints = 0;
   this->Solve({ ranks, blocks, inputVector });
   this->CheckUnreachedValue();
-  this->CheckSides();
+  ranks.together([&] { this->CheckSides(); });
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
     geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
@@ -371,29 +371,20 @@ void vtkSurfaceGeodesicDistance::FindSides(const Run& run, const std::vector<geo
       std::to_string(noLine - seeds.begin()) +
       " is no line. Leave only lines of SeedSource as seeds, or turn Signed off.");
   }
-  const bool isElsewhere = run.ranks.rank() > 0 && run.blocks.numberWithFaces() > 0;
-  if (run.ranks.isAny(isElsewhere))
+  const auto& mesh = internal.Lined.mesh();
+  const std::vector<geodesic::SurfacePath>& lines = internal.Lined.seedPaths();
+  if (!internal.SidesMesh || &internal.SidesMesh->mesh() != mesh.get())
   {
-    throw std::invalid_argument("The surface is spread over ranks, and Signed needs all of it on "
-                                "the first one. Bring it there by Aggregate Dataset with 1 target "
-                                "process, or turn Signed off.");
+    internal.SidesMesh = std::make_shared<const geodesic::RegionMesh>(mesh);
+    internal.Signs.clear();
   }
-  run.ranks.together(
-    [&]
-    {
-      const auto& mesh = internal.Lined.mesh();
-      const std::vector<geodesic::SurfacePath>& lines = internal.Lined.seedPaths();
-      if (!internal.SidesMesh || &internal.SidesMesh->mesh() != mesh.get())
-      {
-        internal.SidesMesh = std::make_shared<const geodesic::RegionMesh>(mesh);
-        internal.Signs.clear();
-      }
-      if (internal.Signs.empty() || internal.SidesOf != lines)
-      {
-        internal.Signs = geodesic::curveSides(internal.SidesMesh, lines, "SeedSource");
-        internal.SidesOf = lines;
-      }
-    });
+  const bool isNew = internal.Signs.empty() && mesh->numberOfVertices() > 0;
+  if (run.ranks.isAny(isNew || internal.SidesOf != lines))
+  {
+    internal.Signs = geodesic::distributed::globalSides(
+      run.ranks, internal.Lined, internal.SidesMesh, "SeedSource");
+    internal.SidesOf = lines;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -156,8 +156,8 @@ public:
    * with the smaller area. Lines with a common end are one. The sign changes at each line, so it is
    * plus again inside of two. Costs and barriers have no part in it. Default: off.
    *
-   * Errors: a seed that is no line, a line without two sides, see geodesic::regionSigns(), an
-   * UnreachedValue that can be a distance, and a surface on several ranks.
+   * Errors: a seed that is no line, a line without two sides, see geodesic::regionSigns(), and an
+   * UnreachedValue that can be a distance.
    */
   vtkSetMacro(Signed, bool);
   vtkGetMacro(Signed, bool);

@@ -74,7 +74,8 @@ expect(("Exact", "several ranks", "GatherForExact"), torus, SeedPositions=SEED, 
 expect("GatherForExact does not go together with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
        GatherForExact=1, BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("costs", torus, SeedPositions=SEED, Method="Exact", GatherForExact=1, CostArray=["POINTS", "Cost"])
-expect(("Signed", "Aggregate Dataset"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
+expect(("SeedSource's line 0", "open"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
+expect("seed 0 is no line", torus, Signed=1, SeedPositions=SEED)
 expect("Geodesic Isolines needs all of it on one", simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
        simple.GeodesicIsolines)
 expect("no surface", simple.PointSource(), SeedPositions=SEED)

@@ -32,6 +32,10 @@ ROUND = [1.1, 0.3, 0.38, 0.2, 1.2, 0.3, -1.15, 0.25, -0.35]
 # Across the tube, so that the front has to go round the torus.
 RING = [0.03 + 1.4 * 0.7, 1.4 * 0.7, 0, 0.7, 0.72, 0.4, 0.42, 0.43, 0, 0.7, 0.72, -0.4]
 SHORT = [0.5, 1.2, 0.2, 0.2, 1.2, 0.3]
+NECK = [-0.0807, 0.0717, 0.0138, -0.0633, 0.0807, 0.0433, -0.0413, 0.1057, 0.0399, -0.0307, 0.1260, 0.0136,
+        -0.0492, 0.1156, -0.0155, -0.0728, 0.0901, -0.0156]
+# On the torus' outer side.
+PATCH = [1.1, 0.5, 0.38, 1.35, 0.2, 0.2, 1.1, -0.3, 0.38, 0.9, 0.1, 0.4]
 LINES = {
     "curve": ("torus", dict(SeedSource=line(*ROUND))),
     "curve and seeds": ("torus", dict(SeedSource=line(*ROUND), SeedPositions=[-1, -0.9, 0.2] + ROUND[:3],
@@ -43,6 +47,11 @@ LINES = {
     "ring": ("torus", dict(SeedPositions=SEED, BarrierSource=line(*RING, closed=1))),
     "both": ("torus", dict(SeedSource=line(*ROUND[:6]), BarrierSource=line(-0.3, 1, 0.4, -1.2, 0.1, 0.3),
                            DestinationPositions=[-0.9, -0.9, 0.1])),
+    "signed": ("torus", dict(SeedSource=line(*PATCH, closed=1), Signed=1)),
+    "signed, ball": ("sphere", dict(SeedSource=line(0.1, 0.2, 0.9, 0.8, 0.1, 0.1, 0.2, -0.9, 0.2, closed=1), Signed=1)),
+    "signed, open": ("thin", dict(SeedSource=line(0.41, -1, 0, 0.43, 1, 0), Signed=1)),
+    "signed, parts": ("parts", dict(SeedSource=line(0.3, -9, 0, 0.35, 9, 0), Signed=1)),
+    "signed, bunny": ("bunny", dict(SeedSource=line(*NECK, closed=1), Signed=1)),
     "region": ("sphere", dict(SeedArray=["POINTS", "Region"], BarrierSource=line(0.1, 0.2, 0.9, 0.8, 0.1, 0.1))),
     "bunny": ("bunny", dict(SeedSource=line(*cases.points_on("bunny", 3)))),
 }
@@ -52,7 +61,7 @@ for name, (surface, options) in LINES.items():
         cases.check(FOLDER, f"lines {name}/whole", harness.surface(surface, "whole"), options)
         continue
     cases.check(FOLDER, f"lines {name}/slabs", harness.surface(surface, "slabs"), options)
-    if name in ("curve and seeds", "barrier, edges", "both"):
+    if name in ("curve and seeds", "barrier, edges", "both", "signed, ball"):
         cases.check(FOLDER, f"lines {name}/random", harness.surface(surface, "random"), options)
         cases.check(FOLDER, f"lines {name}/all on the last", harness.surface(surface, "last"), options)
     if name in ("curve, cost", "ring", "region"):

@@ -39,16 +39,19 @@ struct Side
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+}
+
 /** Collects what lies beside each other along curves. */
-class Collector
+class CurveSides::Collector
 {
 public:
-  Collector(
-    const RegionMesh& mesh, const RegionCut& cut, std::size_t curves, const std::string& name)
+  Collector(const RegionMesh& mesh, const RegionCut& cut, std::size_t curves,
+    const std::string& name, std::span<const std::uint8_t> shared, CurveSides& sides)
     : Mesh(mesh)
     , Cut(cut)
     , Name(name)
-    , OnCurve(mesh.mesh().numberOfVertices(), false)
+    , Shared(shared)
+    , Sides(sides)
   {
     std::vector<Edge> ends;
     std::vector<std::vector<Index>> points;
@@ -57,10 +60,11 @@ public:
       points.push_back(cut.pointsOf(curve));
       ends.emplace_back(points.back().front(), points.back().back());
     }
-    this->Chains = chainsOf(ends);
-    for (Index chain = 0; chain < this->Chains.size(); ++chain)
+    sides.OnCurve.assign(mesh.mesh().numberOfVertices(), false);
+    sides.Chains = chainsOf(ends);
+    for (Index chain = 0; chain < sides.Chains.size(); ++chain)
     {
-      for (const std::size_t curve : this->Chains[chain].lines)
+      for (const std::size_t curve : sides.Chains[chain].lines)
       {
         this->addStretches(points[curve], chain);
       }
@@ -68,22 +72,15 @@ public:
     this->leaveOutTwice();
   }
 
-  const std::vector<LineChain>& chains() const { return this->Chains; }
-  bool isOnCurve(Index vertex) const { return this->OnCurve[vertex]; }
-  /** One of the regions at each vertex; NoIndex for those that no face has. */
-  const std::vector<Index>& regionsAt() const { return this->RegionAt; }
-
-  RegionGraph graph()
+  void collect()
   {
-    RegionGraph graph;
     for (const double area : this->Cut.areas())
     {
-      graph.regions.push_back({ area, 0.0 });
+      this->Sides.Graph.regions.push_back({ area, 0.0 });
     }
-    this->measureBorder(graph);
-    this->addCrossings(graph);
-    this->addLinks(graph);
-    return graph;
+    this->measureBorder();
+    this->addCrossings();
+    this->addLinks();
   }
 
 private:
@@ -91,9 +88,9 @@ private:
   {
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      if (points[i] < this->OnCurve.size())
+      if (points[i] < this->Sides.OnCurve.size())
       {
-        this->OnCurve[points[i]] = true;
+        this->Sides.OnCurve[points[i]] = true;
       }
       if (i > 0 && points[i] != points[i - 1])
       {
@@ -123,7 +120,7 @@ private:
     this->Stretches = std::move(odd);
   }
 
-  std::vector<Side> sides() const
+  std::vector<Side> sidesOfFaces() const
   {
     const TriangleMesh& mesh = this->Mesh.mesh();
     std::vector<Side> sides;
@@ -165,9 +162,10 @@ private:
     return sides;
   }
 
-  void addCrossings(RegionGraph& graph) const
+  void addCrossings()
   {
-    const std::vector<Side> sides = this->sides();
+    RegionGraph& graph = this->Sides.Graph;
+    const std::vector<Side> sides = this->sidesOfFaces();
     auto side = sides.begin();
     for (auto first = this->Stretches.begin(); first != this->Stretches.end();)
     {
@@ -180,7 +178,7 @@ private:
       const auto count = end - side;
       if (count > 2)
       {
-        throw std::invalid_argument(nameOfLines(this->Name, this->Chains[first->chain]) +
+        throw std::invalid_argument(nameOfLines(this->Name, this->Sides.Chains[first->chain]) +
           " has no two sides: " + std::to_string(count) +
           " faces meet at an edge on it. Lead it where at most 2 do, or turn Signed off.");
       }
@@ -202,7 +200,7 @@ private:
     sortUnique(graph.crossings);
   }
 
-  void measureBorder(RegionGraph& graph) const
+  void measureBorder()
   {
     const TriangleMesh& mesh = this->Mesh.mesh();
     const std::vector<Index>& border = this->Mesh.border();
@@ -212,7 +210,7 @@ private:
       if (region != NoIndex)
       {
         const auto [a, b] = this->Mesh.endsOf(halfEdge);
-        graph.regions[region].border += norm(mesh.position(a) - mesh.position(b));
+        this->addBorder(halfEdge, region, norm(mesh.position(a) - mesh.position(b)));
       }
     }
     for (const RegionCut::Piece& piece : this->Cut.pieces())
@@ -236,17 +234,33 @@ private:
         }
         if (ends.size() == 2)
         {
-          graph.regions[piece.region].border += norm(ends[0] - ends[1]);
+          this->addBorder(halfEdge, piece.region, norm(ends[0] - ends[1]));
         }
       }
     }
   }
 
-  /** Regions that meet at a vertex beside the curves lie on the same sides. */
-  void addLinks(RegionGraph& graph)
+  bool isShared(Index vertex) const { return !this->Shared.empty() && this->Shared[vertex] != 0; }
+
+  void addBorder(Index halfEdge, Index region, double length)
   {
+    const Edge ends = this->Mesh.endsOf(halfEdge);
+    if (this->isShared(ends.first) && this->isShared(ends.second))
+    {
+      this->Sides.SharedBorder.push_back({ ends, region, length });
+    }
+    else
+    {
+      this->Sides.Graph.regions[region].border += length;
+    }
+  }
+
+  /** Regions that meet at a vertex beside the curves lie on the same sides. */
+  void addLinks()
+  {
+    RegionGraph& graph = this->Sides.Graph;
     const TriangleMesh& mesh = this->Mesh.mesh();
-    this->RegionAt.assign(mesh.numberOfVertices(), NoIndex);
+    this->Sides.RegionAt.assign(mesh.numberOfVertices(), NoIndex);
     const auto visit = [&](const Triangle& corners, Index region)
     {
       for (const Index corner : corners)
@@ -255,12 +269,16 @@ private:
         {
           continue;
         }
-        Index& known = this->RegionAt[corner];
+        if (this->isShared(corner))
+        {
+          this->Sides.SharedRegions.emplace_back(corner, region);
+        }
+        Index& known = this->Sides.RegionAt[corner];
         if (known == NoIndex)
         {
           known = region;
         }
-        else if (known != region && !this->OnCurve[corner])
+        else if (known != region && !this->Sides.OnCurve[corner] && !this->isShared(corner))
         {
           graph.links.emplace_back(std::minmax(known, region));
         }
@@ -278,35 +296,42 @@ private:
       visit(piece.corners, piece.region);
     }
     sortUnique(graph.links);
+    sortUnique(this->Sides.SharedRegions);
   }
 
   const RegionMesh& Mesh;
   const RegionCut& Cut;
   const std::string& Name;
-  std::vector<LineChain> Chains;
+  std::span<const std::uint8_t> Shared;
+  CurveSides& Sides;
   /** Sorted; at most one for each chain and edge. */
   std::vector<Stretch> Stretches;
-  std::vector<bool> OnCurve;
-  std::vector<Index> RegionAt;
 };
 
+CurveSides::CurveSides(const std::shared_ptr<const RegionMesh>& mesh,
+  std::span<const SurfacePath> curves, const std::string& name,
+  std::span<const std::uint8_t> shared)
+{
+  const RegionCut cut(mesh, curves);
+  Collector(*mesh, cut, curves.size(), name, shared, *this).collect();
+}
+
+std::vector<std::int8_t> CurveSides::signs(std::span<const std::int8_t> ofRegions) const
+{
+  std::vector<std::int8_t> signs;
+  for (Index vertex = 0; vertex < this->RegionAt.size(); ++vertex)
+  {
+    const bool isBeside = this->RegionAt[vertex] != NoIndex && !this->OnCurve[vertex];
+    signs.push_back(isBeside ? ofRegions[this->RegionAt[vertex]] : std::int8_t{ 1 });
+  }
+  return signs;
 }
 
 std::vector<std::int8_t> curveSides(const std::shared_ptr<const RegionMesh>& mesh,
   std::span<const SurfacePath> curves, const std::string& name)
 {
-  const RegionCut cut(mesh, curves);
-  Collector collector(*mesh, cut, curves.size(), name);
-  const RegionGraph graph = collector.graph();
-  const std::vector<std::int8_t> ofRegions = regionSigns(graph, collector.chains(), name);
-  std::vector<std::int8_t> signs;
-  for (Index vertex = 0; vertex < mesh->mesh().numberOfVertices(); ++vertex)
-  {
-    const Index region = collector.regionsAt()[vertex];
-    const bool isBeside = region != NoIndex && !collector.isOnCurve(vertex);
-    signs.push_back(isBeside ? ofRegions[region] : 1);
-  }
-  return signs;
+  const CurveSides sides(mesh, curves, name);
+  return sides.signs(regionSigns(sides.graph(), sides.chains(), name));
 }
 
 }

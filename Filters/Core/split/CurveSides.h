@@ -4,12 +4,15 @@
 #define geodesic_CurveSides_h
 
 #include "path/PathPoint.h"
+#include "split/LineChains.h"
 #include "split/RegionMesh.h"
+#include "split/RegionSigns.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -24,12 +27,58 @@ namespace geodesic
  *
  * Surfaces go on over edges with any number of faces and, beside curves, through single points.
  *
- * @param curves paths on the surface; those with a common end follow on each other
- * @param name   what the curves are, for messages
- * @return one sign for each vertex
- * @throws std::invalid_argument as regionSigns(), and for a curve along an edge with three or more
- *         faces
- * Time O(n) for the mesh, with small constants, and O(k log k) for k points of curves.
+ * A surface may be in several pieces, one of which has all faces that curves run through. Then
+ * regionSigns() needs the graph of all pieces, with what sharedRegions() and sharedBorder() say.
+ */
+class CurveSides
+{
+public:
+  /**
+   * @param curves paths on the surface; those with a common end follow on each other
+   * @param name   what the curves are, for messages
+   * @param shared a flag for each vertex: 1 if other pieces may have it; empty for one piece
+   * @throws std::invalid_argument for a curve along an edge with three or more faces
+   * Time O(n) for the mesh, with small constants, and O(k log k) for k points of curves.
+   */
+  CurveSides(const std::shared_ptr<const RegionMesh>& mesh, std::span<const SurfacePath> curves,
+    const std::string& name, std::span<const std::uint8_t> shared = {});
+
+  /** The regions of this piece, without what it shares. */
+  const RegionGraph& graph() const { return this->Graph; }
+  const std::vector<LineChain>& chains() const { return this->Chains; }
+  bool isOnCurve(Index vertex) const { return this->OnCurve[vertex]; }
+  /** One of the regions at a vertex; NoIndex if no face has the vertex. */
+  Index regionAt(Index vertex) const { return this->RegionAt[vertex]; }
+
+  /** Each region at each shared vertex. If it is on no curve, these regions are one. */
+  const std::vector<std::pair<Index, Index>>& sharedRegions() const { return this->SharedRegions; }
+  /** An edge between shared vertices that has one face here. */
+  struct BorderEdge
+  {
+    std::pair<Index, Index> ends;
+    Index region;
+    double length;
+  };
+  /** They are the surface's border only if no other piece has a face there. */
+  const std::vector<BorderEdge>& sharedBorder() const { return this->SharedBorder; }
+
+  /** One sign for each vertex, by those of the regions. */
+  std::vector<std::int8_t> signs(std::span<const std::int8_t> ofRegions) const;
+
+private:
+  class Collector;
+
+  RegionGraph Graph;
+  std::vector<LineChain> Chains;
+  std::vector<bool> OnCurve;
+  std::vector<Index> RegionAt;
+  std::vector<std::pair<Index, Index>> SharedRegions;
+  std::vector<BorderEdge> SharedBorder;
+};
+
+/**
+ * The sign of each vertex of a surface in one piece.
+ * @throws as CurveSides and regionSigns()
  */
 std::vector<std::int8_t> curveSides(const std::shared_ptr<const RegionMesh>& mesh,
   std::span<const SurfacePath> curves, const std::string& name);
