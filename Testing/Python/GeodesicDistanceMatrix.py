@@ -100,6 +100,15 @@ across["Input"] = group
 assert abs(matrix_of(simple.GeodesicDistanceMatrix(**across))[0, 1] - 1) < 1e-6
 assert np.isnan(matrix_of(simple.GeodesicDistanceMatrix(ConnectBlocks=0, **across))[0, 1])
 
+# Threads share the landmarks; the lengths are the same to the bit.
+many = dict(Input=simple.Sphere(ThetaResolution=60, PhiResolution=60),
+            LandmarkPositions=np.random.default_rng(35).normal(size=36).tolist())
+of_one = matrix_of(simple.GeodesicDistanceMatrix(NumberOfThreads=1, **many))
+assert of_one.shape == (12, 12)
+for threads in (-1, 0, 2, 3, 8):
+    np.testing.assert_array_equal(matrix_of(simple.GeodesicDistanceMatrix(NumberOfThreads=threads, **many)), of_one)
+expect_error("NumberOfThreads is -2; give -1", NumberOfThreads=-2, **many)
+
 expect_error("There is no landmark", Input=plane)
 expect_error("multiple of 3", Input=plane, LandmarkPositions=[0, 0])
 expect_error("no surface", Input=simple.PointSource(), LandmarkPositions=ends)
