@@ -20,10 +20,10 @@ void SolverTeam::prepare(
     this->Method = &method;
     this->Mesh = mesh;
   }
-  constexpr std::size_t shareOfOthers = 4;
+  constexpr double shareOfOthers = 0.25;
   const double bytes = method.bytesPerVertex * std::max<Index>(mesh->numberOfVertices(), 1);
   const auto most =
-    static_cast<std::size_t>(1.0 + static_cast<double>(machineMemory() / shareOfOthers) / bytes);
+    static_cast<std::size_t>(1.0 + shareOfOthers * static_cast<double>(machineMemory()) / bytes);
   this->Solvers.resize(std::min(threads, most));
 }
 
