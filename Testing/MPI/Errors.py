@@ -130,6 +130,12 @@ assert {"InsidePositions", "Extract", "RegionArrayName", "ConnectBlocks"} <= set
 messages = harness.messages_of(simple.GeodesicRegion(Input=torus).UpdatePipeline)
 assert f"spread over {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
 
+compared = expect_all_properties_compared(simple.GeodesicSamples, torus)
+assert {"NumberOfSamples", "Spacing", "FirstPositions", "Method"} <= set(compared), compared
+compared = expect_all_properties_compared(simple.GeodesicCentre, torus)
+assert {"RelativeError", "MaximumNumberOfFields", "Method"} <= set(compared), compared
+messages = harness.messages_of(simple.GeodesicCentre(Input=torus).UpdatePipeline)
+assert f"spread over {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
 compared = expect_all_properties_compared(simple.GeodesicDistanceMatrix, torus, LandmarkPositions=SEED)
 assert {"LandmarkPositions", "SecondLandmarkPositions", "Method", "MemoryLimit"} <= set(compared), compared
 
