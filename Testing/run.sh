@@ -62,14 +62,6 @@ test_other_cores()
   done
 }
 
-# What threads share, under the thread sanitizer.
-test_for_races()
-{
-  cmake --preset tsan
-  cmake --build --preset tsan --target CoreTests
-  ctest --preset tsan --tests-regex '^core\.SharedJobs' --parallel "$(nproc)" --output-on-failure
-}
-
 check_labels()
 {
   local label
@@ -106,7 +98,6 @@ check_core_with_clang_tidy
 check_labels
 if [[ " ${labels[*]} " == *" core "* ]]; then
   test_other_cores
-  test_for_races
 fi
 # Side by side but for those with ranks or windows, which ask for the whole machine.
 run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
