@@ -5,6 +5,7 @@
 usage: mpiexec -n N pvbatch --sym Errors.py OUR_PLUGIN        (N > 1)
 """
 
+import math
 import os
 import sys
 
@@ -187,7 +188,7 @@ assert harness.messages_of(path.UpdatePipeline) == ""
 whole = simple.GeodesicPath(Input=harness.surface("torus", "first"), WaypointPositions=ENDS)
 whole.UpdatePipeline()
 LENGTH = harness.informed(whole, "TotalLength")
-assert LENGTH >= sum((a - b) ** 2 for a, b in zip(ENDS[:3], ENDS[3:])) ** 0.5, LENGTH
+assert LENGTH >= math.dist(ENDS[:3], ENDS[3:]), LENGTH
 assert abs(harness.informed(path, "TotalLength") - LENGTH) <= 1e-9 * LENGTH, (LENGTH, harness.informed(path, "TotalLength"))
 
 

@@ -7,6 +7,7 @@
 #include "split/SplitMesh.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace geodesic::distributed
@@ -39,6 +40,7 @@ template <class Place>
 struct RegionAt
 {
   Place place;
+  int rank;
   Index region;
   double length;
 
@@ -115,12 +117,12 @@ public:
   GraphOfAll(const CurveSides& own, const std::vector<RankGroup::Message>& messages,
     const std::vector<GlobalVertex>& onCurve)
   {
-    for (const RankGroup::Message& message : messages)
+    for (int rank = 0; rank < static_cast<int>(messages.size()); ++rank)
     {
       const auto first = static_cast<Index>(this->Graph.regions.size());
-      for (const Part& part : valuesIn<Part>(message))
+      for (const Part& part : valuesIn<Part>(messages[rank]))
       {
-        this->add(part, first);
+        this->add(part, rank, first);
       }
     }
     // The first rank's regions have the same numbers in the whole graph.
@@ -134,7 +136,7 @@ public:
 private:
   using Edge = std::pair<GlobalVertex, GlobalVertex>;
 
-  void add(const Part& part, Index first)
+  void add(const Part& part, int rank, Index first)
   {
     switch (part.kind)
     {
@@ -145,11 +147,11 @@ private:
         this->Graph.links.emplace_back(first + part.region, first + part.other);
         break;
       case Part::Kind::AtVertex:
-        this->AtVertices.push_back({ part.first, first + part.region, 0.0 });
+        this->AtVertices.push_back({ part.first, rank, first + part.region, 0.0 });
         break;
       case Part::Kind::BorderEdge:
         this->AtEdges.push_back(
-          { std::minmax(part.first, part.second), first + part.region, part.length });
+          { std::minmax(part.first, part.second), rank, first + part.region, part.length });
         break;
     }
   }
@@ -159,7 +161,7 @@ private:
     std::sort(this->AtVertices.begin(), this->AtVertices.end());
     for (std::size_t i = 1; i < this->AtVertices.size(); ++i)
     {
-      const auto& [vertex, region, none] = this->AtVertices[i];
+      const auto& [vertex, rank, region, none] = this->AtVertices[i];
       const auto& before = this->AtVertices[i - 1];
       if (before.place == vertex && before.region != region &&
         !std::binary_search(onCurve.begin(), onCurve.end(), vertex))
@@ -169,24 +171,30 @@ private:
     }
   }
 
-  /** An edge that one piece has alone is the surface's border. */
+  /**
+   * An edge that one piece has alone is the surface's border. There it has several parts if lines
+   * end on it, which lie on different sides.
+   */
   void linkAtEdges()
   {
     std::sort(this->AtEdges.begin(), this->AtEdges.end());
-    for (std::size_t i = 0; i < this->AtEdges.size(); ++i)
+    for (auto first = this->AtEdges.begin(); first != this->AtEdges.end();)
     {
-      const auto isSame = [&](std::size_t other) {
-        return other < this->AtEdges.size() && this->AtEdges[other].place == this->AtEdges[i].place;
-      };
-      const bool isFirst = i == 0 || !isSame(i - 1);
-      if (!isFirst && this->AtEdges[i - 1].region != this->AtEdges[i].region)
+      const auto last = std::find_if(first, this->AtEdges.end(),
+        [&](const RegionAt<Edge>& part) { return part.place != first->place; });
+      const bool isBorder = first->rank == std::prev(last)->rank;
+      for (auto part = first; part != last; ++part)
       {
-        this->Graph.links.emplace_back(this->AtEdges[i - 1].region, this->AtEdges[i].region);
+        if (isBorder)
+        {
+          this->Graph.regions[part->region].border += part->length;
+        }
+        else if (part != first && part->region != std::prev(part)->region)
+        {
+          this->Graph.links.emplace_back(std::prev(part)->region, part->region);
+        }
       }
-      if (isFirst && !isSame(i + 1))
-      {
-        this->Graph.regions[this->AtEdges[i].region].border += this->AtEdges[i].length;
-      }
+      first = last;
     }
   }
 
