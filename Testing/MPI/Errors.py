@@ -213,7 +213,7 @@ for proxy in (simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
     if proxy.GetXMLName() == "GeodesicPath":
         proxy.HeightOffset = 0.01
     else:
-        proxy.DestinationPositions = SEED
+        proxy.DestinationPositions = ENDS[3:]
     assert harness.messages_of(proxy.UpdatePipeline) == ""
     fresh = getattr(simple, proxy.GetXMLName())(Input=torus)
     for name in ("SeedPositions", "DestinationPositions", "WaypointPositions", "HeightOffset"):
