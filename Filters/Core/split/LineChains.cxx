@@ -45,6 +45,7 @@ std::vector<LineChain> chainsOf(std::span<const std::pair<Index, Index>> ends)
     chain.isClosed = chain.isClosed && lineAndCount.second % 2 == 0;
   }
   std::vector<LineChain> list;
+  list.reserve(chains.size());
   for (auto& [root, chain] : chains)
   {
     list.push_back(std::move(chain));

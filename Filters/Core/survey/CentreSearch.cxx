@@ -96,7 +96,6 @@ private:
     this->Part.clear();
     Index farthest = this->measure(first, extent);
     extent.numberOfVertices = this->Part.size();
-    Index next = farthest;
     while (!this->IsCancelled && extent.numberOfFields < this->Request.mostFields)
     {
       this->bound(extent);
@@ -107,11 +106,8 @@ private:
         break;
       }
       const std::size_t turn = extent.numberOfFields % 3;
-      if (turn == 1 && !this->Eccentricities[farthest].isMeasured)
-      {
-        next = farthest;
-      }
-      else
+      Index next = farthest;
+      if (turn != 1 || this->Eccentricities[farthest].isMeasured)
       {
         next = isSpanned || (turn != 2 && !isCentred) ? this->LeastLower : this->MostUpper;
       }
