@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include "algorithm/DealtField.h"
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
 #include "base/NumberText.h"
@@ -21,30 +22,28 @@
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
-#include "lines/GlobalSides.h"
 #include "lines/LinedSurface.h"
+#include "lines/SidesOfSeeds.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
 #include "output/PathAttributes.h"
-#include "pieces/DealtSurface.h"
 #include "pieces/DistributedSurface.h"
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
-#include "split/RegionMesh.h"
 #include "split/SplitMesh.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace
 {
@@ -65,14 +64,10 @@ struct vtkSurfaceGeodesicDistance::Internals
   int Method = FAST_MARCHING;
   std::unique_ptr<geodesic::DistanceSolver> Solver;
   const geodesic::DistanceField* Field = nullptr;
-  /** With SpreadWork or GatherForExact on several ranks: what is solved on, and the field on the
-   * piece. */
-  std::unique_ptr<const geodesic::distributed::DealtSurface> Dealt;
-  std::optional<geodesic::DistanceField> OfPiece;
-  /** With Signed: the sign of each vertex of the mesh, and what it was found for. */
-  std::vector<std::int8_t> Signs;
-  std::shared_ptr<const geodesic::RegionMesh> SidesMesh;
-  std::vector<geodesic::SurfacePath> SidesOf;
+  /** With SpreadWork or GatherForExact on several ranks. */
+  geodesic::distributed::DealtField Dealt;
+  /** With Signed. */
+  geodesic::distributed::SidesOfSeeds Sides;
 
   /** Makes the solver of a method on a mesh, unless it is there. */
   void setSolver(
@@ -245,7 +240,8 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
   this->NumberOfVisitedPoints = 0;
   this->Solve({ ranks, blocks, inputVector });
   this->CheckUnreachedValue();
-  ranks.together([&] { this->CheckSides(); });
+  ranks.together(
+    [&] { this->Internal->Sides.check(this->Internal->Lined, *this->Internal->Field); });
   if (this->Internal->Field->stopReason() != geodesic::StopReason::Cancelled)
   {
     geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
@@ -305,7 +301,14 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
-  this->FindSides(run, seeds);
+  if (this->Signed)
+  {
+    internal.Sides.update(ranks, internal.Lined, seeds);
+  }
+  else
+  {
+    internal.Sides.clear();
+  }
 
   std::vector<geodesic::Triangle> targets;
   geodesic::distributed::DealtSurface::Places destinations;
@@ -346,45 +349,10 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
     this->SolveDealt(run, std::move(openSeeds), options, destinations);
     return;
   }
-  internal.Dealt.reset();
-  internal.OfPiece.reset();
+  internal.Dealt.clear();
   internal.setSolver(method, surface.mesh());
   internal.Field = &internal.Solver->solve(openSeeds, options);
   this->ReportWork(run, partition, *internal.Field, internal.Lined.mesh()->numberOfPoints());
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::FindSides(const Run& run, const std::vector<geodesic::Seed>& seeds)
-{
-  Internals& internal = *this->Internal;
-  if (!this->Signed)
-  {
-    internal.Signs.clear();
-    internal.SidesMesh.reset();
-    return;
-  }
-  const auto noLine = std::find_if(seeds.begin(), seeds.end(),
-    [](const geodesic::Seed& seed) { return seed.kind != geodesic::Seed::Kind::Curve; });
-  if (noLine != seeds.end())
-  {
-    throw std::invalid_argument("Signed needs seeds with two sides, and seed " +
-      std::to_string(noLine - seeds.begin()) +
-      " is no line. Leave only lines of SeedSource as seeds, or turn Signed off.");
-  }
-  const auto& mesh = internal.Lined.mesh();
-  const std::vector<geodesic::SurfacePath>& lines = internal.Lined.seedPaths();
-  if (!internal.SidesMesh || &internal.SidesMesh->mesh() != mesh.get())
-  {
-    internal.SidesMesh = std::make_shared<const geodesic::RegionMesh>(mesh);
-    internal.Signs.clear();
-  }
-  const bool isNew = internal.Signs.empty() && mesh->numberOfVertices() > 0;
-  if (run.ranks.isAny(isNew || internal.SidesOf != lines))
-  {
-    internal.Signs = geodesic::distributed::globalSides(
-      run.ranks, internal.Lined, internal.SidesMesh, "SeedSource");
-    internal.SidesOf = lines;
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -398,24 +366,6 @@ void vtkSurfaceGeodesicDistance::CheckUnreachedValue() const
       ", which with Signed is a distance on the minus side; the largest distance is " +
       geodesic::textOf(this->MaximumDistanceReached) +
       ". Set UnreachedAs to NaN, or give a value below minus that and other than -1.");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::CheckSides() const
-{
-  const Internals& internal = *this->Internal;
-  const geodesic::SplitMesh* split = internal.Lined.split();
-  for (geodesic::Index vertex = 0; vertex < internal.Signs.size(); ++vertex)
-  {
-    if (internal.Signs[vertex] == 0 &&
-      internal.Field->isReached(split ? split->vertexOf(vertex) : vertex))
-    {
-      throw std::invalid_argument(
-        "A part of the surface hangs on the lines of SeedSource by single "
-        "points only, so that it is on neither side of them. Leave it "
-        "out, or turn Signed off.");
-    }
   }
 }
 
@@ -446,33 +396,25 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
     dealing.distance = this->MaximumDistance;
     dealing.box = geodesic::distributed::boxOf(ranks, *internal.Surface, seeds);
   }
-  if (ranks.isAny(!internal.Dealt || internal.Dealt->origin() != internal.Surface ||
-        !(internal.Dealt->dealing() == dealing)))
-  {
-    internal.Dealt =
-      std::make_unique<const geodesic::distributed::DealtSurface>(ranks, internal.Surface, dealing);
-    internal.OfPiece.emplace(internal.Surface->mesh().numberOfVertices());
-  }
-  const geodesic::distributed::DealtSurface& dealt = *internal.Dealt;
+  internal.Dealt.deal(ranks, internal.Surface, dealing);
+  const geodesic::distributed::DealtSurface& dealt = internal.Dealt.surface();
   geodesic::distributed::DealtRequest request(
     ranks, dealt, options, std::move(seeds), destinations);
   geodesic::distributed::DistributedSolver partition(ranks, dealt.divided());
   internal.setSolver(this->GetSolver(), dealt.divided().sharedMesh());
   const geodesic::DistanceField* field = nullptr;
+  geodesic::StopReason reason{};
   if (gathers)
   {
-    const auto [solved, reason] =
-      geodesic::distributed::solveOnFirst(ranks, request, *internal.Solver);
-    dealt.takeBack(ranks, solved, reason, *internal.OfPiece);
-    field = solved;
+    std::tie(field, reason) = geodesic::distributed::solveOnFirst(ranks, request, *internal.Solver);
   }
   else
   {
     request.options().partition = &partition;
     field = &internal.Solver->solve(request.seeds(), request.options());
-    dealt.takeBack(ranks, field, field->stopReason(), *internal.OfPiece);
+    reason = field->stopReason();
   }
-  internal.Field = &*internal.OfPiece;
+  internal.Field = &internal.Dealt.takeBack(ranks, field, reason);
   const geodesic::DistanceField none(0);
   this->ReportWork(run, partition, field ? *field : none,
     internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
@@ -613,7 +555,7 @@ void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* ou
   const geodesic::bridge::InputSurface& surface = this->Internal->Surface->piece();
   const geodesic::bridge::FieldOnInput field{ *this->Internal->Lined.mesh(), *this->Internal->Field,
     this->Internal->Lined.split(), surface.numbering().firstPointOf(block),
-    static_cast<geodesic::Index>(output->GetNumberOfPoints()), this->Internal->Signs };
+    static_cast<geodesic::Index>(output->GetNumberOfPoints()), this->Internal->Sides.signs() };
   vtkPointData* pointData = output->GetPointData();
   if (this->ComputeNearestSeed)
   {

@@ -305,10 +305,6 @@ private:
   std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
   std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
-  /** Finds the sign of each vertex, if Signed. Collective. */
-  void FindSides(const Run& run, const std::vector<geodesic::Seed>& seeds);
-  /** Throws if a point that was reached is on no side. */
-  void CheckSides() const;
   /** Throws if UnreachedValue can be a distance. */
   void CheckUnreachedValue() const;
   /** Whether the method needs the surface on the first rank, and may bring it there. */

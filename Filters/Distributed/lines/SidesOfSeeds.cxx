@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lines/SidesOfSeeds.h"
+
+#include "lines/GlobalSides.h"
+#include "split/SplitMesh.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace geodesic::distributed
+{
+
+void SidesOfSeeds::update(
+  RankGroup& ranks, const LinedSurface& surface, const std::vector<Seed>& seeds)
+{
+  const auto noLine = std::find_if(
+    seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.kind != Seed::Kind::Curve; });
+  if (noLine != seeds.end())
+  {
+    throw std::invalid_argument("Signed needs seeds with two sides, and seed " +
+      std::to_string(noLine - seeds.begin()) +
+      " is no line. Leave only lines of SeedSource as seeds, or turn Signed off.");
+  }
+  const auto& mesh = surface.mesh();
+  if (!this->Mesh || &this->Mesh->mesh() != mesh.get())
+  {
+    this->Mesh = std::make_shared<const RegionMesh>(mesh);
+    this->Signs.clear();
+  }
+  const bool isNew = this->Signs.empty() && mesh->numberOfVertices() > 0;
+  if (ranks.isAny(isNew || this->Lines != surface.seedPaths()))
+  {
+    this->Signs = globalSides(ranks, surface, this->Mesh, "SeedSource");
+    this->Lines = surface.seedPaths();
+  }
+}
+
+void SidesOfSeeds::clear()
+{
+  this->Signs.clear();
+  this->Mesh.reset();
+}
+
+void SidesOfSeeds::check(const LinedSurface& surface, const DistanceField& field) const
+{
+  const SplitMesh* split = surface.split();
+  for (Index vertex = 0; vertex < this->Signs.size(); ++vertex)
+  {
+    if (this->Signs[vertex] == 0 && field.isReached(split ? split->vertexOf(vertex) : vertex))
+    {
+      throw std::invalid_argument(
+        "A part of the surface hangs on the lines of SeedSource by single points only, so that it "
+        "is on neither side of them. Leave it out, or turn Signed off.");
+    }
+  }
+}
+
+}
