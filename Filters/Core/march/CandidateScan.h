@@ -152,9 +152,10 @@ private:
   class Slacks
   {
   public:
-    GEODESIC_INLINED explicit Slacks(const float* slacks)
+    GEODESIC_INLINED explicit Slacks(const EntryNumber* stored)
+      : Bits(bitsWith<Real>([&](int lane) { return std::uint32_t{ stored[lane] }; })
+          << TriangleSlack::DroppedBits)
     {
-      std::memcpy(&this->Bits, slacks, sizeof this->Bits);
     }
     GEODESIC_INLINED Real values() const
     {
@@ -165,7 +166,7 @@ private:
     GEODESIC_INLINED unsigned areThin() const
     {
       static_assert(TriangleSlack::ThinBit == 1);
-      return highestBits<Real>(this->Bits << 31);
+      return highestBits<Real>(this->Bits << (31 - TriangleSlack::DroppedBits));
     }
 
   private:
@@ -193,7 +194,7 @@ private:
      * @param values      their values
      * @param held        their ceilings: only values below these count
      */
-    GEODESIC_INLINED void add(std::size_t i, const float* slacksHere,
+    GEODESIC_INLINED void add(std::size_t i, const EntryNumber* slacksHere,
       const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
       const Cost& cost)
     {

@@ -180,7 +180,7 @@ private:
   }
 
   /** The slacks of the triangles that ring entries open. */
-  const float* slacksOf(std::span<const RingEntry> entries) const
+  const EntryNumber* slacksOf(std::span<const RingEntry> entries) const
   {
     return this->Bounds.slacks() + this->Mesh.rings().numberOf(entries.data());
   }

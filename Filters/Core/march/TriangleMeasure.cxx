@@ -23,6 +23,7 @@ GEODESIC_INLINED void measureAll(
   constexpr double relative = std::numeric_limits<float>::epsilon();
   constexpr double absolute = std::numeric_limits<float>::denorm_min();
   static_assert(TriangleNumbers::Most % lanes<Real> == 0);
+  std::array<float, TriangleNumbers::Most> slacks{};
 
   const auto measureSome = [&](const Triangle* some, std::size_t i)
   {
@@ -46,7 +47,7 @@ GEODESIC_INLINED void measureAll(
       doubleArea / largest(longest, Real() + std::numeric_limits<double>::min());
     // A height near 0 is off by up to 3e-8 of the side, by the rounding of the squares.
     const Real slack = 2.0 * leastHeight - longest * (1.0 + 1.5 * relative) - absolute;
-    storeFloats(least(slack, Real() + std::numeric_limits<float>::max()), &numbers.ofEntries[i]);
+    storeFloats(least(slack, Real() + std::numeric_limits<float>::max()), &slacks[i]);
     storeFloats(longest * (1.0 + relative) + absolute, &numbers.longestSides[i]);
     storeFloats(
       labelMargin(longest, leastHeight) * (1.0 + relative) + absolute, &numbers.ofVertices[i]);
@@ -66,9 +67,8 @@ GEODESIC_INLINED void measureAll(
   // For all of the arrays, whose size is known, so that the compiler can treat several at a time.
   for (std::size_t t = 0; t < TriangleNumbers::Most; ++t)
   {
-    const float slack = numbers.ofEntries[t];
-    const bool isThin = slack < -0.5f * numbers.longestSides[t];
-    numbers.ofEntries[t] = TriangleSlack(slack, isThin).stored();
+    const bool isThin = slacks[t] < -0.5f * numbers.longestSides[t];
+    numbers.ofEntries[t] = TriangleSlack(slacks[t], isThin).stored();
   }
 }
 

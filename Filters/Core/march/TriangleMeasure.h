@@ -29,7 +29,7 @@ public:
 
   void measure(std::span<const Triangle> triangles, std::span<const Vector3> positions,
     TriangleNumbers& numbers) const override;
-  float ofNoTriangle() const override { return TriangleSlack().stored(); }
+  EntryNumber ofNoTriangle() const override { return TriangleSlack().stored(); }
 
 private:
   bool UsesQuads;

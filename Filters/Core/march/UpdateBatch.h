@@ -125,7 +125,7 @@ struct UpdateBatch
     /** The ring entries of the row, one for each slot in use. */
     const RingEntry* entries;
     /** The slacks of the triangles that these entries open, see TriangleSlack::stored(). */
-    const float* slacks;
+    const EntryNumber* slacks;
     /** The item of the queue that the row was made for: a value of the vertex. */
     Index item;
     /** In a ring that closes: the last slot, in which the first neighbour comes again; else 0. */
@@ -142,7 +142,7 @@ struct UpdateBatch
    * @param slacks  of the triangles that the entries open
    * @pre Count < Most
    */
-  void add(Index vertex, Index item, std::span<const RingEntry> ring, const float* slacks)
+  void add(Index vertex, Index item, std::span<const RingEntry> ring, const EntryNumber* slacks)
   {
     Row& row = this->Rows[this->Count++];
     row.vertex = vertex;

@@ -26,7 +26,7 @@ const RingMeasurer& updateMeasurer();
  * What FastMarchingSolver and ReferenceSolver compute of a mesh's triangles before any march: the
  * slacks, which tell what updates may be skipped, and the margins, within which a vertex keeps the
  * values of several labels. TriangleMeasurer computes them, while the mesh is built if the mesh is
- * given updateMeasurer(), else when this object is made. Memory 32 bytes a vertex.
+ * given updateMeasurer(), else when this object is made. Memory 18 bytes a vertex.
  */
 class UpdateBounds
 {
@@ -37,7 +37,7 @@ public:
   /** TriangleSlack::stored() of the triangles, by the number of the ring entry that opens the
    * triangle, counted over the rings of all vertices. VertexRings::Overrun slacks more may be read
    * behind the last. */
-  const float* slacks() const { return this->Slacks; }
+  const EntryNumber* slacks() const { return this->Slacks; }
   /** For each vertex the largest labelMargin() of the triangles round it, for cost 1, rounded up.
    */
   std::span<const float> margins() const { return this->Numbers->ofVertices; }
@@ -54,7 +54,7 @@ public:
 
 private:
   std::shared_ptr<const RingNumbers> Numbers;
-  const float* Slacks;
+  const EntryNumber* Slacks;
   double MeanMargin = 0.0;
 };
 

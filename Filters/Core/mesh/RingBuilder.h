@@ -5,6 +5,7 @@
 
 #include "base/Index.h"
 #include "base/Platform.h"
+#include "mesh/RingNumbers.h"
 #include "mesh/VertexRings.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ struct OppositeSide
 struct SideEnd
 {
   Index second;
-  float number;
+  std::uint32_t number;
 };
 
 /** Workspace for the ends of many sides. */
@@ -267,7 +268,7 @@ public:
    *         255
    */
   template <bool HasNumbers>
-  bool chain(std::size_t size, SideEnds ends, std::span<RingEntry> fan, float* numbers)
+  bool chain(std::size_t size, SideEnds ends, std::span<RingEntry> fan, EntryNumber* numbers)
   {
     if (size == 0 || size > std::numeric_limits<Place>::max())
     {
@@ -289,7 +290,7 @@ public:
       const auto [end, number] = ends[place];
       if constexpr (HasNumbers)
       {
-        numbers[chained] = number;
+        numbers[chained] = static_cast<EntryNumber>(number);
       }
       fan[chained++] = this->Sides[place];
       place = placeOf[end];

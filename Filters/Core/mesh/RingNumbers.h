@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -17,6 +18,10 @@ namespace geodesic
 {
 
 class TriangleMesh;
+
+/** A number that is kept with each ring entry. It has 16 bits, as the march reads one for each
+ * neighbour of each vertex; what they mean is the measurer's affair. */
+using EntryNumber = std::uint16_t;
 
 /** What a RingMeasurer tells of up to 64 triangles. */
 struct TriangleNumbers
@@ -27,7 +32,7 @@ struct TriangleNumbers
   /** The lengths of the longest sides, rounded up. */
   std::array<float, Most> longestSides{};
   /** Stored with each ring entry that opens the triangle. */
-  std::array<float, Most> ofEntries{};
+  std::array<EntryNumber, Most> ofEntries{};
   /** Each vertex gets the largest of the triangles round it. */
   std::array<float, Most> ofVertices{};
 };
@@ -52,7 +57,7 @@ public:
   virtual void measure(std::span<const Triangle> triangles, std::span<const Vector3> positions,
     TriangleNumbers& numbers) const = 0;
   /** What is stored with a ring entry that opens no triangle. */
-  virtual float ofNoTriangle() const = 0;
+  virtual EntryNumber ofNoTriangle() const = 0;
 };
 
 /** The numbers of a mesh's ring entries and vertices. */
@@ -62,7 +67,7 @@ struct RingNumbers
   const RingMeasurer* measurer = nullptr;
   /** By the number of the ring entry, counted over the rings of all vertices.
    * VertexRings::Overrun numbers more may be read behind the last. */
-  BulkVector<float> ofEntries;
+  BulkVector<EntryNumber> ofEntries;
   /** For each vertex the largest number of the triangles round it, at least 0. */
   BulkVector<float> ofVertices;
 };

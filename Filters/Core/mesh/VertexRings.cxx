@@ -138,7 +138,7 @@ public:
     , Positions(positions)
     , Measurer(numbers ? numbers->measurer : nullptr)
     , OfEntries(numbers ? numbers->ofEntries.data() : nullptr)
-    , OfNoTriangle(numbers ? numbers->measurer->ofNoTriangle() : 0.0f)
+    , OfNoTriangle(numbers ? numbers->measurer->ofNoTriangle() : EntryNumber{})
     , AllRings{ rings.Starts.data(), rings.Entries.data(), SideEnds(room.data()),
       rings.LongestSides.data(), numbers ? numbers->ofVertices.data() : nullptr }
     , NextVertex(range.vertices().first())
@@ -182,7 +182,7 @@ private:
       const Triangle& t, const TriangleNumbers& measured, std::size_t i, const Vertices& ours) const
     {
       const float longestSide = measured.longestSides[i];
-      const float ofEntry = HasNumbers ? measured.ofEntries[i] : 0.0f;
+      const std::uint32_t ofEntry = HasNumbers ? measured.ofEntries[i] : 0;
       const float ofVertex = HasNumbers ? measured.ofVertices[i] : 0.0f;
       for (int c = 0; c < 3; ++c)
       {
@@ -275,7 +275,7 @@ private:
         std::exchange(this->AllRings.starts[v], static_cast<std::uint32_t>(start)) - start;
       const std::span<RingEntry> ring{ this->AllRings.entries + start, size + 1 };
       const SideEnds ends = this->AllRings.ends.from(start - v);
-      float* const numbers = HasNumbers ? this->OfEntries + start : nullptr;
+      EntryNumber* const numbers = HasNumbers ? this->OfEntries + start : nullptr;
       if (!this->ClosedFan.template chain<HasNumbers>(size, ends, ring, numbers))
       {
         this->chainAny(v, size, ends, ring, numbers);
@@ -291,7 +291,7 @@ private:
 
   /** @param numbersHere get the numbers of the ring's entries */
   void chainAny(
-    Index v, std::size_t size, SideEnds ends, std::span<RingEntry> ring, float* numbersHere)
+    Index v, std::size_t size, SideEnds ends, std::span<RingEntry> ring, EntryNumber* numbersHere)
   {
     this->Sides.clear();
     for (std::size_t i = 0; i < size; ++i)
@@ -301,11 +301,12 @@ private:
     this->Fans.clear();
     this->FanTriangles.clear();
     this->AnyFans.chain(this->Sides, this->Fans, this->FanTriangles);
-    std::vector<float> numbers(HasNumbers ? this->Fans.size() : 0);
+    std::vector<EntryNumber> numbers(HasNumbers ? this->Fans.size() : 0);
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
       const Index triangle = this->FanTriangles[i];
-      numbers[i] = triangle == NoIndex ? this->OfNoTriangle : ends[triangle].number;
+      numbers[i] =
+        triangle == NoIndex ? this->OfNoTriangle : static_cast<EntryNumber>(ends[triangle].number);
     }
     if (this->Fans.size() == ring.size())
     {
@@ -321,8 +322,8 @@ private:
   const Range& OfRange;
   std::span<const Vector3> Positions;
   const RingMeasurer* Measurer;
-  float* OfEntries;
-  float OfNoTriangle;
+  EntryNumber* OfEntries;
+  EntryNumber OfNoTriangle;
   TriangleNumbers Measured;
   Rings AllRings;
   Index NextVertex;
@@ -423,7 +424,7 @@ std::size_t VertexRings::countCorners(const Range& range)
 void VertexRings::replace(std::span<const Ring> others, RingNumbers* numbers)
 {
   BulkVector<RingEntry> entries;
-  BulkVector<float> ofEntries;
+  BulkVector<EntryNumber> ofEntries;
   entries.reserve(this->Entries.size());
   ofEntries.reserve(numbers ? this->Entries.size() : 0);
   auto other = others.begin();
@@ -433,7 +434,7 @@ void VertexRings::replace(std::span<const Ring> others, RingNumbers* numbers)
     const std::span<const RingEntry> ring = isOther ? other->entries : (*this)[v];
     if (numbers)
     {
-      const float* const ofRing =
+      const EntryNumber* const ofRing =
         isOther ? other->numbers.data() : numbers->ofEntries.data() + this->Starts[v];
       ofEntries.insert(ofEntries.end(), ofRing, ofRing + ring.size());
     }

@@ -110,7 +110,7 @@ private:
     Index vertex;
     std::vector<RingEntry> entries;
     /** The number of each entry; empty if no numbers are made. */
-    std::vector<float> numbers;
+    std::vector<EntryNumber> numbers;
   };
   class Range;
   template <bool HasNumbers>

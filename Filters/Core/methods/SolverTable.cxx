@@ -35,7 +35,7 @@ constexpr std::array Solvers{
     .takesCosts = true,
     .takesBarriers = true,
     .ranks = RankSupport::Partition,
-    .bytesPerVertex = 55.0,
+    .bytesPerVertex = 41.0,
     .make = &make<FastMarchingSolver> },
   SolverTraits{ .number = 1,
     .name = "Dijkstra",
