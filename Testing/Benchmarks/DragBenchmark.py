@@ -9,7 +9,6 @@ A case is distance or path, and the number of points, as in path:1000000; withou
 Needs PV_PLUGIN_CONFIG_FILE. Prints the pictures a second, and of each picture the time, the processor time of ParaView
 on all cores, and the time of the filter, in ms. With --profile it also prints, by perf's samples, what processor time
 of a picture the parts take that PARTS names; a part does not count what it calls of the parts above it.
-REPRESENTATION=GeometryRepresentation shows distances as ParaView does by itself.
 """
 
 import collections
@@ -68,7 +67,7 @@ def drag(seconds):
 
 
 def report(case, events):
-    # Each run is drawn: by the view, or where that is a path as a sketch over it.
+    # Each run is drawn: as a sketch over the view, or by the view itself.
     solved = [(moment, spent) for event, moment, spent in events if event == "solved"][1:]
     pictures = len(solved) - 1
     assert pictures > 0, f"{case}: the drag gave no pictures"

@@ -1,8 +1,7 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What DragBenchmark.py runs in ParaView: a wavy square of so many points, a filter on it with a point in the middle of
-the view, and a log of what the filter and the view do. Environment: KIND (distance or path), POINTS, LOG, and
-REPRESENTATION to show the output by another one than the filter's own."""
+the view, and a log of what the filter and the view do. Environment: KIND (distance or path), POINTS, LOG."""
 
 import os
 import time
@@ -38,7 +37,7 @@ if os.environ["KIND"] == "distance":
 else:
     result = GeodesicPath(registrationName="Result", Input=square, WaypointPositions=[-0.8, -0.8, 0, 0, 0, 0.1])
     Show(square, view)
-Show(result, view, *filter(None, [os.environ.get("REPRESENTATION")]))
+Show(result, view)
 SetActiveSource(result)
 log = open(os.environ["LOG"], "w", buffering=1, encoding="utf-8")
 

@@ -98,6 +98,19 @@ def pixels_of(*color, area="1366x768+0+0"):
     return int((np.abs(rgb - np.multiply(color, 255)) < 1).all(axis=1).sum())
 
 
+def picture():
+    """The colours of the view's pixels on the screen: rows x columns x 3, from 0 to 255."""
+    raw = subprocess.run(["import", "-window", "root", "-crop", "1000x520+330+205", "-depth", "8", "rgb:-"],
+                         stdout=subprocess.PIPE, check=True)
+    return np.frombuffer(raw.stdout, np.uint8).reshape(520, 1000, 3).astype(int)
+
+
+def expect_alike(sketched, drawn):
+    """Two pictures differ by rounding alone, but for one pixel in 200: outlines are smoothed in the finished picture."""
+    away = np.abs(sketched - drawn).max(axis=2)
+    expect((away > 3).mean() < 0.005, (away > 3).sum(), away.max())
+
+
 def path_length(segments):
     """The length of the active path, which has so many segments and is shown together with its input."""
     path = GetActiveSource()

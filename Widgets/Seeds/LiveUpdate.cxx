@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveUpdate.h"
 
+#include "FieldSketch.h"
+#include "PathSketch.h"
 #include "SeedOverlay.h"
 
 #include "pqApplicationCore.h"
@@ -28,8 +30,9 @@ constexpr const char* Setting = "SurfaceSeeds/LiveUpdate";
 LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
   : Filter(filter)
   , Property(property)
-  , Sketch(filter)
 {
+  this->Sketches.push_back(std::make_unique<PathSketch>(filter));
+  this->Sketches.push_back(std::make_unique<FieldSketch>(filter));
   // Qt handles the movements that came during an update before this timer fires, so that only the
   // last of them is computed.
   this->WhenIdle.setSingleShot(true);
@@ -80,19 +83,39 @@ void LiveUpdate::give(const QVector<double>& values)
 
 void LiveUpdate::update()
 {
+  this->beginSketch();
   {
     SCOPED_UNDO_EXCLUDE();
     this->give(this->Latest);
   }
-  const bool isSketched = this->Sketch.isOn() ||
-    (this->View && this->Sketch.begin(this->View, this->Overlay, this->Tolerance));
-  if (isSketched)
+  if (this->Current && !this->Current->update())
   {
-    this->Sketch.update();
+    this->endSketch();
   }
-  else
+  if (!this->Current)
   {
     this->draw();
+  }
+}
+
+void LiveUpdate::beginSketch()
+{
+  for (const auto& sketch : this->Sketches)
+  {
+    if (!this->Current && this->View && this->Overlay &&
+      sketch->begin(this->View, this->Overlay, this->Tolerance))
+    {
+      this->Current = sketch.get();
+    }
+  }
+}
+
+void LiveUpdate::endSketch()
+{
+  if (this->Current)
+  {
+    this->Current->end();
+    this->Current = nullptr;
   }
 }
 
@@ -108,14 +131,18 @@ void LiveUpdate::draw()
 void LiveUpdate::abandon()
 {
   this->WhenIdle.stop();
-  this->Sketch.end();
+  if (this->Current && this->View)
+  {
+    this->View->render();
+  }
+  this->endSketch();
 }
 
 void LiveUpdate::finish()
 {
   this->WhenIdle.stop();
-  const bool isSketched = this->Sketch.isOn();
-  this->Sketch.end();
+  const bool isSketched = this->Current;
+  this->endSketch();
   if (this->Latest == this->Before && !isSketched)
   {
     return;

@@ -3,13 +3,17 @@
 #ifndef seeds_LiveUpdate_h
 #define seeds_LiveUpdate_h
 
-#include "PathSketch.h"
+#include "Sketch.h"
 
 #include "vtkSmartPointer.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 #include <QVector>
+
+#include <memory>
+#include <vector>
 
 class pqRenderView;
 class vtkSMDoubleVectorProperty;
@@ -22,8 +26,8 @@ class SeedOverlay;
 
 /**
  * Gives a filter the points while they are dragged, and draws its results, as often as the filter
- * can keep up and always for the last points. Where the results are lines, they are sketched until
- * the drag ends. The whole drag is one step to undo.
+ * can keep up and always for the last points. Where one of the sketches can show the results, they
+ * are sketched until the drag ends. The whole drag is one step to undo.
  *
  * Users turn it on and off by a setting, which is kept among ParaView's settings. Before they do,
  * it is on where the filter is fast.
@@ -47,7 +51,7 @@ public:
 
   /**
    * @param view       where the points are dragged
-   * @param tolerance  see PathSketch::begin
+   * @param tolerance  see Sketch::begin
    */
   void begin(pqRenderView* view, SeedOverlay* overlay, double tolerance);
   void push(const QVector<double>& values);
@@ -57,13 +61,17 @@ public:
 
 private:
   void update();
+  void beginSketch();
+  void endSketch();
   void draw();
   void give(const QVector<double>& values);
 
   vtkSmartPointer<vtkSMProxy> Filter;
   vtkSmartPointer<vtkSMDoubleVectorProperty> Property;
   QTimer WhenIdle;
-  PathSketch Sketch;
+  std::vector<std::unique_ptr<Sketch>> Sketches;
+  /** That of them which shows the drag; null if the view does. */
+  Sketch* Current = nullptr;
   QPointer<pqRenderView> View;
   QPointer<SeedOverlay> Overlay;
   double Tolerance = 0.0;

@@ -6,20 +6,11 @@
 #include "ShownSurface.h"
 #include "ViewGeometry.h"
 
-#include "pqApplicationCore.h"
-#include "pqDataRepresentation.h"
-#include "pqOutputPort.h"
-#include "pqPipelineSource.h"
 #include "pqRenderView.h"
-#include "pqServerManagerModel.h"
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeRepresentation.h"
-#include "vtkGeometryRepresentation.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPVLODActor.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMProxy.h"
@@ -29,17 +20,6 @@
 
 namespace seeds
 {
-namespace
-{
-
-/** The lines of a filter that runs in this process; null if it does not, or makes others. */
-vtkPolyData* linesOf(vtkSMProxy* filter)
-{
-  auto* algorithm = vtkAlgorithm::SafeDownCast(filter->GetClientSideObject());
-  return algorithm ? vtkPolyData::SafeDownCast(algorithm->GetOutputDataObject(0)) : nullptr;
-}
-
-}
 
 PathSketch::PathSketch(vtkSMProxy* filter)
   : Filter(filter)
@@ -51,42 +31,13 @@ PathSketch::~PathSketch()
   this->end();
 }
 
-vtkActor* PathSketch::actorIn(pqRenderView* view) const
-{
-  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
-  auto* source = model->findItem<pqPipelineSource*>(this->Filter.Get());
-  pqOutputPort* port = source ? source->getOutputPort(0) : nullptr;
-  if (!port || port->getNumberOfConsumers() > 0)
-  {
-    return nullptr;
-  }
-  for (pqView* other : model->findItems<pqView*>())
-  {
-    const pqDataRepresentation* shown = port->getRepresentation(other);
-    if (other != view && shown && shown->isVisible())
-    {
-      return nullptr;
-    }
-  }
-  const pqDataRepresentation* shown = port->getRepresentation(view);
-  auto* choice = shown && shown->isVisible()
-    ? vtkCompositeRepresentation::SafeDownCast(shown->getProxy()->GetClientSideObject())
-    : nullptr;
-  auto* geometry =
-    choice ? vtkGeometryRepresentation::SafeDownCast(choice->GetActiveRepresentation()) : nullptr;
-  vtkActor* actor = geometry ? geometry->GetActor() : nullptr;
-  const bool isPlain =
-    actor && !actor->GetProperty()->GetLighting() && !actor->GetMapper()->GetScalarVisibility();
-  return isPlain ? actor : nullptr;
-}
-
 bool PathSketch::begin(pqRenderView* view, SeedOverlay* overlay, double tolerance)
 {
-  vtkPolyData* lines = linesOf(this->Filter);
+  vtkPolyData* lines = outputOf(this->Filter);
   vtkActor* actor = lines && lines->GetNumberOfPolys() == 0 && ViewGeometry(view).isDrawnHere()
-    ? this->actorIn(view)
+    ? soleActorIn(view, this->Filter)
     : nullptr;
-  if (!actor)
+  if (!actor || actor->GetProperty()->GetLighting() || actor->GetMapper()->GetScalarVisibility())
   {
     return false;
   }
@@ -99,10 +50,10 @@ bool PathSketch::begin(pqRenderView* view, SeedOverlay* overlay, double toleranc
   return true;
 }
 
-void PathSketch::update()
+bool PathSketch::update()
 {
   vtkSMSourceProxy::SafeDownCast(this->Filter)->UpdatePipeline();
-  vtkPolyData* lines = linesOf(this->Filter);
+  vtkPolyData* lines = outputOf(this->Filter);
   vtkMatrix4x4* placement = this->Actor->GetMatrix();
   QPainterPath path;
   vtkIdType count = 0;
@@ -134,11 +85,12 @@ void PathSketch::update()
     this->Overlay->setSketch(
       path, QColor::fromRgbF(rgb[0], rgb[1], rgb[2]), this->Actor->GetProperty()->GetLineWidth());
   }
+  return true;
 }
 
 void PathSketch::end()
 {
-  if (!this->isOn())
+  if (!this->Snapshot)
   {
     return;
   }

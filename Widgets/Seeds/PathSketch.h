@@ -3,6 +3,7 @@
 #ifndef seeds_PathSketch_h
 #define seeds_PathSketch_h
 
+#include "Sketch.h"
 #include "ViewSnapshot.h"
 
 #include "vtkSmartPointer.h"
@@ -11,44 +12,26 @@
 
 #include <optional>
 
-class pqRenderView;
-class vtkActor;
-class vtkSMProxy;
-
 namespace seeds
 {
 
-class SeedOverlay;
-
 /**
- * Draws the lines of a filter's output over a view, in the place of their actor, so that the scene
- * need not be drawn again while they change. Without a graphics card that takes a tenth of a second
- * and more for large surfaces.
+ * Draws the lines of a filter's output over a view, in the place of their actor.
  *
  * It can do so where the filter runs in this process, its lines are shown in this view alone and in
  * one plain colour, and no other filter uses them.
  */
-class PathSketch
+class PathSketch : public Sketch
 {
 public:
   explicit PathSketch(vtkSMProxy* filter);
-  ~PathSketch();
+  ~PathSketch() override;
 
-  /**
-   * Takes the lines out of the scene, which is drawn once more; false if they can't be sketched.
-   * @param tolerance  how far a point can be behind a drawn surface and still count as visible
-   */
-  bool begin(pqRenderView* view, SeedOverlay* overlay, double tolerance);
-  bool isOn() const { return this->Snapshot.has_value(); }
-  /** Runs the filter and draws its lines. */
-  void update();
-  /** Gives the lines back to the scene, which is not drawn yet. */
-  void end();
+  bool begin(pqRenderView* view, SeedOverlay* overlay, double tolerance) override;
+  bool update() override;
+  void end() override;
 
 private:
-  /** What draws the lines in a view; null if they can't be sketched there. */
-  vtkActor* actorIn(pqRenderView* view) const;
-
   vtkSmartPointer<vtkSMProxy> Filter;
   QPointer<SeedOverlay> Overlay;
   vtkSmartPointer<vtkActor> Actor;

@@ -139,6 +139,14 @@ void SeedOverlay::setSketch(const QPainterPath& lines, const QColor& color, doub
   this->update();
 }
 
+void SeedOverlay::setPicture(const QImage& picture)
+{
+  this->Picture = picture;
+  // Markers of another panel are not hidden by it.
+  this->lower();
+  this->update();
+}
+
 void SeedOverlay::setDoomedRow(int row)
 {
   if (row != this->DoomedRow)
@@ -236,6 +244,7 @@ void SeedOverlay::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  painter.drawImage(QPoint(0, 0), this->Picture);
   painter.strokePath(this->Sketch, this->SketchPen);
   if (this->IsJoined)
   {

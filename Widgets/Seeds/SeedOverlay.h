@@ -6,6 +6,7 @@
 #include "Position.h"
 #include "SeedRole.h"
 
+#include <QImage>
 #include <QPainterPath>
 #include <QPen>
 #include <QPointer>
@@ -74,6 +75,8 @@ public:
    * @param width  in pixels of the render window
    */
   void setSketch(const QPainterPath& lines, const QColor& color, double width);
+  /** Draws a picture over all of the view, below all else; none if null. */
+  void setPicture(const QImage& picture);
   void setPreview(const std::optional<Preview>& preview);
   /** Sets the row that a click would remove; -1 for none. */
   void setDoomedRow(int row);
@@ -121,6 +124,7 @@ private:
   std::optional<Preview> Shown;
   QString Note;
   QPointF NotePlace;
+  QImage Picture;
   QPainterPath Sketch;
   QPen SketchPen;
 };
