@@ -36,7 +36,15 @@ void ResultRow::setResult(const ResultNumbers& result)
 {
   this->Result = result;
   this->Text->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()));
-  this->setVisible(!result.summary.isEmpty());
+  const bool hasResult = !result.summary.isEmpty();
+  if (hasResult)
+  {
+    // From the first result on, what is below must not jump when the numbers go and come.
+    QSizePolicy policy = this->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    this->setSizePolicy(policy);
+  }
+  this->setVisible(hasResult);
 }
 
 }

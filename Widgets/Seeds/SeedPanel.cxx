@@ -74,11 +74,12 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   column->setSpacing(3);
   column->addWidget(this->Toggle);
   column->addWidget(this->Hint);
+  // Above the table the result is seen without scrolling.
+  column->addWidget(this->Error);
+  column->addWidget(this->Result);
   column->addWidget(this->Table);
   column->addLayout(this->buildButtons());
   column->addWidget(this->Live);
-  column->addWidget(this->Error);
-  column->addWidget(this->Result);
 
   this->connect(this->Toggle, &QPushButton::toggled, this->Hint, &SeedHint::setPicking);
   this->connect(this->Toggle, &QPushButton::toggled, this, &SeedPanel::pickToggled);
