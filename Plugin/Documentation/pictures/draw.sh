@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws pictures in this folder: NAME.png, of ParaView's window as NAME.xml plays it, or as NAME.py draws it in pvpython.
+# Draws pictures in this folder: NAME.png, or NAME.gif where it moves, of ParaView's window as NAME.xml plays it, or as NAME.py draws it in pvpython.
 # usage: bash draw.sh [NAME...]      (after Plugin/demo.sh; needs imagemagick and xvfb)
 # Without a name all of them are drawn. FOLDER is where they go, if not here.
 set -euo pipefail
@@ -14,7 +14,9 @@ export PV_PLUGIN_CONFIG_FILE=${PV_PLUGIN_CONFIG_FILE:-$project/build/release/plu
 scripts=(*.xml *.py)
 names=("${@:-${scripts[@]%.*}}")
 for name in "${names[@]}"; do
-  picture=${FOLDER:-$PWD}/$name.png
+  suffix=png
+  [[ $name != live-drag ]] || suffix=gif
+  picture=${FOLDER:-$PWD}/$name.$suffix
   if [[ -e $name.py ]]; then
     XDG_CONFIG_HOME=$settings xvfb-run -a pvpython "$name.py" "$project/Testing/Data" "$picture"
     continue
