@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's playback cannot do, by a real pointer and real keys: P and Ctrl+P in the view, Esc, Ctrl+Z, Delete, copying and
-pasting in the table, and dragging a row of it.
+pasting in the table, dragging a row of it, and typing a point after the Tab key.
 
 usage: RealInput.py PARAVIEW FOLDER
 """
@@ -143,6 +143,17 @@ for step in range(1, 11):
 xdotool("mouseup", 1)
 wait_until("the row to be moved", lambda: not np.array_equal(points(), before))
 assert np.array_equal(points(), before[[0, 1, 3, 2]]), (before, points())
+
+# From the table the Tab key leads to the buttons: one row more, typed without the mouse.
+xdotool("key", "Tab", "space")
+wait_for(5)
+xdotool("type", "--delay", "50", "0.1")
+xdotool("key", "Tab")
+xdotool("type", "--delay", "50", "0.2")
+xdotool("key", "Tab")
+xdotool("type", "--delay", "50", "0.3")
+xdotool("key", "Return")
+wait_until("the typed point", lambda: np.allclose(points()[4], [0.1, 0.2, 0.3]))
 
 paraview.kill()
 paraview.wait()

@@ -52,22 +52,24 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
                              .arg(role.name));
   this->Hint = new SeedHint(model, role, this);
   this->Hint->setObjectName("Hint");
+  this->Error = new QLabel(this);
+  this->Error->setObjectName("Error");
+  this->Error->setWordWrap(true);
+  this->Error->setVisible(false);
+  // The Tab key goes from one to the next in the order in which they are made.
+  this->Result = new ResultRow(this);
+  this->Result->setObjectName("Result");
   this->Table = new SeedTableView(model, this);
   this->Table->setObjectName("Table");
   this->Menu = new SeedMenu(model, this->Table, role, this);
   this->Menu->setObjectName("Menu");
+  QLayout* buttons = this->buildButtons();
   this->Live = new QCheckBox(tr("Live update"), this);
   this->Live->setObjectName("LiveUpdate");
   this->Live->setToolTip(
     tr("Compute and draw the result while a %1 is dragged. Until you choose, it "
        "is on where the last run took less than 50 ms.")
       .arg(role.name));
-  this->Error = new QLabel(this);
-  this->Error->setObjectName("Error");
-  this->Error->setWordWrap(true);
-  this->Error->setVisible(false);
-  this->Result = new ResultRow(this);
-  this->Result->setObjectName("Result");
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2, 2, 2, 2);
@@ -78,7 +80,7 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   column->addWidget(this->Error);
   column->addWidget(this->Result);
   column->addWidget(this->Table);
-  column->addLayout(this->buildButtons());
+  column->addLayout(buttons);
   column->addWidget(this->Live);
 
   this->connect(this->Toggle, &QPushButton::toggled, this->Hint, &SeedHint::setPicking);

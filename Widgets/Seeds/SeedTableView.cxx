@@ -62,6 +62,8 @@ SeedTableView::SeedTableView(SeedTableModel* model, QWidget* parent)
   this->setModel(model);
   this->setItemDelegate(new NumberDelegate(this));
   this->setSelectionBehavior(QAbstractItemView::SelectRows);
+  // In the table the Tab key would never leave it. While a cell is edited it goes on to the next.
+  this->setTabKeyNavigation(false);
   this->setDragDropMode(QAbstractItemView::InternalMove);
   this->setDragDropOverwriteMode(false);
   this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
