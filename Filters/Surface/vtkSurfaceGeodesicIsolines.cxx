@@ -10,6 +10,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -33,12 +34,35 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace
 {
 
 /** The mark of Geodesic Distance for points without a distance, if it is not NaN. */
 constexpr double NoDistance = -1.0;
+
+/**
+ * The array of an input of which a script names none: GeodesicDistance, else the active scalars,
+ * which Geodesic Distance makes its array whatever its name; None if there is neither.
+ */
+std::string defaultArrayOf(const geodesic::bridge::InputBlocks& blocks)
+{
+  std::string name = "None";
+  for (const geodesic::bridge::InputBlock& block : blocks)
+  {
+    vtkPointData* arrays = block.surface->GetPointData();
+    if (arrays->GetArray("GeodesicDistance"))
+    {
+      return "GeodesicDistance";
+    }
+    if (arrays->GetScalars() && arrays->GetScalars()->GetName())
+    {
+      name = arrays->GetScalars()->GetName();
+    }
+  }
+  return name;
+}
 
 vtkSmartPointer<vtkDoubleArray> arrayOf(const char* name, std::size_t count)
 {
@@ -100,8 +124,7 @@ vtkStandardNewMacro(vtkSurfaceGeodesicIsolines);
 vtkSurfaceGeodesicIsolines::vtkSurfaceGeodesicIsolines()
   : Internal(std::make_unique<Internals>())
 {
-  this->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GeodesicDistance");
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
 }
 
 //------------------------------------------------------------------------------
@@ -230,8 +253,9 @@ void vtkSurfaceGeodesicIsolines::Trace(
     internal.Surface = surface;
   }
   vtkInformation* choice = this->GetInputArrayInformation(0);
-  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  const auto array = geodesic::bridge::chosenArray(blocks, "DistanceArray", name ? name : "None",
+  const char* given = choice->Get(vtkDataObject::FIELD_NAME());
+  const std::string name = given && *given ? given : defaultArrayOf(blocks);
+  const auto array = geodesic::bridge::chosenArray(blocks, "DistanceArray", name,
     choice->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL);
   if (!array || array.isOfCells)
   {
@@ -258,7 +282,7 @@ void vtkSurfaceGeodesicIsolines::Trace(
       this->UpdateProgress(static_cast<double>(done++) / static_cast<double>(levels.size()));
       return !geodesic::bridge::checkAbort(*this);
     });
-  writeCurves(curves, name, output);
+  writeCurves(curves, name.c_str(), output);
 }
 
 //------------------------------------------------------------------------------

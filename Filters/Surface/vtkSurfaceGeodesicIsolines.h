@@ -14,7 +14,8 @@
  * the connected part of the surface beside the curve that is nearer, on the minus side of a signed
  * distance too. Curves end at the surface's border, where points have no distance, and where three
  * or more faces meet at an edge. Points have no distance if it is NaN or infinite, or -1 in an
- * array without other negative values.
+ * array without other negative values. The array is input array 0; without a name it is
+ * GeodesicDistance, or the active scalars where no block has that.
  *
  * A request that can't be served gives one error and an empty output, but RequestData() returns 1:
  * after a failed request ParaView would no longer update the view. The surface must be on one rank;

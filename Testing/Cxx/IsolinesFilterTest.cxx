@@ -158,8 +158,23 @@ TEST_F(IsolinesFilter, WhatCannotBeServedIsRefused)
   this->expectError("Value 0 of Values is nan");
   this->Isolines->ClearValues();
   this->Isolines->SetNumberOfValues(3);
+  this->Isolines->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GeodesicDistance");
   this->Distance->SetDistanceArrayName("Other");
-  this->expectError("GeodesicDistance");
+  this->expectError("\"GeodesicDistance\" is no point array");
   this->Distance->SetDistanceArrayName("GeodesicDistance");
   EXPECT_EQ(this->run()->GetNumberOfCells(), 3);
+}
+
+TEST_F(IsolinesFilter, WithoutAnArrayNamedTheDistancesAreFound)
+{
+  this->setInput(square(5));
+  this->Distance->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Isolines->SetNumberOfValues(3);
+  EXPECT_EQ(this->run()->GetNumberOfCells(), 3);
+  this->Distance->SetDistanceArrayName("Other");
+  EXPECT_EQ(this->run()->GetNumberOfCells(), 3);
+  EXPECT_NE(this->run()->GetCellData()->GetArray("Other"), nullptr);
+  this->Isolines->SetInputDataObject(square(5));
+  this->expectError("DistanceArray is no point array");
 }
