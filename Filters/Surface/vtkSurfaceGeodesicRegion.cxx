@@ -19,19 +19,25 @@
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
 #include "input/PointIdentity.h"
+#include "lines/CutLines.h"
+#include "lines/GlobalLines.h"
+#include "lines/GlobalRegions.h"
 #include "output/BlockOutput.h"
+#include "output/PathAttributes.h"
 #include "output/RegionOutput.h"
+#include "pieces/DistributedSurface.h"
 #include "pieces/InnerFaces.h"
 #include "pieces/PointKeys.h"
 #include "ranks/RankGroup.h"
-#include "request/PointResolver.h"
-#include "request/PointSource.h"
 #include "request/RegionLines.h"
 #include "split/RegionCut.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -46,26 +52,6 @@ void checkInput(vtkDataObject* input)
   }
 }
 
-/** The regions that hold positions, in their order; a region can come again. */
-std::vector<geodesic::Index> regionsWith(const geodesic::bridge::InputSurface& surface,
-  const geodesic::RegionCut& cut, const std::vector<double>& coordinates)
-{
-  std::vector<geodesic::Index> regions;
-  for (const geodesic::Vector3& position :
-    geodesic::bridge::positionsAt(coordinates, "InsidePositions"))
-  {
-    const auto there = cut.regionsAt(surface.closestPoints().closestPoint(position).point);
-    if (there.size() > 1)
-    {
-      throw std::invalid_argument("Point " + std::to_string(regions.size()) +
-        " of InsidePositions lies on a line, between " + std::to_string(there.size()) +
-        " regions; move it off the line.");
-    }
-    regions.push_back(there.front());
-  }
-  return regions;
-}
-
 /** Replaces the values of an array. */
 void setValues(vtkDoubleArray* array, const std::vector<double>& values)
 {
@@ -78,7 +64,7 @@ void setValues(vtkDoubleArray* array, const std::vector<double>& values)
 /** The state that is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicRegion::Internals
 {
-  std::shared_ptr<const geodesic::bridge::InputSurface> Surface;
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   std::shared_ptr<const geodesic::RegionMesh> Mesh;
   geodesic::bridge::RegionLines Lines;
 };
@@ -231,43 +217,6 @@ void vtkSurfaceGeodesicRegion::RunOnAll(geodesic::distributed::RankGroup& ranks,
     static_cast<double>(this->InsideCoordinates.size()) };
   settings.insert(settings.end(), this->InsideCoordinates.begin(), this->InsideCoordinates.end());
   ranks.requireSame(settings, "properties");
-  geodesic::distributed::hideInnerFaces(ranks, *blocks,
-    geodesic::distributed::identityOf(
-      ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
-  const bool hasFaces = blocks->numberWithFaces() > 0;
-  const double ranksWithFaces = ranks.sum(hasFaces ? 1.0 : 0.0);
-  const bool cuts = hasFaces || (ranksWithFaces == 0.0 && ranks.rank() == 0);
-  ranks.together(
-    [&]
-    {
-      if (ranksWithFaces > 1.0)
-      {
-        throw std::invalid_argument("The surface is spread over " +
-          std::to_string(static_cast<int>(ranksWithFaces)) +
-          " ranks, and Geodesic Region needs all of it on one. Bring the surface and the lines to "
-          "one by Aggregate Dataset.");
-      }
-      vtkDataObject* lines = vtkDataObject::GetData(inputVector[LINES_PORT]);
-      if (!cuts && lines && !geodesic::bridge::PointSource(lines).lines.empty())
-      {
-        throw std::invalid_argument("Lines are on rank " + std::to_string(ranks.rank()) +
-          ", and the surface is on another. Bring both to one by Aggregate Dataset.");
-      }
-      if (cuts)
-      {
-        this->Cut(*blocks, inputVector, output);
-      }
-      else
-      {
-        geodesic::bridge::writeBlocks(*blocks, input, output, [](std::size_t, vtkPolyData*) {});
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicRegion::Cut(const geodesic::bridge::InputBlocks& blocks,
-  vtkInformationVector** inputVector, vtkDataObject* output)
-{
   if (this->Extract != EXTRACT_ALL && this->InsideCoordinates.empty())
   {
     throw std::invalid_argument(std::string("Extract is ") +
@@ -275,58 +224,169 @@ void vtkSurfaceGeodesicRegion::Cut(const geodesic::bridge::InputBlocks& blocks,
       ", and there are no InsidePositions. Give x, y and z of a point of each region that is "
       "inside.");
   }
-  const auto goesOn = [this](double progress)
+  const geodesic::bridge::PointIdentity identity = geodesic::distributed::identityOf(
+    ranks, *blocks, this->MergeCoincidentPoints, this->ConnectBlocks);
+  geodesic::distributed::hideInnerFaces(ranks, *blocks, identity);
+  if (ranks.size() > 1)
   {
-    this->UpdateProgress(progress);
-    return !geodesic::bridge::checkAbort(*this);
-  };
-  Internals& internal = *this->Internal;
-  internal.Surface = geodesic::bridge::InputSurface::of(
-    blocks, geodesic::bridge::identityOf(blocks, this->MergeCoincidentPoints, this->ConnectBlocks));
-  if (!internal.Mesh || &internal.Mesh->mesh() != internal.Surface->mesh().get())
-  {
-    internal.Mesh = std::make_shared<const geodesic::RegionMesh>(internal.Surface->mesh());
+    // Each face counts once, on the rank that owns it.
+    ranks.together([&] { blocks->hideGhosts(); });
   }
-  if (!internal.Lines.update(internal.Surface, vtkDataObject::GetData(inputVector[LINES_PORT]),
-        [&] { return goesOn(0.2); }) ||
-    !goesOn(0.4))
+  Internals& internal = *this->Internal;
+  internal.Surface = geodesic::distributed::DistributedSurface::of(
+    ranks, *blocks, identity, geodesic::ThreadTeam(ranks.threadsOfThisRank()));
+  const auto& mesh = internal.Surface->piece().mesh();
+  ranks.together(
+    [&]
+    {
+      if (!internal.Mesh || &internal.Mesh->mesh() != mesh.get())
+      {
+        internal.Mesh = std::make_shared<const geodesic::RegionMesh>(mesh);
+      }
+    });
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[LINES_PORT]);
+  if (ranks.size() == 1)
+  {
+    this->CutWhole(ranks, *blocks, source, input, output);
+  }
+  else
+  {
+    this->CutPiece(ranks, *blocks, source, input, output);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceGeodesicRegion::GoesOn(double progress)
+{
+  this->UpdateProgress(progress);
+  return !geodesic::bridge::checkAbort(*this);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicRegion::CutWhole(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* source, vtkDataObject* input,
+  vtkDataObject* output)
+{
+  Internals& internal = *this->Internal;
+  if (!internal.Lines.update(
+        internal.Surface->sharedPiece(), source, [this] { return this->GoesOn(0.2); }) ||
+    !this->GoesOn(0.4))
   {
     return;
   }
   geodesic::RegionCut cut(internal.Mesh, internal.Lines.paths());
-  if (!goesOn(0.7))
+  if (!this->GoesOn(0.7))
   {
     return;
   }
-  std::vector<bool> kept(cut.areas().size(), this->Extract != EXTRACT_INSIDE);
-  if (!this->InsideCoordinates.empty())
+  this->Write(ranks, blocks, cut, input, output);
+  std::vector<std::pair<geodesic::Index, geodesic::Index>> ends;
+  std::vector<bool> separates;
+  for (std::size_t line = 0; line < internal.Lines.paths().size(); ++line)
   {
-    cut.putFirst(regionsWith(*internal.Surface, cut, this->InsideCoordinates).front());
-    for (const geodesic::Index region :
-      regionsWith(*internal.Surface, cut, this->InsideCoordinates))
+    const std::vector<geodesic::Index> points = cut.pointsOf(line);
+    ends.emplace_back(points.front(), points.back());
+    separates.push_back(cut.separates(line));
+  }
+  this->Warn(geodesic::bridge::linesThatSeparateNothing(ends, separates));
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicRegion::CutPiece(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, vtkDataObject* source, vtkDataObject* input,
+  vtkDataObject* output)
+{
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  ranks.together(
+    [&]
+    {
+      if (source)
+      {
+        geodesic::bridge::checkHasLines(geodesic::bridge::PointSource(source));
+      }
+    });
+  const geodesic::bridge::InputPathAttributes attributes(surface.piece(), blocks);
+  const auto lines = geodesic::distributed::globalLinesOf(ranks, surface, source, "Lines");
+  const geodesic::distributed::CutLines ofPiece = geodesic::distributed::cutLinesOf(
+    ranks, surface, geodesic::distributed::joinedLines(ranks, surface, attributes, lines, "Lines"));
+  this->UpdateProgress(0.4);
+  std::optional<geodesic::RegionCut> cut;
+  ranks.together(
+    [&] {
+      cut.emplace(this->Internal->Mesh, ofPiece.parts, geodesic::distributed::sharedFlags(surface));
+    });
+  geodesic::distributed::joinRegions(ranks, surface, *cut);
+  this->UpdateProgress(0.7);
+  this->Write(ranks, blocks, *cut, input, output);
+  std::vector<double> isUseless(lines.size(), 1.0);
+  for (std::size_t part = 0; part < ofPiece.parts.size(); ++part)
+  {
+    if (cut->separates(part))
+    {
+      isUseless[ofPiece.lineOf[part]] = 0.0;
+    }
+  }
+  ranks.takeLeast(isUseless);
+  std::vector<bool> separates;
+  for (const double none : isUseless)
+  {
+    separates.push_back(none == 0.0);
+  }
+  if (ranks.rank() == 0)
+  {
+    this->Warn(geodesic::bridge::linesThatSeparateNothing(ofPiece.ends, separates));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicRegion::Write(geodesic::distributed::RankGroup& ranks,
+  const geodesic::bridge::InputBlocks& blocks, geodesic::RegionCut& cut, vtkDataObject* input,
+  vtkDataObject* output)
+{
+  const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
+  std::vector<bool> kept(cut.areas().size(), this->Extract != EXTRACT_INSIDE);
+  const auto inside = geodesic::distributed::globalPointsAt(
+    ranks, surface, this->InsideCoordinates, "InsidePositions");
+  if (!inside.empty())
+  {
+    const auto regionsOf = [&]
+    { return geodesic::distributed::regionsWith(ranks, cut, inside, "InsidePositions"); };
+    cut.putFirst(regionsOf().front());
+    for (const geodesic::Index region : regionsOf())
     {
       kept[region] = this->Extract != EXTRACT_OUTSIDE;
     }
   }
-  setValues(this->RegionAreas, cut.areas());
-  setValues(this->RegionPerimeters, cut.perimeters());
-  const geodesic::bridge::RegionOutput regions(
-    blocks, *internal.Surface, cut, kept, this->Extract == EXTRACT_ALL, this->RegionArrayName);
-  geodesic::bridge::writeBlocks(blocks, vtkDataObject::GetData(inputVector[SURFACE_PORT]), output,
-    [&](std::size_t block, vtkPolyData* surface)
+  const std::vector<vtkIdType> newIds =
+    geodesic::distributed::idsOfNewPoints(ranks, surface, blocks, cut);
+  ranks.together(
+    [&]
     {
-      regions.complete(block, surface);
-      for (vtkDoubleArray* measure : { this->RegionAreas.Get(), this->RegionPerimeters.Get() })
-      {
-        vtkNew<vtkDoubleArray> copy;
-        copy->DeepCopy(measure);
-        surface->GetFieldData()->AddArray(copy);
-      }
+      setValues(this->RegionAreas, cut.areas());
+      setValues(this->RegionPerimeters, cut.perimeters());
+      const geodesic::bridge::RegionOutput regions(blocks, surface.piece(), cut, kept,
+        this->Extract == EXTRACT_ALL, this->RegionArrayName, newIds);
+      geodesic::bridge::writeBlocks(blocks, input, output,
+        [&](std::size_t block, vtkPolyData* ofBlock)
+        {
+          regions.complete(block, ofBlock);
+          for (vtkDoubleArray* measure : { this->RegionAreas.Get(), this->RegionPerimeters.Get() })
+          {
+            vtkNew<vtkDoubleArray> copy;
+            copy->DeepCopy(measure);
+            ofBlock->GetFieldData()->AddArray(copy);
+          }
+        });
     });
-  this->ErrorText = geodesic::bridge::linesThatSeparateNothing(cut, internal.Lines.paths().size());
-  if (!this->ErrorText.empty())
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicRegion::Warn(const std::string& message)
+{
+  this->ErrorText = message;
+  if (!message.empty())
   {
-    vtkWarningMacro(<< this->ErrorText);
+    vtkWarningMacro(<< message);
   }
 }
 

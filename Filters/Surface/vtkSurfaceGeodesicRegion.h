@@ -24,7 +24,11 @@
  *
  * Lines that separate nothing are a warning that names them. A request that can't be served gives
  * one error and an empty output, but RequestData() returns 1: after a failed request ParaView would
- * no longer update the view. The surface must be on one rank; other ranks may have no part of it.
+ * no longer update the view.
+ *
+ * On several ranks each one cuts its piece of the surface. The lines of all ranks count. Numbers,
+ * areas and perimeters are those of the whole surface, and the points that the ranks beside a cut
+ * both add have the same position, and the same global id if the input has any.
  */
 #ifndef vtkSurfaceGeodesicRegion_h
 #define vtkSurfaceGeodesicRegion_h
@@ -42,6 +46,7 @@ class vtkDoubleArray;
 
 namespace geodesic
 {
+class RegionCut;
 namespace bridge
 {
 class InputBlocks;
@@ -172,9 +177,21 @@ private:
   /** What the ranks do together. Throws the same error on all. */
   void RunOnAll(geodesic::distributed::RankGroup& ranks, vtkInformationVector** inputVector,
     vtkDataObject* output);
-  /** Cuts the surface, of which all is on this rank. */
-  void Cut(const geodesic::bridge::InputBlocks& blocks, vtkInformationVector** inputVector,
+  /** Reports the progress. @return false if the run is to stop */
+  bool GoesOn(double progress);
+  /** Cuts the surface along the lines of a source; there is only one rank. */
+  void CutWhole(geodesic::distributed::RankGroup& ranks,
+    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* source, vtkDataObject* input,
     vtkDataObject* output);
+  /** Cuts this rank's piece along the lines of all ranks' sources. */
+  void CutPiece(geodesic::distributed::RankGroup& ranks,
+    const geodesic::bridge::InputBlocks& blocks, vtkDataObject* source, vtkDataObject* input,
+    vtkDataObject* output);
+  /** Numbers the regions by the inside positions, and fills the output. */
+  void Write(geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks,
+    geodesic::RegionCut& cut, vtkDataObject* input, vtkDataObject* output);
+  /** Warns with a message if there is any. */
+  void Warn(const std::string& message);
 
   std::unique_ptr<Internals> Internal;
 

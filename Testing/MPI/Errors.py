@@ -127,9 +127,9 @@ assert {"WaypointPositions", "StartPositions", "MaximumPathLength", "HeightOffse
 compared = expect_all_properties_compared(simple.GeodesicRegion, torus, InsidePositions=SEED)
 assert {"InsidePositions", "Extract", "RegionArrayName", "ConnectBlocks"} <= set(compared), compared
 
-# Regions need the surface on one rank, and can be cut where it is brought to one.
-messages = harness.messages_of(simple.GeodesicRegion(Input=torus).UpdatePipeline)
-assert f"spread over {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
+# Points are no lines.
+messages = harness.messages_of(simple.GeodesicRegion(Input=torus, Lines=simple.PointSource()).UpdatePipeline)
+assert "1 points and no line" in messages, messages
 
 compared = expect_all_properties_compared(simple.GeodesicSamples, torus)
 assert {"NumberOfSamples", "Spacing", "FirstPositions", "Method"} <= set(compared), compared

@@ -4,8 +4,12 @@
 
 #include "input/OuterSurface.h"
 
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <utility>
@@ -54,6 +58,30 @@ void InputBlocks::setOuterSurfaces(const std::vector<std::shared_ptr<vtkPolyData
       block.outerSurface = *next++;
       block.surface = block.outerSurface.get();
     }
+  }
+}
+
+void InputBlocks::hideGhosts()
+{
+  for (InputBlock& block : this->Blocks)
+  {
+    vtkUnsignedCharArray* present = block.surface->GetCellGhostArray();
+    if (!present)
+    {
+      continue;
+    }
+    vtkNew<vtkUnsignedCharArray> flags;
+    flags->DeepCopy(present);
+    for (vtkIdType cell = 0; cell < flags->GetNumberOfValues(); ++cell)
+    {
+      const unsigned char flag = flags->GetValue(cell);
+      const bool isGhost = (flag & vtkDataSetAttributes::DUPLICATECELL) != 0;
+      flags->SetValue(cell, isGhost ? flag | vtkDataSetAttributes::HIDDENCELL : int{ flag });
+    }
+    block.withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
+    block.withoutGhosts->ShallowCopy(block.surface);
+    block.withoutGhosts->GetCellData()->AddArray(flags);
+    block.surface = block.withoutGhosts;
   }
 }
 

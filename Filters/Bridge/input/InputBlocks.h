@@ -5,6 +5,8 @@
 
 #include "input/DataSetLeaves.h"
 
+#include "vtkSmartPointer.h"
+
 #include <memory>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct InputBlock : DataSetLeaf
   vtkPolyData* surface;
   /** Owns the outer surface; null if the data set is its own surface. */
   std::shared_ptr<vtkPolyData> outerSurface;
+  /** Owns the surface if its ghost cells were hidden; else null. */
+  vtkSmartPointer<vtkPolyData> withoutGhosts;
 
   /** Whether the surface has polygons or strips. */
   bool hasFaces() const;
@@ -50,6 +54,9 @@ public:
 
   /** Replaces the outer surfaces, in their order. */
   void setOuterSurfaces(const std::vector<std::shared_ptr<vtkPolyData>>& surfaces);
+
+  /** Hides the ghost cells, which are other ranks' cells. */
+  void hideGhosts();
 
   /** The number of blocks with faces. */
   std::size_t numberWithFaces() const;

@@ -3,7 +3,6 @@
 #include "output/RegionOutput.h"
 
 #include "filter/VtkVersions.h"
-#include "input/PointIdentity.h"
 #include "output/TupleRuns.h"
 
 #include "vtkCellArray.h"
@@ -27,21 +26,18 @@ namespace geodesic::bridge
 {
 
 RegionOutput::RegionOutput(const InputBlocks& blocks, const InputSurface& surface,
-  const RegionCut& cut, std::vector<bool> kept, bool keepsAll, std::string arrayName)
+  const RegionCut& cut, std::vector<bool> kept, bool keepsAll, std::string arrayName,
+  std::vector<vtkIdType> newIds)
   : Blocks(blocks)
   , Surface(surface)
   , Regions(cut)
   , Kept(std::move(kept))
   , KeepsAll(keepsAll)
   , ArrayName(std::move(arrayName))
+  , NewIds(std::move(newIds))
 {
   this->findRegions();
   this->collectParts();
-  if (blocks.haveGlobalPointIds())
-  {
-    const std::vector<vtkIdType> ids = globalPointIdsOf(blocks);
-    this->FirstNewId = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end()) + 1;
-  }
 }
 
 void RegionOutput::findRegions()
@@ -352,8 +348,8 @@ private:
     const vtkIdType firstNew = this->PointRuns.size();
     for (std::size_t i = 0; globalIds && i < this->New.size(); ++i)
     {
-      const vtkIdType id = this->Whole.FirstNewId +
-        (this->New[i].number - this->Whole.Surface.mesh()->numberOfVertices());
+      const vtkIdType id =
+        this->Whole.NewIds[this->New[i].number - this->Whole.Surface.mesh()->numberOfVertices()];
       globalIds->SetVariantValue(firstNew + static_cast<vtkIdType>(i), vtkVariant(id));
     }
     this->writeOriginalIds(output, "vtkOriginalPointIds", this->PointRuns);

@@ -7,6 +7,8 @@
 #include "input/InputSurface.h"
 #include "split/RegionCut.h"
 
+#include "vtkType.h"
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -27,7 +29,7 @@ namespace geodesic::bridge
  *
  * At a new point arrays of real numbers are interpolated between the corners of its edge or face,
  * normals and tangents made of length 1 again; other arrays have the value of the nearest corner.
- * Global ids of new points are new, and the same in all blocks.
+ * Global ids of new points are the same in all blocks.
  */
 class RegionOutput
 {
@@ -37,9 +39,10 @@ public:
    * @param keepsAll   whether the output also has cells that are no faces (lines, hidden cells),
    *                   and points of no kept cell
    * @param arrayName  of the regions' numbers; empty for no array
+   * @param newIds     the global ids of the cut's new points; empty if the input has no such ids
    */
   RegionOutput(const InputBlocks& blocks, const InputSurface& surface, const RegionCut& cut,
-    std::vector<bool> kept, bool keepsAll, std::string arrayName);
+    std::vector<bool> kept, bool keepsAll, std::string arrayName, std::vector<vtkIdType> newIds);
 
   /** Replaces the points and cells of a block's copy, and their arrays. */
   void complete(std::size_t block, vtkPolyData* output) const;
@@ -72,8 +75,7 @@ private:
   std::vector<Index> RegionOfCell;
   /** Of the cells that are cut, sorted by cell. */
   std::vector<Part> Parts;
-  /** The first global id that no point has. */
-  vtkIdType FirstNewId = 0;
+  std::vector<vtkIdType> NewIds;
 };
 
 }

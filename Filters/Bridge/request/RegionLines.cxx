@@ -5,9 +5,7 @@
 #include "march/FastMarchingSolver.h"
 #include "path/SurfaceCurve.h"
 #include "request/PointResolver.h"
-#include "request/PointSource.h"
 #include "split/LineChains.h"
-#include "split/RegionCut.h"
 
 #include "vtkDataObject.h"
 
@@ -37,11 +35,7 @@ std::vector<LinePoints> pointsOnSurface(const InputSurface& surface, vtkDataObje
     return {};
   }
   const PointSource source(data);
-  if (source.lines.empty() && !source.coordinates.empty())
-  {
-    throw std::invalid_argument("Lines has " + std::to_string(source.coordinates.size() / 3) +
-      " points and no line; give polylines, for example a Geodesic Path.");
-  }
+  checkHasLines(source);
   const std::vector<Vector3> positions = positionsAt(source.coordinates, "Lines");
   std::vector<SurfacePoint> points;
   points.reserve(positions.size());
@@ -76,17 +70,6 @@ void writeNames(std::ostream& message, const std::vector<std::size_t>& lines)
   {
     message << (i + 1 < lines.size() ? ", " : " and ") << lines[i];
   }
-}
-
-std::vector<LineChain> chainsOfLines(const RegionCut& cut, std::size_t lines)
-{
-  std::vector<std::pair<Index, Index>> ends;
-  for (std::size_t line = 0; line < lines; ++line)
-  {
-    const std::vector<Index> points = cut.pointsOf(line);
-    ends.emplace_back(points.front(), points.back());
-  }
-  return chainsOf(ends);
 }
 
 }
@@ -140,15 +123,25 @@ SurfacePath RegionLines::joined(const LinePoints& points, std::size_t line)
   return joinedCurve(*this->Solver, points, "Lines' line " + std::to_string(line));
 }
 
-std::string linesThatSeparateNothing(const RegionCut& cut, std::size_t lines)
+void checkHasLines(const PointSource& source)
+{
+  if (source.lines.empty() && !source.coordinates.empty())
+  {
+    throw std::invalid_argument("Lines has " + std::to_string(source.coordinates.size() / 3) +
+      " points and no line; give polylines, for example a Geodesic Path.");
+  }
+}
+
+std::string linesThatSeparateNothing(
+  std::span<const std::pair<Index, Index>> ends, const std::vector<bool>& separates)
 {
   std::ostringstream message;
   std::size_t count = 0;
-  for (const LineChain& chain : chainsOfLines(cut, lines))
+  for (const LineChain& chain : chainsOf(ends))
   {
-    const bool separates = std::any_of(chain.lines.begin(), chain.lines.end(),
-      [&](std::size_t line) { return cut.separates(line); });
-    if (separates || ++count > MostNamed)
+    const bool isSeparating = std::any_of(
+      chain.lines.begin(), chain.lines.end(), [&](std::size_t line) { return separates[line]; });
+    if (isSeparating || ++count > MostNamed)
     {
       continue;
     }

@@ -5,11 +5,14 @@
 
 #include "input/InputSurface.h"
 #include "path/PathPoint.h"
+#include "request/PointSource.h"
 #include "request/SurfaceLines.h"
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -17,7 +20,6 @@ class vtkDataObject;
 namespace geodesic
 {
 class DistanceSolver;
-class RegionCut;
 }
 
 namespace geodesic::bridge
@@ -54,10 +56,19 @@ private:
 };
 
 /**
+ * Checks that a data set has lines if it has points.
+ * @throws std::invalid_argument otherwise
+ */
+void checkHasLines(const PointSource& source);
+
+/**
  * Says which lines have the same region on both sides everywhere, and what helps; empty if none
  * has. Lines that follow on each other, as the segments of a closed path do, count as one.
+ * @param ends      of each line, see chainsOf()
+ * @param separates for each line whether it has different regions on its sides
  */
-std::string linesThatSeparateNothing(const RegionCut& cut, std::size_t lines);
+std::string linesThatSeparateNothing(
+  std::span<const std::pair<Index, Index>> ends, const std::vector<bool>& separates);
 
 }
 

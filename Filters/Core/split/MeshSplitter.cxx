@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
@@ -129,12 +130,22 @@ Index MeshSplitter::pointAt(const PathPoint& place)
   if (carriers.size() == 2)
   {
     const Edge edge = edgeOf(carriers[0], carriers[1]);
-    const double fraction = weightOf(point, edge.second);
+    // From the larger weight, of which 1 minus it is exact, and to the nearest point: another piece
+    // of the surface has the same edge with its ends the other way round, and must get the same.
+    const double first = weightOf(point, edge.first);
+    const double second = weightOf(point, edge.second);
+    const double fraction = first > second ? 1.0 - first : second;
     auto& points = this->EdgePoints[edge];
-    const auto near = points.lower_bound(fraction - Tolerance);
-    if (near != points.end() && near->first <= fraction + Tolerance)
+    const auto above = points.lower_bound(fraction);
+    const bool isAbove = above != points.end() && above->first <= fraction + Tolerance;
+    const bool isBelow = above != points.begin() && std::prev(above)->first >= fraction - Tolerance;
+    if (isAbove && !(isBelow && fraction - std::prev(above)->first < above->first - fraction))
     {
-      return near->second;
+      return above->second;
+    }
+    if (isBelow)
+    {
+      return std::prev(above)->second;
     }
     const Index added = this->addPoint(PathPoint::onEdge(edge.first, edge.second, fraction));
     points.emplace(fraction, added);

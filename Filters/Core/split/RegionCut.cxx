@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "split/RegionCut.h"
 
+#include "base/DisjointSets.h"
 #include "base/SortUnique.h"
 #include "split/PieceWeights.h"
 
@@ -28,24 +29,6 @@ std::span<const RegionCut::Piece> piecesIn(std::span<const RegionCut::Piece> pie
 /** A point is in all pieces of a face in which its weights are not below minus this. */
 constexpr double PieceTolerance = 1e-9;
 
-/** The least part that is connected with a part. Halves the chains on its way. */
-Index rootOf(std::vector<Index>& parents, Index part)
-{
-  while (parents[part] != part)
-  {
-    parents[part] = parents[parents[part]];
-    part = parents[part];
-  }
-  return part;
-}
-
-void connect(std::vector<Index>& parents, Index a, Index b)
-{
-  a = rootOf(parents, a);
-  b = rootOf(parents, b);
-  parents[std::max(a, b)] = std::min(a, b);
-}
-
 /** Calls @p visit with each run of sides of one edge, as its first and last iterator. */
 template <class Sides, class Visit>
 void visitEdges(const Sides& sides, const Visit& visit)
@@ -61,9 +44,24 @@ void visitEdges(const Sides& sides, const Visit& visit)
 
 }
 
-RegionCut::RegionCut(std::shared_ptr<const RegionMesh> mesh, std::span<const SurfacePath> lines)
+std::vector<Index> placesBySize(std::span<const double> sizes)
+{
+  std::vector<Index> order(sizes.size());
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  std::ranges::stable_sort(order, std::greater<>{}, [&](Index number) { return sizes[number]; });
+  std::vector<Index> places(order.size());
+  for (Index place = 0; place < order.size(); ++place)
+  {
+    places[order[place]] = place;
+  }
+  return places;
+}
+
+RegionCut::RegionCut(std::shared_ptr<const RegionMesh> mesh, std::span<const SurfacePath> lines,
+  std::vector<std::uint8_t> shared)
   : Mesh(std::move(mesh))
   , Splitter(this->Mesh->mesh())
+  , Shared(std::move(shared))
 {
   for (const SurfacePath& line : lines)
   {
@@ -72,21 +70,21 @@ RegionCut::RegionCut(std::shared_ptr<const RegionMesh> mesh, std::span<const Sur
   this->Splitter.split();
   this->collectPieces();
   const std::vector<Edge> closed = this->edgesOfLines(lines.size());
-  const std::vector<Side> sides = this->sidesAtLines(closed);
-  std::vector<Index> parents(this->Regions.size() + this->Pieces.size());
-  std::iota(parents.begin(), parents.end(), Index{ 0 });
-  this->connectTriangles(parents);
-  visitEdges(sides,
+  this->Sides = this->sidesAtLines(closed);
+  DisjointSets parts(static_cast<Index>(this->Regions.size() + this->Pieces.size()));
+  this->connectTriangles(parts);
+  visitEdges(this->Sides,
     [&](auto first, auto last)
     {
       if (!std::binary_search(closed.begin(), closed.end(), first->edge))
       {
         std::for_each(
-          first, last, [&](const Side& side) { connect(parents, first->part, side.part); });
+          first, last, [&](const Side& side) { parts.connect(first->part, side.part); });
       }
     });
-  this->number(parents);
-  this->measure(sides);
+  this->number(parts);
+  this->collectSharedSides(closed);
+  this->measure();
 }
 
 void RegionCut::collectPieces()
@@ -206,7 +204,7 @@ std::vector<RegionCut::Side> RegionCut::sidesAtLines(const std::vector<Edge>& li
   return sides;
 }
 
-void RegionCut::connectTriangles(std::vector<Index>& parents) const
+void RegionCut::connectTriangles(DisjointSets& parts) const
 {
   const EdgeTable& edges = this->Mesh->edges();
   const auto sides = static_cast<Index>(this->IsClosed.size());
@@ -219,25 +217,25 @@ void RegionCut::connectTriangles(std::vector<Index>& parents) const
     if (!isDone && this->IsClosed[side] == 0 && this->Regions[triangle] != NoIndex &&
       this->Regions[other] != NoIndex)
     {
-      connect(parents, triangle, other);
+      parts.connect(triangle, other);
     }
   }
   for (const auto& [repeated, original] : edges.repetitions())
   {
     if (this->Regions[original] != NoIndex)
     {
-      connect(parents, repeated, original);
+      parts.connect(repeated, original);
     }
   }
 }
 
-void RegionCut::number(std::vector<Index>& parents)
+void RegionCut::number(DisjointSets& parts)
 {
   const auto triangles = static_cast<Index>(this->Regions.size());
-  std::vector<Index> found(parents.size(), NoIndex);
+  std::vector<Index> found(parts.size(), NoIndex);
   const auto take = [&](Index part, double area)
   {
-    Index& number = found[rootOf(parents, part)];
+    Index& number = found[parts.rootOf(part)];
     if (number == NoIndex)
     {
       number = static_cast<Index>(this->Areas.size());
@@ -257,42 +255,112 @@ void RegionCut::number(std::vector<Index>& parents)
   {
     this->Pieces[p].region = take(triangles + p, this->areaOf(this->Pieces[p]));
   }
-  std::vector<Index> order(this->Areas.size());
-  std::iota(order.begin(), order.end(), Index{ 0 });
-  std::ranges::stable_sort(
-    order, std::greater<>{}, [&](Index region) { return this->Areas[region]; });
-  std::vector<Index> places(order.size());
-  std::vector<double> areas;
-  for (Index place = 0; place < order.size(); ++place)
+  const std::vector<Index> places = placesBySize(this->Areas);
+  std::vector<double> areas(this->Areas.size());
+  for (Index region = 0; region < places.size(); ++region)
   {
-    places[order[place]] = place;
-    areas.push_back(this->Areas[order[place]]);
+    areas[places[region]] = this->Areas[region];
   }
   this->Areas = std::move(areas);
+  this->replaceRegions(places);
+}
+
+void RegionCut::replaceRegions(std::span<const Index> numbers)
+{
   for (Index& region : this->Regions)
   {
-    region = region == NoIndex ? NoIndex : places[region];
+    region = region == NoIndex ? NoIndex : numbers[region];
   }
   for (Piece& piece : this->Pieces)
   {
-    piece.region = places[piece.region];
+    piece.region = numbers[piece.region];
+  }
+  for (SharedSide& side : this->SharedSides)
+  {
+    side.region = numbers[side.region];
   }
 }
 
-void RegionCut::measure(const std::vector<Side>& sides)
+void RegionCut::collectSharedSides(const std::vector<Edge>& lines)
+{
+  if (this->Shared.empty())
+  {
+    return;
+  }
+  const auto add = [&](const Edge& edge, Index region)
+  {
+    const bool isOnLine = std::binary_search(lines.begin(), lines.end(), edge);
+    this->SharedSides.push_back({ edge, region, isOnLine, this->lengthOf(edge) });
+  };
+  const auto sides = static_cast<Index>(3 * this->Regions.size());
+  for (Index side = 0; side < sides; ++side)
+  {
+    const Index triangle = EdgeTable::triangleOf(side);
+    const Edge edge = this->Mesh->endsOf(side);
+    if (this->Regions[triangle] != NoIndex && !this->Mesh->edges().isRepeated(triangle) &&
+      this->isShared(edge))
+    {
+      add(edge, this->Regions[triangle]);
+    }
+  }
+  for (const Piece& piece : this->Pieces)
+  {
+    for (int c = 0; c < 3 && !this->Mesh->edges().isRepeated(piece.triangle); ++c)
+    {
+      const Edge edge = std::minmax(piece.corners[c], piece.corners[(c + 1) % 3]);
+      if (this->isShared(edge))
+      {
+        add(edge, piece.region);
+      }
+    }
+  }
+}
+
+bool RegionCut::isShared(const Edge& edge) const
+{
+  if (this->Shared.empty())
+  {
+    return false;
+  }
+  const Carriers ends = unionOf(this->pointAt(edge.first), this->pointAt(edge.second));
+  return ends.size() == 2 && this->Shared[ends[0]] != 0 && this->Shared[ends[1]] != 0;
+}
+
+void RegionCut::renumber(
+  std::span<const Index> numbers, std::vector<double> areas, const std::vector<bool>& separating)
+{
+  this->replaceRegions(numbers);
+  this->Areas = std::move(areas);
+  this->measure();
+  for (std::size_t side = 0; side < this->SharedSides.size(); ++side)
+  {
+    if (separating[side])
+    {
+      this->Separating.push_back(this->SharedSides[side].edge);
+    }
+  }
+  sortUnique(this->Separating);
+}
+
+void RegionCut::measure()
 {
   this->Perimeters.assign(this->Areas.size(), 0.0);
+  this->Separating.clear();
   for (Index side : this->Mesh->border())
   {
     const Index region = this->Regions[EdgeTable::triangleOf(side)];
-    if (region != NoIndex && this->IsClosed[side] == 0)
+    if (region != NoIndex && this->IsClosed[side] == 0 && !this->isShared(this->Mesh->endsOf(side)))
     {
       this->Perimeters[region] += this->lengthOf(this->Mesh->endsOf(side));
     }
   }
-  visitEdges(sides,
+  visitEdges(this->Sides,
     [&](auto first, auto last)
     {
+      if (this->isShared(first->edge))
+      {
+        return;
+      }
       std::vector<Index> regions;
       std::transform(first, last, std::back_inserter(regions),
         [&](const Side& side) { return this->regionOfPart(side.part); });
@@ -390,15 +458,11 @@ std::vector<Index> RegionCut::regionsAt(const SurfacePoint& point) const
 
 void RegionCut::putFirst(Index region)
 {
-  const auto moved = [&](Index old) { return old == region ? 0 : (old < region ? old + 1 : old); };
-  for (Index& old : this->Regions)
-  {
-    old = moved(old);
-  }
-  for (Piece& piece : this->Pieces)
-  {
-    piece.region = moved(piece.region);
-  }
+  std::vector<Index> numbers(this->Areas.size());
+  std::iota(numbers.begin(), numbers.end(), Index{ 0 });
+  std::iota(numbers.begin(), numbers.begin() + region, Index{ 1 });
+  numbers[region] = 0;
+  this->replaceRegions(numbers);
   for (std::vector<double>* values : { &this->Areas, &this->Perimeters })
   {
     const auto place = values->begin() + region;

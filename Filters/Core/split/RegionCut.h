@@ -16,6 +16,11 @@
 namespace geodesic
 {
 
+class DisjointSets;
+
+/** The place of each of some sizes among them, the largest first; equal ones keep their order. */
+std::vector<Index> placesBySize(std::span<const double> sizes);
+
 /**
  * The regions that lines divide a surface into. Triangles are split so that the lines run along
  * edges; two triangles are of one region if one gets from one to the other over edges that are on
@@ -25,6 +30,9 @@ namespace geodesic
  * Regions are numbered by their area, the largest first; putFirst() makes another one number 0. An
  * edge at which several sheets meet connects all of them, and a line along it separates all.
  * Triangles with the same three corners are of one region, and are split alike.
+ *
+ * The mesh can be a piece of a surface. Then sharedSides() tells what other pieces have to know,
+ * and renumber() brings their answer.
  */
 class RegionCut
 {
@@ -40,17 +48,21 @@ public:
 
   /**
    * @param mesh   the surface; the object keeps it
-   * @param lines  paths on it, in any position to each other: nested, touching, crossing, doubled
+   * @param lines  paths on it, in any position to each other: nested, touching, crossing, doubled.
+   *               One of a single point splits the triangles there.
+   * @param shared one flag for each vertex, 1 if other pieces of the surface have it too; empty if
+   *               the mesh is the whole surface
    * @throws std::invalid_argument for a line with consecutive points that share no face
    * Time O(n) for the mesh, with small constants, and O(k log k) for k points of lines.
    */
-  RegionCut(std::shared_ptr<const RegionMesh> mesh, std::span<const SurfacePath> lines);
+  RegionCut(std::shared_ptr<const RegionMesh> mesh, std::span<const SurfacePath> lines,
+    std::vector<std::uint8_t> shared = {});
 
   /** The area of each region. */
   const std::vector<double>& areas() const { return this->Areas; }
   /**
    * The length of each region's border: of its edges along lines to other regions, and of those of
-   * the surface's border.
+   * the surface's border; without edges between shared vertices.
    */
   const std::vector<double>& perimeters() const { return this->Perimeters; }
 
@@ -68,6 +80,29 @@ public:
   std::vector<Index> regionsAt(const SurfacePoint& point) const;
   /** Numbers a region 0, and those before it one higher. */
   void putFirst(Index region);
+
+  /** A triangle's, or a part's, side between shared vertices. */
+  struct SharedSide
+  {
+    /** Points, see pointAt(): shared vertices, or on the edge between two. */
+    std::pair<Index, Index> edge;
+    Index region;
+    bool isOnLine;
+    double length;
+  };
+  const std::vector<SharedSide>& sharedSides() const { return this->SharedSides; }
+  /** Whether both ends of an edge are shared vertices, or on the edge between two. */
+  bool isShared(const std::pair<Index, Index>& edge) const;
+  /**
+   * Makes the regions those of the whole surface.
+   * @param numbers    of each region on the surface; several can have become one
+   * @param areas      of the surface's regions
+   * @param separating for each of sharedSides(): whether other regions lie beside its edge
+   */
+  void renumber(
+    std::span<const Index> numbers, std::vector<double> areas, const std::vector<bool>& separating);
+  /** Replaces the perimeters by those of the whole surface. */
+  void setPerimeters(std::vector<double> perimeters) { this->Perimeters = std::move(perimeters); }
 
   /** Whether a line has different regions on its sides, at least along a part of it. */
   bool separates(std::size_t line) const;
@@ -91,9 +126,11 @@ private:
   void collectPieces();
   /** The sides of pieces and of the triangles beside them and beside lines, sorted by edge. */
   std::vector<Side> sidesAtLines(const std::vector<Edge>& lines);
-  void connectTriangles(std::vector<Index>& parents) const;
-  void number(std::vector<Index>& parents);
-  void measure(const std::vector<Side>& sides);
+  void connectTriangles(DisjointSets& parts) const;
+  void number(DisjointSets& parts);
+  void replaceRegions(std::span<const Index> numbers);
+  void collectSharedSides(const std::vector<Edge>& lines);
+  void measure();
   Index regionOfPart(Index part) const;
   double lengthOf(const Edge& edge) const;
   double areaOf(const Piece& piece) const;
@@ -102,11 +139,15 @@ private:
 
   std::shared_ptr<const RegionMesh> Mesh;
   MeshSplitter Splitter;
+  std::vector<std::uint8_t> Shared;
   std::vector<Piece> Pieces;
   std::vector<Index> Regions;
   /** One flag for each half-edge: 1 if it is on a line. */
   std::vector<std::uint8_t> IsClosed;
   std::vector<std::pair<Index, Index>> ClosedEdges;
+  /** Of pieces and of the triangles beside them and beside lines. */
+  std::vector<Side> Sides;
+  std::vector<SharedSide> SharedSides;
   std::vector<double> Areas;
   std::vector<double> Perimeters;
   /** Edges with different regions beside them, sorted. */

@@ -65,9 +65,8 @@ std::vector<std::vector<double>> linesOfAll(
   return lines;
 }
 
-/** Whether two points lie in one triangle of any rank. Collective. */
-bool shareFace(
-  RankGroup& ranks, const DistributedSurface& surface, const GlobalPoint& a, const GlobalPoint& b)
+/** Whether two points lie in one triangle of this rank. */
+bool shareFaceHere(const DistributedSurface& surface, const GlobalPoint& a, const GlobalPoint& b)
 {
   std::set<GlobalVertex> carriers;
   for (const GlobalPoint* point : { &a, &b })
@@ -86,8 +85,35 @@ bool shareFace(
     local.push_back(surface.shared().find(carrier));
   }
   const bool areAllLocal = std::find(local.begin(), local.end(), NoIndex) == local.end();
-  return ranks.isAny(
-    local.size() <= 3 && areAllLocal && !surface.mesh().trianglesWith(local).empty());
+  return local.size() <= 3 && areAllLocal && !surface.mesh().trianglesWith(local).empty();
+}
+
+/**
+ * For each two points that follow on each other, of all lines in turn, whether they lie in one
+ * triangle of any rank. Collective.
+ */
+std::vector<bool> whichShareFaces(
+  RankGroup& ranks, const DistributedSurface& surface, const GlobalLines& lines)
+{
+  std::vector<double> areApart;
+  ranks.together(
+    [&]
+    {
+      for (const std::vector<GlobalPoint>& line : lines)
+      {
+        for (std::size_t i = 1; i < line.size(); ++i)
+        {
+          areApart.push_back(shareFaceHere(surface, line[i - 1], line[i]) ? 0.0 : 1.0);
+        }
+      }
+    });
+  ranks.takeLeast(areApart);
+  std::vector<bool> shareFaces;
+  for (const double isApart : areApart)
+  {
+    shareFaces.push_back(isApart == 0.0);
+  }
+  return shareFaces;
 }
 
 GlobalPath globalPathOf(const TracedPath& traced)
@@ -111,10 +137,21 @@ GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
 {
   std::vector<std::vector<double>> own;
   ranks.together([&] { own = coordinatesOfLines(source); });
-  GlobalLines lines;
-  for (const std::vector<double>& line : linesOfAll(ranks, own))
+  const std::vector<std::vector<double>> all = linesOfAll(ranks, own);
+  std::vector<double> coordinates;
+  for (const std::vector<double>& line : all)
   {
-    lines.push_back(globalPointsAt(ranks, surface, line, property, Precision::Single));
+    coordinates.insert(coordinates.end(), line.begin(), line.end());
+  }
+  const std::vector<GlobalPoint> points =
+    globalPointsAt(ranks, surface, coordinates, property, Precision::Single);
+  GlobalLines lines;
+  auto at = points.begin();
+  for (const std::vector<double>& line : all)
+  {
+    const auto first = at;
+    at += static_cast<std::ptrdiff_t>(line.size() / 3);
+    lines.emplace_back(first, at);
   }
   return lines;
 }
@@ -125,13 +162,15 @@ std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& 
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
   const PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {},
     input };
+  const std::vector<bool> shareFaces = whichShareFaces(ranks, surface, lines);
+  auto sharesFace = shareFaces.begin();
   std::vector<GlobalPath> paths;
   for (const std::vector<GlobalPoint>& line : lines)
   {
     GlobalPath path{ { line[0].corners, line[0].weights } };
     for (std::size_t i = 1; i < line.size(); ++i)
     {
-      if (shareFace(ranks, surface, line[i - 1], line[i]))
+      if (*sharesFace++)
       {
         path.push_back({ line[i].corners, line[i].weights });
         continue;
