@@ -282,7 +282,8 @@ std::optional<SurfacePath> PathFinder::shortestOf(const PathPoint& start) const
     if (path)
     {
       this->shorten(*path, start);
-      const double length = lengthOf(this->Surface.mesh(), *path);
+      // A length is only to be compared with others.
+      const double length = seeds.size() > 1 ? lengthOf(this->Surface.mesh(), *path) : 0.0;
       if (length < least)
       {
         least = length;
@@ -298,8 +299,9 @@ void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
   if (this->Style.straighten)
   {
     path = this->straightestOf(path, start);
+    return;
   }
-  else if (this->Style.order == PathOrder::Vertices && !this->Surface.hasCosts())
+  if (this->Style.order == PathOrder::Vertices && !this->Surface.hasCosts())
   {
     const double length = lengthOf(this->Surface.mesh(), path);
     if (auto other = shorterEdgePath(this->Surface, *this->Field, path.back(), start, length))
@@ -314,7 +316,7 @@ void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
 SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint& start) const
 {
   const TriangleMesh& mesh = this->Solver.mesh();
-  const PathStraightener straightener(this->Surface);
+  PathStraightener straightener(this->Surface);
   SurfacePath best = straightener.straightened(traced);
   double least = lengthOf(mesh, best);
   const auto consider = [&](const SurfacePath& path)

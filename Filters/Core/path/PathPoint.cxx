@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/PathPoint.h"
 
+#include "base/WorkCount.h"
+
+#include <utility>
+
 namespace geodesic
 {
 namespace
@@ -52,7 +56,22 @@ Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b
   {
     return { corners[0], corners[1], corners[2] };
   }
-  return mesh.triangle(mesh.trianglesWith({ corners.begin(), corners.end() }).front());
+  // One face of the edge or of the vertex, for each edge of a path: no list of them all.
+  Index centre = corners[0];
+  Index other = corners[corners.size() - 1];
+  if (mesh.ring(other).size() < mesh.ring(centre).size())
+  {
+    std::swap(centre, other);
+  }
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  std::size_t i = 0;
+  while (!ring[i].opensTriangle() ||
+    (other != centre && other != ring[i].neighbour() && other != ring[i + 1].neighbour()))
+  {
+    ++i;
+  }
+  WorkCount::add(i);
+  return { centre, ring[i].neighbour(), ring[i + 1].neighbour() };
 }
 
 double weightOf(const PathPoint& point, Index vertex)

@@ -64,9 +64,16 @@ struct PathPoint
 /** Whether all vertices that carry the point are corners of the face. */
 inline bool liesIn(const PathPoint& point, const Triangle& face)
 {
-  const Carriers carriers = point.carriers();
-  return std::all_of(carriers.begin(), carriers.end(),
-    [&](Index vertex) { return std::find(face.begin(), face.end(), vertex) != face.end(); });
+  const auto isCorner = [&](Index vertex)
+  { return vertex == face[0] || vertex == face[1] || vertex == face[2]; };
+  for (int i = 0; i < 3; ++i)
+  {
+    if (point.weights[i] > 0.0 && !isCorner(point.corners[i]))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** Whether the point is a vertex. */
@@ -90,7 +97,7 @@ double weightOf(const PathPoint& point, Index vertex);
 /** The point as a point of one of the triangles in which it lies. */
 SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point);
 
-/** A face in which two consecutive points of a path lie. */
+/** A face in which two consecutive points of a path lie, with its corners in any order. */
 Triangle faceOf(const TriangleMesh& mesh, const PathPoint& a, const PathPoint& b);
 
 /** A polyline on the surface: consecutive points lie in one face, or on one edge. */

@@ -5,6 +5,7 @@
 
 #include "path/PathPoint.h"
 #include "path/StripFunnel.h"
+#include "path/VertexLink.h"
 #include "path/WeightedMesh.h"
 
 #include <list>
@@ -38,12 +39,13 @@ public:
    * varying cost is not straight */
   explicit PathStraightener(const WeightedMesh& weighted)
     : Surface(weighted)
+    , Link(weighted)
   {
   }
 
   /** @return a path with the same ends, no longer than @p path
    * @throws SearchCancelled */
-  SurfacePath straightened(const SurfacePath& path) const;
+  SurfacePath straightened(const SurfacePath& path);
 
 private:
   /** What is known of the vertex at the end of a piece. */
@@ -68,19 +70,31 @@ private:
   using Place = Pieces::iterator;
   using Places = std::vector<Place>;
 
-  /** The path, made shortest in the strips of faces between its vertices. */
-  Pieces tautPieces(const SurfacePath& path) const;
+  /** The path, made shortest in the strips of faces between its vertices, and where it goes along
+   * edges, once led round the vertices between these. */
+  Pieces tautPieces(const SurfacePath& path);
+  /**
+   * Adds the edges that follow point @p first of a path, as far as the path turns at each vertex
+   * between them: led round these vertices, or if that is no shorter, as one piece through them.
+   * @return the number of the last point
+   */
+  std::size_t addEdges(Pieces& pieces, const SurfacePath& path, std::size_t first);
   /** Leads a path once round its vertices at some joints. @return the joints that are new, or
    * beside a piece that is new */
-  Places ledRound(Pieces& pieces, const Places& joints) const;
+  Places ledRound(Pieces& pieces, const Places& joints);
   /** Whether the path gets shorter if it is led round the vertex at the end of a piece, or passes
    * it in a straight line: a long row of such vertices on a boundary would else be left one by one.
    */
-  bool turns(Pieces& pieces, Place place) const;
-  /** The shortest path in the strips of some pieces, led round the vertices between them. */
-  std::vector<StraightPiece> shortestRound(Place first, Place last) const;
+  bool turns(Pieces& pieces, Place place);
+  /** The strips of some pieces, led round the vertices between them. */
+  Strip stripRound(Place first, Place last) const;
+  /** Gives a strip without faces one in which both ends of its path lie. */
+  void provideFace(Strip& strip, const PathPoint& start, const PathPoint& end) const;
 
   const WeightedMesh& Surface;
+  VertexLink Link;
+  /** Faces round a vertex; what it allocates stays. */
+  std::vector<Triangle> Turn;
 };
 
 }

@@ -17,13 +17,18 @@ namespace
 constexpr double VertexFraction = 1e-9;
 /** The part of what is left that a step across a face gains at least. Round a vertex where fields
  * of varying cost bend, steps that gain ever less went round for millions of points; then the path
- * goes on along an edge. A path of ten million edges gains more at each step. */
+ * goes on along an edge. A path of ten million edges gains more at each edge. */
 constexpr double LeastGain = 1e-7;
+/** The part that a step which gains less, as it only cuts off a corner, gains together with the one
+ * before. A path of a million edges gains more. */
+constexpr double LeastGainOfTwo = 1e-6;
 
-/** Whether a step leaves less of a path. */
-bool gains(double stepLeft, double left)
+/** Whether a step leaves less of a path. @param left, leftBefore  what was left after the last
+ * step, and after the one before */
+bool gains(double stepLeft, double left, double leftBefore)
 {
-  return stepLeft < (1.0 - LeastGain) * left;
+  return stepLeft < (1.0 - LeastGain) * left ||
+    (stepLeft < left && stepLeft < (1.0 - LeastGainOfTwo) * leftBefore);
 }
 
 double costAt(const WeightedMesh& surface, const PathPoint& point)
@@ -138,6 +143,7 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
 {
   SurfacePath path{ start };
   double left = DistanceField::Unreached;
+  double leftBefore = DistanceField::Unreached;
   while (true)
   {
     const PathPoint here = path.back();
@@ -151,12 +157,13 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
     {
       step = this->stepAhead(path, left);
     }
-    if (!step || !gains(step->left, left))
+    if (!step || !gains(step->left, left, leftBefore))
     {
       step = this->stepAlongEdges(here);
     }
     if (step)
     {
+      leftBefore = left;
       left = std::min(left, step->left);
       path.push_back(step->point);
       continue;

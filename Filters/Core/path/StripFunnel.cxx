@@ -26,13 +26,6 @@ double dot(const PlanePoint& a, const PlanePoint& b)
   return a.x * b.x + a.y * b.y;
 }
 
-/** The edge by which a face is entered, laid flat. */
-struct Portal
-{
-  PlanePoint left;
-  PlanePoint right;
-};
-
 /** Lays a strip of at least two faces flat, face by face. */
 class Unfolding
 {
@@ -64,17 +57,17 @@ public:
     this->Last = this->beyond(strip.back(), strip.back().apex, 1.0);
   }
 
-  /** The edge by which face @p i is entered. */
-  const Portal& portal(std::size_t i) const { return this->Portals[i - 1]; }
   PlanePoint start(const PathPoint& point) const
   {
-    return place(point, this->Faces[1], this->portal(1), this->FirstApex, this->First);
+    return place(point, this->Faces[1], this->Portals.front(), this->FirstApex, this->First);
   }
   PlanePoint end(const PathPoint& point) const
   {
     const StripFace& face = this->Faces.back();
     return place(point, face, this->Portals.back(), face.apex, this->Last);
   }
+  /** The edges by which the second and all later faces are entered. */
+  std::vector<Portal> takePortals() { return std::move(this->Portals); }
 
 private:
   /** The place of a corner opposite to the last edge laid flat. @param side 1 for the face beyond
@@ -133,21 +126,55 @@ private:
   PlanePoint Last{};
 };
 
-/** A vertex at which the shortest path bends. */
-struct Bend
+/** Whether a point lies on the edge by which a face is entered. */
+bool liesOnEntry(const PathPoint& point, const StripFace& face)
 {
-  Index vertex;
-  PlanePoint flat;
-  /** The first face whose entry has this vertex as an end. */
-  std::size_t face;
-};
+  for (const Index vertex : point.carriers())
+  {
+    if (vertex != face.left && vertex != face.right)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The part of a strip without faces at its ends in which a path has no length: those that it only
+ * touches at @p start or @p end. */
+std::span<const StripFace> trimmed(
+  std::span<const StripFace> strip, const PathPoint& start, const PathPoint& end)
+{
+  while (strip.size() > 1 && liesOnEntry(start, strip[1]))
+  {
+    strip = strip.subspan(1);
+  }
+  while (strip.size() > 1 && liesOnEntry(end, strip.back()))
+  {
+    strip = strip.first(strip.size() - 1);
+  }
+  return strip;
+}
+
+double crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
+{
+  const double left = orientation(start, end, portal.left);
+  const double right = orientation(start, end, portal.right);
+  return left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
+}
+
+double distanceBetween(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::sqrt(dot(b - a, b - a));
+}
+
+}
 
 /**
  * The shortest paths from the last certain bend to both ends of an edge: they turn to the outside
  * at each vertex of their chain. A vertex that a path only touches counts as a bend, because the
  * path may be shorter on the vertex's other side.
  */
-class Funnel
+class StripFunnel::Funnel
 {
 public:
   enum Side : std::size_t
@@ -232,126 +259,100 @@ private:
   std::vector<Bend> Bends;
 };
 
-std::vector<Bend> bendsThrough(std::span<const StripFace> strip, const Unfolding& unfolding,
-  const PlanePoint& start, const PlanePoint& end)
+StripFunnel::StripFunnel(
+  const WeightedMesh& surface, const PathPoint& start, const PathPoint& end, const Strip& strip)
+  : Surface(surface)
+  , Start(start)
+  , End(end)
+  , Faces(trimmed(strip, start, end))
 {
-  Funnel funnel(start, strip.size());
-  for (std::size_t i = 1; i < strip.size(); ++i)
+  if (this->Faces.size() > 1)
   {
+    Unfolding unfolding(surface, this->Faces);
+    this->FlatStart = unfolding.start(start);
+    this->FlatEnd = unfolding.end(end);
+    this->Portals = unfolding.takePortals();
+    this->findBends();
+  }
+}
+
+void StripFunnel::findBends()
+{
+  Funnel funnel(this->FlatStart, this->Faces.size());
+  for (std::size_t i = 1; i < this->Faces.size(); ++i)
+  {
+    const StripFace& face = this->Faces[i];
     const bool isFirst = i == 1;
-    if (isFirst || strip[i].left != strip[i - 1].left)
+    if (isFirst || face.left != this->Faces[i - 1].left)
     {
-      funnel.add(Funnel::Left, { strip[i].left, unfolding.portal(i).left, i });
+      funnel.add(Funnel::Left, { face.left, this->Portals[i - 1].left, i });
     }
-    if (isFirst || strip[i].right != strip[i - 1].right)
+    if (isFirst || face.right != this->Faces[i - 1].right)
     {
-      funnel.add(Funnel::Right, { strip[i].right, unfolding.portal(i).right, i });
-    }
-  }
-  return funnel.bendsTo(end);
-}
-
-/** Whether a point lies on the edge by which a face is entered. */
-bool liesOnEntry(const PathPoint& point, const StripFace& face)
-{
-  for (const Index vertex : point.carriers())
-  {
-    if (vertex != face.left && vertex != face.right)
-    {
-      return false;
+      funnel.add(Funnel::Right, { face.right, this->Portals[i - 1].right, i });
     }
   }
-  return true;
+  this->Bends = funnel.bendsTo(this->FlatEnd);
 }
 
-/** The part of a strip without faces at its ends in which a path has no length: those that it only
- * touches at @p start or @p end. */
-std::span<const StripFace> trimmed(
-  std::span<const StripFace> strip, const PathPoint& start, const PathPoint& end)
+template <class Visit>
+void StripFunnel::visitParts(const Visit& visit) const
 {
-  while (strip.size() > 1 && liesOnEntry(start, strip[1]))
-  {
-    strip = strip.subspan(1);
-  }
-  while (strip.size() > 1 && liesOnEntry(end, strip.back()))
-  {
-    strip = strip.first(strip.size() - 1);
-  }
-  return strip;
-}
-
-double crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
-{
-  const double left = orientation(start, end, portal.left);
-  const double right = orientation(start, end, portal.right);
-  return left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
-}
-
-double distanceBetween(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::sqrt(dot(b - a, b - a));
-}
-
-StraightPiece pieceInFace(
-  const TriangleMesh& mesh, const PathPoint& start, const PathPoint& end, const StripFace& face)
-{
-  const bool isAlongEdge = unionOf(start, end).size() <= 2;
-  return { start, end, isAlongEdge ? Strip{} : Strip{ face },
-    norm(end.position(mesh) - start.position(mesh)) };
-}
-
-}
-
-std::vector<StraightPiece> shortestInStrip(
-  const WeightedMesh& surface, const PathPoint& start, const PathPoint& end, const Strip& faces)
-{
-  const std::span<const StripFace> strip = trimmed(faces, start, end);
-  std::vector<StraightPiece> pieces;
-  if (strip.size() == 1)
-  {
-    if (!isSameVertex(start, end))
-    {
-      pieces.push_back(pieceInFace(surface.mesh(), start, end, strip[0]));
-    }
-    return pieces;
-  }
-  const Unfolding unfolding(surface, strip);
-  PathPoint from = start;
-  PlanePoint flatFrom = unfolding.start(start);
+  Part part{ this->Start, this->Start, this->FlatStart, this->FlatStart, {} };
   std::size_t firstFace = 0;
-  const auto addPiece = [&](const PathPoint& to, const PlanePoint& flatTo, std::size_t lastFace)
+  const auto visitTo = [&](const PathPoint& to, const PlanePoint& flatTo, std::size_t lastFace)
   {
-    if (!isSameVertex(from, to))
+    part.to = to;
+    part.flatTo = flatTo;
+    if (!isSameVertex(part.from, to))
     {
       // Without faces between them both are ends of the edge by which the next face is entered.
       const std::size_t count = std::max<std::size_t>(lastFace - firstFace, 1);
-      const auto part = trimmed(strip.subspan(firstFace, count), from, to);
-      if (part.size() == 1)
-      {
-        pieces.push_back(pieceInFace(surface.mesh(), from, to, part[0]));
-      }
-      else
-      {
-        pieces.push_back(
-          { from, to, Strip(part.begin(), part.end()), distanceBetween(flatFrom, flatTo) });
-        Strip& crossed = pieces.back().strip;
-        const std::size_t first = part.data() - strip.data();
-        for (std::size_t i = 1; i < crossed.size(); ++i)
-        {
-          crossed[i].crossing = crossingOf(unfolding.portal(first + i), flatFrom, flatTo);
-        }
-      }
+      part.strip = trimmed(this->Faces.subspan(firstFace, count), part.from, to);
+      visit(part);
     }
-    from = to;
-    flatFrom = flatTo;
+    part.from = to;
+    part.flatFrom = flatTo;
     firstFace = lastFace;
   };
-  const PlanePoint flatEnd = unfolding.end(end);
-  for (const Bend& bend : bendsThrough(strip, unfolding, flatFrom, flatEnd))
+  for (const Bend& bend : this->Bends)
   {
-    addPiece(PathPoint::atVertex(bend.vertex), bend.flat, std::max(bend.face, firstFace));
+    visitTo(PathPoint::atVertex(bend.vertex), bend.flat, std::max(bend.face, firstFace));
   }
-  addPiece(end, flatEnd, strip.size());
+  visitTo(this->End, this->FlatEnd, this->Faces.size());
+}
+
+double StripFunnel::lengthOf(const Part& part) const
+{
+  const TriangleMesh& mesh = this->Surface.mesh();
+  return part.strip.size() == 1 ? norm(part.to.position(mesh) - part.from.position(mesh))
+                                : distanceBetween(part.flatFrom, part.flatTo);
+}
+
+double StripFunnel::length() const
+{
+  double length = 0.0;
+  this->visitParts([&](const Part& part) { length += this->lengthOf(part); });
+  return length;
+}
+
+std::vector<StraightPiece> StripFunnel::pieces() const
+{
+  std::vector<StraightPiece> pieces;
+  this->visitParts(
+    [&](const Part& part)
+    {
+      const auto& [from, to, flatFrom, flatTo, strip] = part;
+      const bool isAlongEdge = strip.size() == 1 && unionOf(from, to).size() <= 2;
+      pieces.push_back({ from, to, isAlongEdge ? Strip{} : Strip(strip.begin(), strip.end()),
+        this->lengthOf(part) });
+      Strip& crossed = pieces.back().strip;
+      const std::size_t first = strip.data() - this->Faces.data();
+      for (std::size_t i = 1; i < crossed.size(); ++i)
+      {
+        crossed[i].crossing = crossingOf(this->Portals[first + i - 1], flatFrom, flatTo);
+      }
+    });
   return pieces;
 }
 

@@ -22,34 +22,49 @@ constexpr double Rounding = 1e-7;
 
 }
 
-VertexLink::VertexLink(const WeightedMesh& weighted, Index vertex)
-  : Surface(weighted)
-  , Vertex(vertex)
+void VertexLink::lookAt(Index vertex)
 {
-  const std::span<const RingEntry> ring = weighted.ring(vertex);
-  this->Nodes.reserve(ring.size());
+  this->Vertex = vertex;
+  const std::span<const RingEntry> ring = this->Surface.ring(vertex);
+  this->Surface.countSteps(ring.size());
+  const bool isOneFan = std::all_of(
+    ring.begin(), ring.end() - 1, [](const RingEntry& entry) { return entry.opensTriangle(); });
+  this->Nodes.clear();
   for (const RingEntry& entry : ring)
   {
     this->Nodes.push_back(entry.neighbour());
   }
-  sortUnique(this->Nodes);
-  weighted.countSteps(ring.size());
-  this->Arcs.reserve(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  if (!isOneFan)
   {
-    if (weighted.isCrossable(vertex, i))
+    sortUnique(this->Nodes);
+  }
+  else if (this->Nodes.front() == this->Nodes.back())
+  {
+    this->Nodes.pop_back();
+  }
+  const auto nodeOfEntry = [&](std::size_t i) -> std::size_t
+  {
+    return isOneFan
+      ? i % this->Nodes.size()
+      : std::lower_bound(this->Nodes.begin(), this->Nodes.end(), ring[i].neighbour()) -
+        this->Nodes.begin();
+  };
+  this->Arcs.clear();
+  const TriangleMesh& mesh = this->Surface.mesh();
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+  {
+    if (this->Surface.isCrossable(vertex, i))
     {
-      const Index a = ring[i].neighbour();
-      const Index b = ring[i + 1].neighbour();
-      this->Arcs.push_back({ this->nodeOf(a), this->nodeOf(b),
-        this->angleBetween(weighted.mesh().position(a), weighted.mesh().position(b)) });
+      this->Arcs.push_back({ nodeOfEntry(i), nodeOfEntry(i + 1),
+        this->angleBetween(
+          mesh.position(ring[i].neighbour()), mesh.position(ring[i + 1].neighbour())) });
     }
   }
 }
 
 std::size_t VertexLink::nodeOf(Index neighbour) const
 {
-  return std::lower_bound(this->Nodes.begin(), this->Nodes.end(), neighbour) - this->Nodes.begin();
+  return std::find(this->Nodes.begin(), this->Nodes.end(), neighbour) - this->Nodes.begin();
 }
 
 double VertexLink::angleBetween(const Vector3& a, const Vector3& b) const
@@ -91,13 +106,13 @@ std::optional<VertexLink::Direction> VertexLink::directionTo(const PathPoint& po
       this->angleBetween(position, this->Surface.mesh().position(others[1])) } };
 }
 
-VertexLink::Sweep VertexLink::sweepFrom(const Direction& source) const
+void VertexLink::sweepFrom(const Direction& source)
 {
-  Sweep sweep{ std::vector<double>(this->Nodes.size(), std::numeric_limits<double>::infinity()),
-    std::vector<std::size_t>(this->Nodes.size(), None) };
+  this->Angles.assign(this->Nodes.size(), std::numeric_limits<double>::infinity());
+  this->Previous.assign(this->Nodes.size(), None);
   for (int i = 0; i < 2; ++i)
   {
-    sweep.angles[source.nodes[i]] = source.angles[i];
+    this->Angles[source.nodes[i]] = source.angles[i];
   }
   const auto relax = [&](const Arc& arc)
   {
@@ -105,10 +120,10 @@ VertexLink::Sweep VertexLink::sweepFrom(const Direction& source) const
     for (const auto& [a, b] :
       { std::pair{ arc.first, arc.second }, std::pair{ arc.second, arc.first } })
     {
-      if (sweep.angles[a] + arc.angle < sweep.angles[b])
+      if (this->Angles[a] + arc.angle < this->Angles[b])
       {
-        sweep.angles[b] = sweep.angles[a] + arc.angle;
-        sweep.previous[b] = a;
+        this->Angles[b] = this->Angles[a] + arc.angle;
+        this->Previous[b] = a;
         changes = true;
       }
     }
@@ -133,12 +148,11 @@ VertexLink::Sweep VertexLink::sweepFrom(const Direction& source) const
   }
   if (changes)
   {
-    this->settle(sweep);
+    this->settle();
   }
-  return sweep;
 }
 
-void VertexLink::settle(Sweep& sweep) const
+void VertexLink::settle()
 {
   std::vector<std::vector<std::size_t>> arcsOf(this->Nodes.size());
   for (std::size_t i = 0; i < this->Arcs.size(); ++i)
@@ -150,13 +164,13 @@ void VertexLink::settle(Sweep& sweep) const
   std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;
   for (std::size_t node = 0; node < this->Nodes.size(); ++node)
   {
-    queue.emplace(sweep.angles[node], node);
+    queue.emplace(this->Angles[node], node);
   }
   while (!queue.empty())
   {
     const auto [angle, node] = queue.top();
     queue.pop();
-    if (angle > sweep.angles[node])
+    if (angle > this->Angles[node])
     {
       continue;
     }
@@ -165,59 +179,62 @@ void VertexLink::settle(Sweep& sweep) const
     {
       const Arc& arc = this->Arcs[number];
       const std::size_t next = arc.first == node ? arc.second : arc.first;
-      if (angle + arc.angle < sweep.angles[next])
+      if (angle + arc.angle < this->Angles[next])
       {
-        sweep.angles[next] = angle + arc.angle;
-        sweep.previous[next] = node;
-        queue.emplace(sweep.angles[next], next);
+        this->Angles[next] = angle + arc.angle;
+        this->Previous[next] = node;
+        queue.emplace(this->Angles[next], next);
       }
     }
   }
 }
 
-std::optional<std::vector<Triangle>> VertexLink::shorterSide(
-  const PathPoint& from, const PathPoint& to) const
+std::optional<double> VertexLink::appendShorterSide(
+  Index vertex, const PathPoint& from, const PathPoint& to, std::vector<Triangle>& faces)
 {
+  this->lookAt(vertex);
   const std::optional<Direction> source = this->directionTo(from);
   const std::optional<Direction> target = this->directionTo(to);
   if (!source || !target)
   {
     return std::nullopt;
   }
-  // Where both points lie in one face, that face is the shorter side.
-  const bool sharesFace = source->nodes[0] != source->nodes[1] &&
-    std::is_permutation(source->nodes.begin(), source->nodes.end(), target->nodes.begin());
   const auto face = [&](std::size_t a, std::size_t b) -> Triangle {
-    return { this->Vertex, this->Nodes[a], this->Nodes[b] };
+    return { vertex, this->Nodes[a], this->Nodes[b] };
   };
-  if (sharesFace)
+  // Where both points lie in one face, that face is the shorter side.
+  if (source->nodes[0] != source->nodes[1] &&
+    std::is_permutation(source->nodes.begin(), source->nodes.end(), target->nodes.begin()))
   {
-    return std::vector<Triangle>{ face(source->nodes[0], source->nodes[1]) };
+    faces.push_back(face(source->nodes[0], source->nodes[1]));
+    const bool isSwapped = source->nodes[0] != target->nodes[0];
+    return std::abs(source->angles[0] - target->angles[isSwapped ? 1 : 0]);
   }
 
-  const auto [angles, previous] = this->sweepFrom(*source);
-  const double first = angles[target->nodes[0]] + target->angles[0];
-  const double second = angles[target->nodes[1]] + target->angles[1];
-  if (!(std::min(first, second) < std::numbers::pi + Rounding))
+  this->sweepFrom(*source);
+  const double first = this->Angles[target->nodes[0]] + target->angles[0];
+  const double second = this->Angles[target->nodes[1]] + target->angles[1];
+  const double angle = std::min(first, second);
+  if (!(angle < std::numbers::pi + Rounding))
   {
     return std::nullopt;
   }
-  std::vector<Triangle> faces;
+  const auto known = static_cast<std::ptrdiff_t>(faces.size());
   if (target->nodes[0] != target->nodes[1])
   {
     faces.push_back(face(target->nodes[0], target->nodes[1]));
   }
   std::size_t node = target->nodes[first <= second ? 0 : 1];
-  for (; previous[node] != None; node = previous[node])
+  for (; this->Previous[node] != None; node = this->Previous[node])
   {
-    faces.push_back(face(previous[node], node));
+    faces.push_back(face(this->Previous[node], node));
   }
   if (source->nodes[0] != source->nodes[1])
   {
     faces.push_back(face(source->nodes[0], source->nodes[1]));
   }
-  std::reverse(faces.begin(), faces.end());
-  return faces;
+  std::reverse(faces.begin() + known, faces.end());
+  return angle;
 }
 
 }

@@ -23,17 +23,22 @@ namespace geodesic
 class VertexLink
 {
 public:
-  VertexLink(const WeightedMesh& weighted, Index vertex);
+  /** The link of no vertex as yet: one serves for many, as what it allocates stays. */
+  explicit VertexLink(const WeightedMesh& weighted)
+    : Surface(weighted)
+  {
+  }
 
   /**
-   * The side on which a path that bends at the vertex gets shorter, or at least no longer.
+   * The side on which a path that bends at a vertex gets shorter, or at least no longer.
    * @param from, to  points of the path before and after the vertex, each in a face with it
-   * @return the faces round the vertex on the side where the angle between the two points is
-   * smallest, if it is at most 180 degrees; nothing otherwise. The faces in which the points lie
-   * are among them, unless the path runs along an edge there.
+   * @param faces     the faces round the vertex on the side where the angle between the two points
+   *        is smallest are appended, if it is at most 180 degrees. The faces in which the points
+   *        lie are among them, unless the path runs along an edge there
+   * @return the angle on that side, in radians; nothing if there is no such side
    */
-  std::optional<std::vector<Triangle>> shorterSide(
-    const PathPoint& from, const PathPoint& to) const;
+  std::optional<double> appendShorterSide(
+    Index vertex, const PathPoint& from, const PathPoint& to, std::vector<Triangle>& faces);
 
 private:
   /** A face as an arc between two nodes. */
@@ -53,17 +58,12 @@ private:
 
   /** Stands for no node. */
   static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
-  /** For each node the smallest angle to a direction, infinite where there is none, and the node
-   * before on the way there. */
-  struct Sweep
-  {
-    std::vector<double> angles;
-    std::vector<std::size_t> previous;
-  };
-
-  Sweep sweepFrom(const Direction& source) const;
+  /** Makes the link that of a vertex. */
+  void lookAt(Index vertex);
+  /** Finds the smallest angles from a direction. */
+  void sweepFrom(const Direction& source);
   /** Makes final the angles of a sweep that are not, by Dijkstra's algorithm. */
-  void settle(Sweep& sweep) const;
+  void settle();
   /** The place of a neighbour in Nodes. */
   std::size_t nodeOf(Index neighbour) const;
   /** The direction from the vertex to a point; nothing if the point's face is not crossable. */
@@ -72,10 +72,14 @@ private:
   double angleBetween(const Vector3& a, const Vector3& b) const;
 
   const WeightedMesh& Surface;
-  Index Vertex;
-  /** The neighbours, sorted by number. */
+  Index Vertex = NoIndex;
+  /** The neighbours: in their order round the vertex if its faces are one fan, else sorted. */
   std::vector<Index> Nodes;
   std::vector<Arc> Arcs;
+  /** For each node the smallest angle to a direction, infinite where there is none. */
+  std::vector<double> Angles;
+  /** For each node the one before on the way there. */
+  std::vector<std::size_t> Previous;
 };
 
 }
