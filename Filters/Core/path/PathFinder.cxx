@@ -20,15 +20,15 @@ namespace
 class FirstLeg
 {
 public:
-  /** @param path of a length above 0 */
-  FirstLeg(const TriangleMesh& mesh, const SurfacePath& path)
+  /** @param length of the path, above 0 */
+  FirstLeg(const TriangleMesh& mesh, const SurfacePath& path, double length)
   {
     const auto bend = std::find_if(path.begin() + 1, path.end() - 1, isVertex);
-    const double leg = lengthOf(mesh, { path.begin(), bend + 1 });
+    const double leg = bend + 1 == path.end() ? length : lengthOf(mesh, { path.begin(), bend + 1 });
     const Vector3 start = path[0].position(mesh);
     const Vector3 step = path[1].position(mesh) - start;
     this->End = start + (leg / norm(step)) * step;
-    this->Rest = lengthOf(mesh, path) - leg;
+    this->Rest = length - leg;
   }
 
   /** The length of a path beside this one, from another point of the face in which this one
@@ -329,7 +329,7 @@ SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint
       least = length;
     }
   };
-  for (Index corner : this->cornersOffThePath(best, start))
+  for (Index corner : this->cornersOffThePath(best, least, start))
   {
     const auto path =
       PathTracer(this->Surface, *this->Field, this->Ends)
@@ -349,16 +349,17 @@ SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint
   return best;
 }
 
-Carriers PathFinder::cornersOffThePath(const SurfacePath& path, const PathPoint& start) const
+Carriers PathFinder::cornersOffThePath(
+  const SurfacePath& path, double length, const PathPoint& start) const
 {
   constexpr double rounding = 1e-12;
   const TriangleMesh& mesh = this->Solver.mesh();
   Carriers corners;
-  if (isVertex(start) || lengthOf(mesh, path) == 0.0)
+  if (isVertex(start) || length == 0.0)
   {
     return corners;
   }
-  const FirstLeg leg(mesh, path);
+  const FirstLeg leg(mesh, path, length);
   for (Index corner : start.carriers())
   {
     if (this->Field->distance(corner) < (1.0 - rounding) * leg.lengthFrom(mesh.position(corner)))

@@ -111,7 +111,7 @@ private:
    *         beside @p path. If another front is the first at the start, it is the first at one of
    *         these: the points nearer to one of two sources than to the other are half of a plane.
    */
-  Carriers cornersOffThePath(const SurfacePath& path, const PathPoint& start) const;
+  Carriers cornersOffThePath(const SurfacePath& path, double length, const PathPoint& start) const;
   /** Adds the corners of the faces round a point, and its carriers, to Targets. */
   void addTargetsRound(const PathPoint& point);
   /**

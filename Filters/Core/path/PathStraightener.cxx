@@ -18,10 +18,6 @@ namespace
 /** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
 constexpr double LeastGain = 1e-14;
 
-/** A path that bends by less than this in all, in radians, is no longer than the straight one by
- * more than LeastGain: it is so by less than an eighth of the square. */
-constexpr double LeastBend = 1e-7;
-
 bool isShorter(double newLength, double length)
 {
   return newLength < length * (1.0 - LeastGain);
@@ -32,11 +28,28 @@ Index vertexAt(const PathPoint& point)
   return point.carriers()[0];
 }
 
-/** Whether a path goes along an edge from its point @p i to the next one. */
-bool isEdge(const SurfacePath& path, std::size_t i)
+/** Whether two points are the ends of an edge. */
+bool isEdge(const PathPoint& a, const PathPoint& b)
 {
-  return i + 1 < path.size() && isVertex(path[i]) && isVertex(path[i + 1]) &&
-    vertexAt(path[i]) != vertexAt(path[i + 1]);
+  return isVertex(a) && isVertex(b) && !isSameVertex(a, b);
+}
+
+/** Whether a path passes a vertex at its point @p i. */
+bool passesVertex(const SurfacePath& path, std::size_t i)
+{
+  return isVertex(path[i]) && !isSameVertex(path[i - 1], path[i]) &&
+    !isSameVertex(path[i], path[i + 1]);
+}
+
+/** Lets a path through the last face of a strip enter it at a vertex, if that is an end of the
+ * edge. */
+void enterAt(Strip& strip, Index vertex)
+{
+  StripFace& face = strip.back();
+  if (face.left == vertex || face.right == vertex)
+  {
+    face.crossing = face.left == vertex ? 0.0 : 1.0;
+  }
 }
 
 }
@@ -85,85 +98,85 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path)
 PathStraightener::Pieces PathStraightener::tautPieces(const SurfacePath& path)
 {
   Pieces pieces;
-  Strip strip;
-  std::size_t first = 0;
-  std::size_t i = 1;
-  while (i < path.size())
+  Row row{ path.front() };
+  for (std::size_t i = 1; i < path.size(); ++i)
   {
     this->Surface.countSteps(1);
-    if (first + 1 == i && isEdge(path, first))
+    const bool alongEdge = isEdge(path[i - 1], path[i]);
+    if (alongEdge)
     {
-      first = this->addEdges(pieces, path, first);
-      i = first + 1;
+      row.length +=
+        norm(path[i].position(this->Surface.mesh()) - path[i - 1].position(this->Surface.mesh()));
+    }
+    else
+    {
+      appendFace(row.strip, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
+    }
+    row.isOfEdges = row.isOfEdges && alongEdge;
+    const bool isLast = i + 1 == path.size();
+    if (!isLast && !isVertex(path[i]))
+    {
       continue;
     }
-    appendFace(strip, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
-    if (i + 1 == path.size() || isVertex(path[i]))
+    const bool isTold = !isLast && passesVertex(path, i);
+    if (isTold && this->leadRound(row, path[i - 1], path[i], path[i + 1]))
     {
-      for (StraightPiece& piece : StripFunnel(this->Surface, path[first], path[i], strip).pieces())
-      {
-        pieces.push_back({ std::move(piece) });
-      }
-      strip.clear();
-      first = i;
+      continue;
     }
-    ++i;
+    // Between edges that stay as they are, the same will be told again.
+    const bool stays = isTold && row.isStraight() && isEdge(path[i], path[i + 1]);
+    this->addRow(pieces, row, path[i]);
+    if (!pieces.empty())
+    {
+      pieces.back().joint = stays ? Joint::Stays : Joint::Unknown;
+    }
+    row = Row{ path[i] };
   }
   return pieces;
 }
 
-std::size_t PathStraightener::addEdges(Pieces& pieces, const SurfacePath& path, std::size_t first)
+bool PathStraightener::Row::isStraight() const
 {
-  const TriangleMesh& mesh = this->Surface.mesh();
-  Strip strip;
-  double length = 0.0;
-  // Of all angles between the edges, how much less or more they are than 180 degrees.
-  double bend = 0.0;
-  std::size_t last = first;
-  bool turns = true;
-  while (turns)
+  // What bends by so much is longer by an eighth of the square: less than LeastGain.
+  constexpr double leastBend = 1e-7;
+  return this->isOfEdges && this->bend <= leastBend;
+}
+
+bool PathStraightener::leadRound(
+  Row& row, const PathPoint& from, const PathPoint& through, const PathPoint& to)
+{
+  const Index vertex = vertexAt(through);
+  this->Turn.clear();
+  const std::optional<double> angle = this->Link.appendShorterSide(vertex, from, to, this->Turn);
+  if (!angle)
   {
-    const Index vertex = vertexAt(path[last + 1]);
-    length += norm(mesh.position(vertex) - mesh.position(vertexAt(path[last])));
-    ++last;
-    this->Turn.clear();
-    const std::optional<double> angle = isEdge(path, last)
-      ? this->Link.appendShorterSide(vertex, path[last - 1], path[last + 1], this->Turn)
-      : std::nullopt;
-    turns = angle.has_value();
-    bend += std::abs(angle.value_or(std::numbers::pi) - std::numbers::pi);
-    for (const Triangle& face : this->Turn)
-    {
-      appendFace(strip, face);
-      if (strip.back().left == vertex || strip.back().right == vertex)
-      {
-        strip.back().crossing = strip.back().left == vertex ? 0.0 : 1.0;
-      }
-    }
+    return false;
   }
-  const PathPoint& start = path[first];
-  const PathPoint& end = path[last];
-  if (bend > LeastBend)
+  row.bend += std::abs(*angle - std::numbers::pi);
+  for (const Triangle& face : this->Turn)
   {
-    this->provideFace(strip, start, end);
-    const StripFunnel funnel(this->Surface, start, end, strip);
-    if (isShorter(funnel.length(), length))
-    {
-      if (!pieces.empty())
-      {
-        pieces.back().joint = Joint::Unknown;
-      }
-      for (StraightPiece& piece : funnel.pieces())
-      {
-        pieces.push_back({ std::move(piece) });
-      }
-      return last;
-    }
+    appendFace(row.strip, face);
+    enterAt(row.strip, vertex);
   }
-  // Through the vertices, as the path was.
-  pieces.push_back({ { start, end, std::move(strip), length } });
-  pieces.back().joint = isEdge(path, last) ? Joint::Stays : Joint::Unknown;
-  return last;
+  return true;
+}
+
+void PathStraightener::addRow(Pieces& pieces, Row& row, const PathPoint& end) const
+{
+  if (row.isStraight())
+  {
+    pieces.push_back({ { row.start, end, std::move(row.strip), row.length } });
+    return;
+  }
+  if (!pieces.empty())
+  {
+    pieces.back().joint = Joint::Unknown;
+  }
+  this->provideFace(row.strip, row.start, end);
+  for (StraightPiece& piece : StripFunnel(this->Surface, row.start, end, row.strip).pieces())
+  {
+    pieces.push_back({ std::move(piece) });
+  }
 }
 
 PathStraightener::Places PathStraightener::ledRound(Pieces& pieces, const Places& joints)

@@ -27,7 +27,8 @@ namespace geodesic
  *
  * They lead it round one vertex after the other, and lay the two pieces beside it flat again each
  * time. Here neighbouring vertices are gone round together, and all over the path before a second
- * time anywhere, so that pieces grow together in few rounds. A round costs only what lies between
+ * time anywhere, so that pieces grow together in few rounds. The first round takes the path as it
+ * comes. A round costs only what lies between
  * the nearest vertices that stay. The smallest angle is sought in the graph of directions round the
  * vertex (VertexLink), so that boundaries and edges with more than two faces need no case of their
  * own.
@@ -70,15 +71,30 @@ private:
   using Place = Pieces::iterator;
   using Places = std::vector<Place>;
 
-  /** The path, made shortest in the strips of faces between its vertices, and where it goes along
-   * edges, once led round the vertices between these. */
+  /** The beginning of a path, led round the vertices at which it turns. */
+  struct Row
+  {
+    /** Whether it is a row of edges that is no longer than a straight line. */
+    bool isStraight() const;
+
+    PathPoint start;
+    Strip strip{};
+    bool isOfEdges = true;
+    /** Of its edges. */
+    double length = 0.0;
+    /** Of all angles at vertices, how much less or more they are than 180 degrees. */
+    double bend = 0.0;
+  };
+
+  /** The path, led round all vertices at which it turns, and made shortest in the strips between
+   * the other ones. */
   Pieces tautPieces(const SurfacePath& path);
-  /**
-   * Adds the edges that follow point @p first of a path, as far as the path turns at each vertex
-   * between them: led round these vertices, or if that is no shorter, as one piece through them.
-   * @return the number of the last point
-   */
-  std::size_t addEdges(Pieces& pieces, const SurfacePath& path, std::size_t first);
+  /** Leads a row round the vertex @p through at which it ends, if the path turns there. @return
+   * whether it does */
+  bool leadRound(Row& row, const PathPoint& from, const PathPoint& through, const PathPoint& to);
+  /** Adds the shortest path in the strip of a row. A straight row of edges is one piece, through
+   * its vertices. */
+  void addRow(Pieces& pieces, Row& row, const PathPoint& end) const;
   /** Leads a path once round its vertices at some joints. @return the joints that are new, or
    * beside a piece that is new */
   Places ledRound(Pieces& pieces, const Places& joints);
