@@ -339,22 +339,27 @@ private:
         }
         const double x = dot(away, first);
         const double y = dot(away, second);
-        const double flat = std::hypot(x, y);
-        const double centre = std::atan2(y, x);
+        const double flat = std::sqrt(x * x + y * y);
         // In a direction u the other one is farther by distance² / (2 reach) - away·u.
         const double least = distance * distance / (2.0 * reach) + there.value - place.value;
         const State state = this->States[other];
-        // One at the same place is no nearer.
-        const double nearer = least < flat ? halfArc(least, flat) : -1.0;
-        const double near = halfArc(least - error, flat);
-        const double covered = state == State::Stays ? near : nearer;
-        if (covered > 0.0)
+        // One that stays covers where it is nearly as near; another one where it is nearer. One at
+        // the same place is no nearer.
+        const double mostCovered = state == State::Stays ? least - error : least;
+        const bool covers = mostCovered < flat;
+        const bool mayCover = state == State::Open && least - error < flat;
+        if (!covers && !mayCover)
         {
-          this->Covered.add(centre, covered);
+          return;
         }
-        if (state == State::Open && near > 0.0)
+        const double centre = std::atan2(y, x);
+        if (covers)
         {
-          this->Open.push_back({ other, distance, centre, near });
+          this->Covered.add(centre, halfArc(mostCovered, flat));
+        }
+        if (mayCover)
+        {
+          this->Open.push_back({ other, distance, centre, halfArc(least - error, flat) });
         }
       });
   }

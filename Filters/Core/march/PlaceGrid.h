@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,27 +19,38 @@
 namespace geodesic
 {
 
-/** Numbered places in space, sorted into the cubes of a grid, to find those near a position. */
+/** Numbered places in space, put into the cubes of a grid, to find those near a position. */
 class PlaceGrid
 {
 public:
   /** @param numbers   of the places, in increasing order
    * @param side       of a cube, more than 0
-   * @param placeOf    gives the position of a number */
+   * @param placeOf    gives the position of a number. Time O(n) */
   template <class PlaceOf>
   PlaceGrid(std::span<const Index> numbers, double side, const PlaceOf& placeOf)
     : PerSide(1.0 / side)
+    , Shift(std::countl_zero(numbers.size() | 1) - 1)
+    , Starts((std::size_t{ 2 } << (63 - Shift)) + 1)
+    , Members(numbers.size())
   {
-    this->Members.reserve(numbers.size());
+    std::vector<std::uint64_t> keys;
+    keys.reserve(numbers.size());
     for (const Index number : numbers)
     {
-      this->Members.emplace_back(keyOf(this->cubeOf(placeOf(number))), number);
+      keys.push_back(keyOf(this->cubeOf(placeOf(number))));
+      ++this->Starts[this->bucketOf(keys.back()) + 1];
     }
-    std::sort(this->Members.begin(), this->Members.end());
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    std::vector<Index> next(this->Starts.begin(), this->Starts.end() - 1);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      this->Members[next[this->bucketOf(keys[i])]++] = { keys[i], numbers[i] };
+    }
   }
 
   /** Calls @p visit with the number of each place in the cubes that a ball touches, in an order
-   * that depends on the places and numbers alone. */
+   * that depends on the places and numbers alone.
+   * @param radius  at most the side of a cube, or time grows with the cubes in the ball */
   template <class Visit>
   void visitNear(const Vector3& centre, double radius, const Visit& visit) const
   {
@@ -48,13 +61,9 @@ public:
     {
       for (std::int64_t y = first[1]; y <= last[1]; ++y)
       {
-        // Cubes that differ in z alone have consecutive keys.
-        const std::uint64_t end = keyOf({ x, y, last[2] });
-        const std::pair begin{ keyOf({ x, y, first[2] }), Index{ 0 } };
-        for (auto member = std::lower_bound(this->Members.begin(), this->Members.end(), begin);
-             member != this->Members.end() && member->first <= end; ++member)
+        for (std::int64_t z = first[2]; z <= last[2]; ++z)
         {
-          visit(member->second);
+          this->visitCube(keyOf({ x, y, z }), visit);
         }
       }
     }
@@ -63,6 +72,24 @@ public:
 private:
   using Cube = std::array<std::int64_t, 3>;
   static constexpr int Bits = 21;
+
+  template <class Visit>
+  void visitCube(std::uint64_t key, const Visit& visit) const
+  {
+    const std::size_t bucket = this->bucketOf(key);
+    for (Index i = this->Starts[bucket]; i < this->Starts[bucket + 1]; ++i)
+    {
+      if (this->Members[i].first == key)
+      {
+        visit(this->Members[i].second);
+      }
+    }
+  }
+  /** Fibonacci hashing, see Knuth, The Art of Computer Programming 3, section 6.4. */
+  std::size_t bucketOf(std::uint64_t key) const
+  {
+    return (key * 0x9e3779b97f4a7c15u) >> this->Shift;
+  }
 
   /** The cube of a position. Positions far from the origin share the outermost cubes. */
   Cube cubeOf(const Vector3& p) const
@@ -81,7 +108,12 @@ private:
   }
 
   double PerSide;
-  /** The keys of cubes with the numbers in them, sorted. */
+  /** Makes of 64 bits as many as number the buckets, of which there are at least as many as places.
+   */
+  int Shift;
+  /** For each bucket, and for the one after the last, its first member. */
+  std::vector<Index> Starts;
+  /** The keys of cubes with the numbers in them, bucket by bucket, in the order of the numbers. */
   std::vector<std::pair<std::uint64_t, Index>> Members;
 };
 
