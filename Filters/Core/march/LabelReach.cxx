@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/LabelReach.h"
 
+#include "base/Platform.h"
 #include "base/Vector3.h"
 #include "base/WorkCount.h"
 #include "march/CircleArcs.h"
@@ -111,6 +112,25 @@ Vector3 roundedDirection(const Vector3& vector)
   return length > 0.0 ? Vector3{ rounded(vector.x), rounded(vector.y), rounded(vector.z) } : vector;
 }
 
+/** Asks the processor to fetch what placesOf() reads for starts that come soon: seeds lie anywhere.
+ */
+GEODESIC_INLINED void prefetchLater(
+  const TriangleMesh& mesh, const SeedFront& front, std::size_t start)
+{
+  constexpr std::size_t soon = 8;
+  if (start + 2 * soon < front.starts.size())
+  {
+    mesh.prefetchRingStart(front.starts[start + 2 * soon].vertex);
+    const FrontStart& next = front.starts[start + soon];
+    mesh.prefetch(next.vertex);
+    prefetchToRead(&mesh.rings().longestSides()[next.vertex]);
+    if (const SurfacePoint& origin = front.labels[next.label].origin; origin.triangle != NoIndex)
+    {
+      prefetchToRead(&mesh.triangle(origin.triangle));
+    }
+  }
+}
+
 /** The places of all labels, from what each piece of the surface knows of them. Collective. */
 std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& front,
   std::span<const double> cost, Partition& partition)
@@ -124,6 +144,7 @@ std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& fron
   {
     const Index label = start->label;
     LabelPlace place;
+    prefetchLater(mesh, front, start - front.starts.begin());
     for (; start != front.starts.end() && start->label == label; ++start)
     {
       place.edge = std::max(place.edge, double{ sides[start->vertex] });
@@ -175,15 +196,29 @@ std::uint64_t cubeOf(const LabelPlace& place)
   return cube;
 }
 
-/** Ends the labels that are close to another one of no larger value. Time O(k log k). */
+/** Ends the labels that are close to another one of no larger value. Time O(k log k), and O(k)
+ * where few are close. */
 void endCrowded(
   const std::vector<LabelPlace>& places, std::vector<Index>& numbers, std::vector<double>& reaches)
 {
-  std::vector<std::tuple<std::uint64_t, double, Index>> sorted;
-  sorted.reserve(numbers.size());
+  // Only labels that share a bucket may share a cube.
+  std::vector<std::uint64_t> cubes;
+  cubes.reserve(numbers.size());
+  const int shift = std::countl_zero(numbers.size() | 1) - 1;
+  std::vector<std::uint8_t> members(std::size_t{ 2 } << (63 - shift));
   for (const Index number : numbers)
   {
-    sorted.emplace_back(cubeOf(places[number]), places[number].value, number);
+    cubes.push_back(cubeOf(places[number]));
+    std::uint8_t& known = members[cubes.back() >> shift];
+    known = known == 0 ? 1 : 2;
+  }
+  std::vector<std::tuple<std::uint64_t, double, Index>> sorted;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (members[cubes[i] >> shift] == 2)
+    {
+      sorted.emplace_back(cubes[i], places[numbers[i]].value, numbers[i]);
+    }
   }
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0, first = 0; i < sorted.size(); ++i)

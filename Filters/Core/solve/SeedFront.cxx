@@ -3,6 +3,7 @@
 #include "solve/SeedFront.h"
 
 #include "base/NumberText.h"
+#include "base/Platform.h"
 #include "base/SortUnique.h"
 #include "base/WorkCount.h"
 #include "mesh/Carriers.h"
@@ -452,6 +453,29 @@ private:
   double Value = 0.0;
 };
 
+/** Asks the processor to fetch what the front needs of points that come soon: seeds lie anywhere.
+ */
+GEODESIC_INLINED void prefetchLater(
+  const TriangleMesh& mesh, std::span<const Seed> seeds, std::size_t seed)
+{
+  constexpr std::size_t soon = 8;
+  if (seed + 2 * soon >= seeds.size())
+  {
+    return;
+  }
+  if (const auto& later = seeds[seed + 2 * soon].points; !later.empty())
+  {
+    prefetchToRead(&mesh.triangle(later[0].triangle));
+  }
+  if (const auto& next = seeds[seed + soon].points; !next.empty())
+  {
+    for (const Index corner : mesh.triangle(next[0].triangle))
+    {
+      prefetchToRead(&mesh.position(corner));
+    }
+  }
+}
+
 }
 
 void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition)
@@ -470,6 +494,7 @@ void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
   FrontBuilder builder(mesh, closed, partition, front);
   for (Index s = 0; s < seeds.size(); ++s)
   {
+    prefetchLater(mesh, seeds, s);
     builder.add(seeds[s], s);
   }
 }
