@@ -103,6 +103,20 @@ TEST(Path, IsTracedStraightOnThePlane)
   }
 }
 
+// From end to end of a strip the path crosses each diagonal beside a vertex, so that every second
+// step gains little. What the traced path is longer is the field's rounding.
+TEST(Path, IsTracedStraightAlongAStrip)
+{
+  constexpr Index squares = 20'000;
+  const auto mesh = meshOf(planeGrid(squares, 1, squares, 1.0));
+  const SurfacePoint from = pointAt(mesh, 0);
+  const SurfacePoint to = pointAt(mesh, 2 * squares + 1);
+  const double exact = std::hypot(squares, 1.0);
+  const double traced = lengthOf(*mesh, pathBetween(mesh, from, to, Traced));
+  EXPECT_NEAR(traced, exact, 1e-9 * exact);
+  EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to, Straight)), exact, 1e-11 * exact);
+}
+
 TEST(Path, UnrollsACylinderAndACone)
 {
   const double chord = 2.0 * 100 * std::sin(std::numbers::pi / 100);
