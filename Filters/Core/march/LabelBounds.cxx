@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/LabelBounds.h"
 
+#include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
@@ -19,6 +20,8 @@ namespace
 
 /** Inside vertices are only looked for if at least one vertex in so many has a start. */
 constexpr std::size_t VerticesOfStart = 8;
+/** Starts of labels lie anywhere: what is read of them is fetched by so many starts ahead. */
+constexpr std::size_t Soon = 8;
 
 template <class Test>
 bool allRound(const TriangleMesh& mesh, Index vertex, const Test& test)
@@ -38,6 +41,10 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   this->Starts.reserve(starts.size());
   for (const StartValue& start : starts)
   {
+    if (const std::size_t next = &start - starts.data() + Soon; next < starts.size())
+    {
+      prefetchToWrite(&this->PlaceOfStart[starts[next].vertex]);
+    }
     this->addStart({ start.vertex, 0, start.value + labels[start.label].value, start.isFinal });
   }
   std::vector<StartValue> ownStarts;
@@ -146,6 +153,12 @@ std::vector<StartValue> LabelBounds::within(
   std::vector<StartValue> closed;
   for (const StartValue& start : starts)
   {
+    if (const std::size_t next = &start - starts.data() + Soon; next + Soon < starts.size())
+    {
+      mesh.prefetchRingStart(starts[next + Soon].vertex);
+      mesh.rings().prefetch(starts[next].vertex);
+      prefetchToRead(&this->OfVertices[starts[next].vertex]);
+    }
     if (start.value > this->ofLabel(start.label))
     {
       continue;

@@ -41,44 +41,39 @@ double costAt(const WeightedMesh& surface, const PathPoint& point)
   return cost;
 }
 
-/** The point q of an edge at which phi(q) + |p q| is least; see PathTracer. */
-struct EdgeMinimum
+/** The flat source of phi on an edge, of the length c: at (x, -depth) from the edge's first end if
+ * it is beside the edge's line, otherwise on that line, at x - depth or x + depth. */
+struct FlatSource
 {
-  /** Distance of q from the edge's first end. */
-  double x;
-  /** phi at q. */
-  double left;
-  /** phi at q, and |p q|. */
-  double total;
-};
+  /** @param a, b  phi at the ends, less than @p c apart
+   * @param inverse  1 / c */
+  FlatSource(double a, double b, double c, double inverse)
+    : x(0.5 * (c + (a - b) * (a + b) * inverse))
+    , depth(
+        0.5 * inverse * std::sqrt((a + b + c) * std::abs(a + b - c) * (c + a - b) * (c - a + b)))
+    , isBeside(a + b - c > 0.0)
+  {
+  }
 
-/**
- * Finds that point.
- * @param a, b    phi at the ends, less than @p c apart
- * @param c       the edge's length
- * @param xp, hp  p's foot on the edge's line, from its first end, and its height
- */
-EdgeMinimum leastOverEdge(double a, double b, double c, double xp, double hp)
-{
-  // The flat source of phi is at (sourceX, -root) if s > 0, otherwise on the edge's line.
-  const double sourceX = 0.5 * (c + (a - b) * (a + b) / c);
-  const double s = a + b - c;
-  const double quarterSquare = (a + b + c) * std::abs(s) * (c + a - b) * (c - a + b);
-  const double root = std::sqrt(quarterSquare) / (2.0 * c);
-  double x = 0.0;
-  double left = 0.0;
-  if (s > 0.0)
+  /** The place q on the edge's line at which phi(q) + |p q| is least, without regard to the ends.
+   * @param foot, height  of p: its place and its distance on the edge's line */
+  double leastAt(double foot, double height) const
   {
-    x = std::clamp((sourceX * hp + xp * root) / (hp + root), 0.0, c);
-    left = std::sqrt((x - sourceX) * (x - sourceX) + root * root);
+    return this->isBeside ? (this->x * height + foot * this->depth) / (height + this->depth)
+                          : std::clamp(foot, this->x - this->depth, this->x + this->depth);
   }
-  else
+  /** phi at a place of the edge's line. */
+  double phi(double place) const
   {
-    x = std::clamp(std::clamp(xp, sourceX - root, sourceX + root), 0.0, c);
-    left = std::sqrt(std::max(0.0, (x - sourceX - root) * (x - sourceX + root)));
+    const double away = place - this->x;
+    return this->isBeside ? std::sqrt(away * away + this->depth * this->depth)
+                          : std::sqrt(std::max(0.0, (away - this->depth) * (away + this->depth)));
   }
-  return { x, left, left + std::sqrt((xp - x) * (xp - x) + hp * hp) };
-}
+
+  double x;
+  double depth;
+  bool isBeside;
+};
 
 }
 
@@ -217,29 +212,36 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) c
 std::optional<PathTracer::Step> PathTracer::stepAhead(const SurfacePath& path, double left) const
 {
   const PathPoint& here = path.back();
-  if (path.size() > 1 && here.carriers().size() == 2)
+  std::optional<Step> best;
+  if (path.size() == 1 || here.carriers().size() != 2)
   {
-    // The last step was the best one across its face, so that two steps across it, there and back,
-    // leave no less.
-    const auto step = this->stepAcrossFaces(here, &path[path.size() - 2]);
-    if (step && step->total <= left)
-    {
-      return step;
-    }
+    this->tryFaces(
+      here, [](const Triangle&) { return true; }, best);
+    return best;
   }
-  return this->stepAcrossFaces(here, nullptr);
+  // The last step was the best one across its face, so that two steps across it, there and back,
+  // leave no less.
+  const auto isBehind = [&last = path[path.size() - 2]](const Triangle& face)
+  { return liesIn(last, face); };
+  this->tryFaces(
+    here, [&](const Triangle& face) { return !isBehind(face); }, best);
+  if (!best || best->total > left)
+  {
+    this->tryFaces(here, isBehind, best);
+  }
+  return best;
 }
 
-std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(
-  const PathPoint& point, const PathPoint* last) const
+template <class Choice>
+void PathTracer::tryFaces(
+  const PathPoint& point, const Choice& choice, std::optional<Step>& best) const
 {
   const Carriers carriers = point.carriers();
   const Vector3 position = point.position(this->Surface.mesh());
-  std::optional<Step> best;
   visitFaces(this->Surface, point,
     [&](const Triangle& face)
     {
-      if (last && liesIn(*last, face))
+      if (!choice(face))
       {
         return;
       }
@@ -257,7 +259,6 @@ std::optional<PathTracer::Step> PathTracer::stepAcrossFaces(
         }
       }
     });
-  return best;
 }
 
 std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& point) const
@@ -356,19 +357,28 @@ void PathTracer::tryEdge(
   const double fromA = this->Field.distance(a) / cost;
   const double fromB = this->Field.distance(b) / cost;
   const Vector3 edge = mesh.position(b) - mesh.position(a);
-  const Vector3 toPoint = position - mesh.position(a);
-  const double length = norm(edge);
-  if (!(std::abs(fromA - fromB) < length))
+  const double square = dot(edge, edge);
+  if (!((fromA - fromB) * (fromA - fromB) < square))
   {
     return;
   }
-  const EdgeMinimum least = leastOverEdge(
-    fromA, fromB, length, dot(toPoint, edge) / length, norm(cross(toPoint, edge)) / length);
-  const double fraction = least.x / length;
-  const bool isInside = fraction > VertexFraction && fraction < 1.0 - VertexFraction;
-  if (isInside && (!best || cost * least.total < best->total))
+  const double length = std::sqrt(square);
+  const double inverse = 1.0 / length;
+  const Vector3 toPoint = position - mesh.position(a);
+  const double foot = dot(toPoint, edge) * inverse;
+  const double height = norm(cross(toPoint, edge)) * inverse;
+  const FlatSource source(fromA, fromB, length, inverse);
+  const double place = source.leastAt(foot, height);
+  const double fraction = place * inverse;
+  if (!(fraction > VertexFraction && fraction < 1.0 - VertexFraction))
   {
-    best = Step{ PathPoint::onEdge(a, b, fraction), cost * least.left, cost * least.total };
+    return;
+  }
+  const double left = source.phi(place);
+  const double total = left + std::sqrt((foot - place) * (foot - place) + height * height);
+  if (!best || cost * total < best->total)
+  {
+    best = Step{ PathPoint::onEdge(a, b, fraction), cost * left, cost * total };
   }
 }
 

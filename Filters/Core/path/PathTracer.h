@@ -79,12 +79,14 @@ private:
   bool leadsToAim(Index vertex) const;
   /** The step to the nearest seed that shares an open face with the point; nothing if none does. */
   std::optional<Step> stepToSeed(const PathPoint& point) const;
-  /** The step to the point with the least total on the edges of the faces round the point.
-   * @param last  a point of faces that are left out, none if nullptr */
-  std::optional<Step> stepAcrossFaces(const PathPoint& point, const PathPoint* last) const;
-  /** The same from the end of a path, which leaves out the face of the path's last step where it
-   * can. @param left  by the last step */
+  /** The step from the end of a path to the point with the least total on the edges of the faces
+   * round it. It goes back across the face of the last step only where no other one will do.
+   * @param left  by the last step */
   std::optional<Step> stepAhead(const SurfacePath& path, double left) const;
+  /** Replaces @p best by the step to the edges of the faces round a point, as far as @p choice
+   * holds for a face, if that has a lower total. */
+  template <class Choice>
+  void tryFaces(const PathPoint& point, const Choice& choice, std::optional<Step>& best) const;
   /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.
    */
   std::optional<Step> stepAlongEdges(const PathPoint& point) const;
