@@ -419,8 +419,6 @@ TEST(Exact, RefusesWhatItCannotDo)
   const auto messageOf = [&](const Seed& seed, const SolveOptions& options) {
     return errorOf([&] { ExactSolver(mesh).solve({ &seed, 1 }, options); });
   };
-  const Seed curve = Seed::alongCurve({ { 3, { 1, 0, 0 } }, { 3, { 0, 1, 0 } } });
-  EXPECT_NE(messageOf(curve, {}).find("Seed 0 is a curve"), std::string::npos);
   const std::vector<double> cost(mesh->numberOfVertices(), 2.0);
   SolveOptions costly;
   costly.cost = cost;

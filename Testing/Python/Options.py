@@ -240,6 +240,18 @@ for seeds, cost, barrier in itertools.product(SEEDS, COSTS, BARRIERS):
     for stop, (properties, limit) in STOPS.items():
         expect_stopped((*name, stop), run(plane, **options, **properties), whole, limit(whole))
 
+# Exact is exact from all of them, and round the wall's corners. Bounded keeps its promise.
+for seeds, barrier in itertools.product(SEEDS, BARRIERS):
+    options = {**SEEDS[seeds][0], **BARRIERS[barrier][0]}
+    truth = np.min([BARRIERS[barrier][1](stand_ins).min(axis=0) for stand_ins in SEEDS[seeds][1]], axis=0)
+    is_open = np.isin(np.arange(len(points)), cells[~is_in(centers, *WALL)]) | (barrier == "no barrier")
+    truth = np.where(is_open, truth, np.nan)
+    expect(("Exact", seeds, barrier), run(plane, Method="Exact", **options), truth)
+    bounded = run(plane, Method="Bounded", Tolerance=0.01, **options)
+    assert (np.isnan(bounded) == np.isnan(truth)).all(), (seeds, barrier)
+    assert (bounded - truth)[is_open].min() > -1e-6, (seeds, barrier)
+    assert (bounded - 1.01 * truth)[is_open].max() < 1e-6, (seeds, barrier)
+
 # Of equally near seeds the one of the smaller number, and the same again in the other order.
 binary = simple.Plane(XResolution=8, YResolution=8)
 for sign in (1, -1):

@@ -56,7 +56,7 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
   this->Field.reset();
   StopLimit limit(*this->Mesh, options, this->Field);
   const bool finished = this->march(
-    { front, closed, options, partition, this->HasCost, keepsSurface }, limit, this->Field);
+    { front, closed, options, partition, this->HasCost, keepsSurface, seeds }, limit, this->Field);
   limit.update();
   this->Field.setLeavesOutElsewhere(limit.goal().isKnown());
   this->Field.finish(limit.value(), finished ? limit.reason() : StopReason::Cancelled);

@@ -54,6 +54,8 @@ protected:
     bool hasCost;
     /** Whether cost and barriers are those of the run before, see SolveOptions::keepsSurface. */
     bool keepsSurface = false;
+    /** What the front was made of. */
+    std::span<const Seed> seeds = {};
   };
 
   /**

@@ -22,14 +22,14 @@ BoundedSolver::BoundedSolver(std::shared_ptr<const TriangleMesh> mesh)
 bool BoundedSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
   const std::vector<Label>& labels = request.front.labels;
-  checkWindowRequest("Bounded distances", labels, request.hasCost, request.partition);
+  checkWindowRequest("Bounded distances", request.hasCost, request.partition);
   const WindowMerging merging(request.options.tolerance);
   const PassableTriangles passable(this->mesh(), this->Edges, request.options);
   bool isFinished = false;
   {
     WindowFront front(this->mesh(), this->Edges, request.closed, passable, request.options,
       leastKeyOf(labels, limit), limit, field, this->Workspace, &merging);
-    isFinished = marchFrom(labels, front);
+    isFinished = marchFrom(request.seeds, this->mesh(), front);
   }
   for (const Index vertex : field.reached())
   {

@@ -8,6 +8,7 @@
 #include "windows/WindowRequest.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace geodesic
@@ -23,25 +24,27 @@ ExactSolver::ExactSolver(std::shared_ptr<const TriangleMesh> mesh)
 bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
   const std::vector<Label>& labels = request.front.labels;
-  checkWindowRequest("Exact distances", labels, request.hasCost, request.partition);
+  checkWindowRequest("Exact distances", request.hasCost, request.partition);
   this->Passable.emplace(this->mesh(), this->Edges, request.options);
-  this->keepSeeds(labels);
+  this->keepSeeds(request.seeds);
   this->Found = &field;
   this->Reach = -1.0;
   WindowFront front(this->mesh(), this->Edges, request.closed, *this->Passable, request.options,
     leastKeyOf(labels, limit), limit, field, this->Workspace);
-  const bool finished = marchFrom(labels, front);
+  const bool finished = marchFrom(request.seeds, this->mesh(), front);
   this->Reach = finished ? limit.value() : -1.0;
   return finished;
 }
 
-void ExactSolver::keepSeeds(const std::vector<Label>& labels)
+void ExactSolver::keepSeeds(std::span<const Seed> seeds)
 {
   this->Seeds.clear();
-  for (const Label& label : labels)
+  this->ArePoints = std::all_of(
+    seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.kind == Seed::Kind::Point; });
+  if (this->ArePoints)
   {
-    this->Seeds.resize(std::max<std::size_t>(this->Seeds.size(), label.seed + std::size_t{ 1 }));
-    this->Seeds[label.seed] = label.origin;
+    std::transform(seeds.begin(), seeds.end(), std::back_inserter(this->Seeds),
+      [](const Seed& seed) { return seed.points[0]; });
   }
 }
 
@@ -64,6 +67,10 @@ std::optional<FoundPath> ExactSolver::pathFrom(const SurfacePoint& start) const
   if (!(found.distance < DistanceField::Unreached && found.distance <= this->Reach))
   {
     return std::nullopt;
+  }
+  if (!this->ArePoints)
+  {
+    return FoundPath{ found.distance, {} };
   }
   WindowPath path(this->mesh(), this->Edges, *this->Passable, *this->Found, this->Seeds,
     this->Workspace.arrivals);

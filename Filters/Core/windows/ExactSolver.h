@@ -9,18 +9,19 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace geodesic
 {
 
 /**
- * Exact geodesic distance from points on the polyhedron that the triangles make, by windows; see
- * Window and WindowFront. Distances are right to rounding, 1e-14 of the largest, on needles too.
+ * Exact geodesic distance on the polyhedron that the triangles make, by windows; see Window and
+ * WindowFront. Distances are right to rounding, 1e-14 of the largest, on needles too.
  *
- * Seeds are points at vertices, on edges and in faces, with start values. A path may go along the
- * edges and corners of closed triangles, and along the side of a triangle that lies opposite to an
- * excluded vertex, but through neither. Of equally near seeds the nearest
+ * Seeds are points at vertices, on edges and in faces, curves and regions, with start values. A
+ * path may go along the edges and corners of closed triangles, and along the side of a triangle
+ * that lies opposite to an excluded vertex, but through neither. Of equally near seeds the nearest
  * one is the smallest at vertices; behind such ties it may be any of them. Paths are the shortest
  * of all, not only locally.
  *
@@ -35,21 +36,23 @@ public:
   explicit ExactSolver(std::shared_ptr<const TriangleMesh> mesh);
 
   bool findsPaths() const override { return true; }
-  /** See DistanceSolver. The points are left out if rounding led the path astray. */
+  /** See DistanceSolver. The points are left out if rounding led the path astray, or a seed is a
+   * curve or a region. */
   std::optional<FoundPath> pathFrom(const SurfacePoint& start) const override;
 
 protected:
-  /** @throws std::invalid_argument for a cost, for seeds that are no points, or on a surface in
-   * several pieces; std::runtime_error beyond SolveOptions::memoryLimit */
+  /** @throws std::invalid_argument for a cost, or on a surface in several pieces;
+   * std::runtime_error beyond SolveOptions::memoryLimit */
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
 
 private:
-  void keepSeeds(const std::vector<Label>& labels);
+  void keepSeeds(std::span<const Seed> seeds);
 
   EdgeTable Edges;
   WindowWorkspace Workspace;
   // Of the last run, for paths.
   std::optional<PassableTriangles> Passable;
+  bool ArePoints = true;
   std::vector<SurfacePoint> Seeds;
   const DistanceField* Found = nullptr;
   /** Up to which distance all was found. */

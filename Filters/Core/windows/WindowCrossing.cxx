@@ -25,14 +25,25 @@ constexpr double Margin = 1e-11;
 constexpr double Miss = 1e-7;
 
 /**
- * How far from one end of an edge paths by that end are shorter than the straight lines of a
+ * How far from the lower end of an edge paths by that end are shorter than the straight lines of a
  * window. The excess of the lines over these paths falls from the end on.
- * @param x, y   the source; the end lies at x = 0 and the edge along the positive axis
- * @param known  the distance at the end less that of the source
+ * @param known  the distance at the end less the window's offset
  */
-double reachOfEnd(double x, double y, double known)
+double reachOfLower(const Window& window, double known)
 {
-  return (x * x + y * y - known * known) / (2.0 * (x + known));
+  const double x = window.x;
+  const double y = window.y;
+  return window.isStraight ? known / (x - 1.0)
+                           : (x * x + y * y - known * known) / (2.0 * (x + known));
+}
+
+/** The same from the higher end: where paths by that end begin to be shorter. */
+double reachOfHigher(const Window& window, double length, double known)
+{
+  const double x = length - window.x;
+  const double y = window.y;
+  return window.isStraight ? (length + known) / (1.0 + window.x)
+                           : length - (x * x + y * y - known * known) / (2.0 * (x + known));
 }
 
 }
@@ -41,8 +52,7 @@ double WindowFront::shortestToGoal(const Window& window, const PlanePoint& goal)
 {
   // With the goal laid on the other side of the edge, the shortest path is straight, or passes an
   // end of the window.
-  const double height = window.y + goal.y;
-  const double at = height > 0.0 ? window.x + (goal.x - window.x) * (window.y / height) : window.x;
+  const double at = window.placeTowards(goal.x, goal.y);
   const double place = std::clamp(at, window.first, window.last);
   return window.distanceAt(place) + this->Limit.goal().leftOf(std::hypot(goal.x - place, goal.y));
 }
@@ -51,7 +61,7 @@ void WindowFront::offer(const Target& target, Window window)
 {
   double atFirst = window.lineTo(window.first);
   double atLast = window.lineTo(window.last);
-  const double margin = Margin * (window.offset + atFirst + atLast);
+  const double margin = Margin * (std::abs(window.offset) + std::abs(atFirst) + std::abs(atLast));
   const double lower = target.atLower - window.offset + margin;
   const double higher = target.atHigher - window.offset + margin;
   const double restAtFirst = target.length - window.first;
@@ -62,17 +72,18 @@ void WindowFront::offer(const Target& target, Window window)
   }
   if (atFirst - window.first > lower)
   {
-    const double cut = reachOfEnd(window.x, window.y, lower);
+    const double cut = reachOfLower(window, lower);
     window.first = cut > window.first && cut < window.last ? cut : window.first;
   }
   if (atLast - restAtLast > higher)
   {
-    const double cut = target.length - reachOfEnd(target.length - window.x, window.y, higher);
+    const double cut = reachOfHigher(window, target.length, higher);
     window.last = cut > window.first && cut < window.last ? cut : window.last;
   }
-  const double line = window.x < window.first ? atFirst
-    : window.x > window.last                  ? atLast
-                                              : window.y;
+  const double line = window.isStraight ? std::min(window.lineTo(window.first), atLast)
+    : window.x < window.first           ? atFirst
+    : window.x > window.last            ? atLast
+                                        : window.y;
   const double least = window.offset + line;
   if (!(window.first < window.last) || least > this->Limit.value())
   {
@@ -129,11 +140,13 @@ std::optional<WindowFront::Line> WindowFront::lineTo(
   const Window& window, Index halfEdge, double x, double y, double miss)
 {
   const double height = window.y + y;
-  const double at = height > 0.0 ? window.x + (x - window.x) * (window.y / height) : x;
+  const double at = height > 0.0 ? window.placeTowards(x, y) : x;
   if (at >= window.first && at <= window.last)
   {
     const double along = x - window.x;
-    return Line{ window.offset + std::sqrt(along * along + height * height),
+    const double line =
+      window.isStraight ? window.x * x + window.y * y : std::sqrt(along * along + height * height);
+    return Line{ window.offset + line,
       { Arrival::Kind::AcrossEdge, halfEdge, at, window.x, window.y, window.offset } };
   }
   if (at > window.first - miss && at < window.last + miss)
@@ -195,39 +208,39 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
   const double alongX = apexX / length;
   const double alongY = laid.y / length;
   const bool isTurned = laid.apex < corner;
-  const auto pass = [&](const Window& w)
+  const auto pass = [&](const Window& window)
   {
-    const double sourceX = isLower ? w.x : laid.length - w.x;
-    const double first = isLower ? w.first : laid.length - w.last;
-    const double last = isLower ? w.last : laid.length - w.first;
-    const double height = w.y + laid.y;
-    const double atApex = height > 0.0 ? sourceX + (apexX - sourceX) * (w.y / height) : sourceX;
-    if (!(first < atApex))
+    Window w = isLower ? window : window.turned(laid.length);
+    const double atApex = w.placeTowards(apexX, laid.y);
+    if (!(w.first < atApex))
     {
       return;
     }
     const auto onSide = [&](double at)
     {
-      const double place = at * w.y / (alongX * w.y - alongY * (at - sourceX));
+      const double across = w.isStraight ? w.x : at - w.x;
+      const double place = at * w.y / (alongX * w.y - alongY * across);
       return std::clamp(place, 0.0, length);
     };
-    const double from = first > 0.0 ? onSide(first) : 0.0;
-    const double to = last < atApex ? onSide(last) : length;
+    const double from = w.first > 0.0 ? onSide(w.first) : 0.0;
+    const double to = w.last < atApex ? onSide(w.last) : length;
     if (!(from < to))
     {
       return;
     }
-    const double x = sourceX * alongX - w.y * alongY;
-    const double y = std::max(0.0, alongX * w.y + alongY * sourceX);
-    if (isTurned)
+    // A source lies above the crossed edge, the way of a straight front goes down.
+    const double x = w.isStraight ? -w.x : w.x;
+    w.first = from;
+    w.last = to;
+    w.x = x * alongX - w.y * alongY;
+    w.y = std::max(0.0, alongX * w.y + alongY * x);
+    if (w.isStraight)
     {
-      this->offer(
-        target, { length - to, length - from, length - x, y, w.offset, w.seed, w.excess });
+      const double size = std::hypot(w.x, w.y);
+      w.x /= -size;
+      w.y /= size;
     }
-    else
-    {
-      this->offer(target, { from, to, x, y, w.offset, w.seed, w.excess });
-    }
+    this->offer(target, isTurned ? w.turned(length) : w);
   };
   // In the order in which they lie on the side, so that each goes to the end of the list.
   if (isLower != isTurned)

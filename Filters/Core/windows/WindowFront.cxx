@@ -4,7 +4,6 @@
 
 #include "base/MachineMemory.h"
 #include "base/NumberText.h"
-#include "mesh/Carriers.h"
 #include "solve/ClosedTriangles.h"
 #include "windows/LaidTriangle.h"
 
@@ -117,62 +116,6 @@ bool WindowFront::leadsOn(Index halfEdge) const
     }
   }
   return false;
-}
-
-void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
-{
-  const Carriers carriers = carriersOf(this->Mesh, point);
-  if (carriers.size() == 1)
-  {
-    this->reach(carriers[0], value, number, {});
-    if (this->Field.distance(carriers[0]) == value && !this->Work.isToSend[carriers[0]])
-    {
-      this->queueVertex(carriers[0], value);
-    }
-    return;
-  }
-  const Vector3 position = this->Mesh.positionOf(point);
-  for (const Index t : this->Mesh.trianglesWith({ carriers.begin(), carriers.end() }))
-  {
-    if (this->Options.isClosed(t))
-    {
-      continue;
-    }
-    const Triangle& corners = this->Mesh.triangle(t);
-    for (const Index corner : corners)
-    {
-      this->reach(corner, value + norm(this->Mesh.position(corner) - position), number, {});
-    }
-    this->Work.starts.visitIn(t,
-      [&](PathStarts::Start& start)
-      { PathStarts::reach(start, value + norm(start.position - position), number, {}); });
-    for (Index k = 0; k < 3 && this->Passable.contains(t) && !this->Edges.isRepeated(t); ++k)
-    {
-      // Only the edge that has the point is no way out of the triangle.
-      if (carriers.contains(corners[k]))
-      {
-        this->sendThrough(3 * t + k, position, value, number);
-      }
-    }
-    this->Crossed += 3;
-  }
-}
-
-void WindowFront::sendThrough(
-  Index halfEdge, const Vector3& from, double distance, Index seed, float excess)
-{
-  if (!this->leadsOn(halfEdge))
-  {
-    return;
-  }
-  const LaidTriangle laid(this->Mesh, halfEdge);
-  if (!(laid.length > 0.0))
-  {
-    return;
-  }
-  const PlanePoint source = placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, from);
-  const Target target = this->targetOf(halfEdge, laid.lower, laid.higher, laid.length);
-  this->offer(target, { 0.0, laid.length, source.x, source.y, distance, seed, excess });
 }
 
 void WindowFront::sendFrom(Index vertex)

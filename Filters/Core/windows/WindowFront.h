@@ -108,6 +108,15 @@ public:
   /** Starts paths from a point seed. @param number of the seed */
   void startAt(const SurfacePoint& point, double value, Index number);
 
+  /** Gives a vertex the value of a seed from which other paths start. Paths can turn there only as
+   * at any vertex. */
+  void set(Index vertex, double value, Index number) { this->reach(vertex, value, number, {}); }
+
+  /** Starts a straight front to both sides of a line in a triangle, or to one side where the line
+   * lies along a side. */
+  void startAlong(
+    Index triangle, const SurfacePoint& from, const SurfacePoint& to, double value, Index number);
+
   /**
    * Follows the targets, reports progress and checks memory; false once the run is cancelled. To be
    * asked after each seed; march() asks by itself.
@@ -158,6 +167,9 @@ private:
   /** Sends straight lines from a point of a triangle through the edge of a half-edge. */
   void sendThrough(
     Index halfEdge, const Vector3& from, double distance, Index seed, float excess = 0.0F);
+  /** Sends a straight front from a line of a triangle, from @p a to @p b, through the edge of a
+   * half-edge. */
+  void sendStraight(Index halfEdge, const Vector3& a, const Vector3& b, double value, Index seed);
   /** Sends paths from a vertex through all triangles round it, and along edges. */
   void sendFrom(Index vertex);
   /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and lets it

@@ -19,10 +19,18 @@ constexpr double LeastGain = 1e-14;
 /** Whether the same straight lines make two windows, except for rounding. */
 bool haveOneSource(const Window& a, const Window& b)
 {
+  if (a.seed != b.seed || a.isStraight != b.isStraight)
+  {
+    return false;
+  }
   constexpr double rounding = 1e-13;
+  if (a.isStraight)
+  {
+    return std::abs(a.x - b.x) <= rounding && std::abs(a.y - b.y) <= rounding &&
+      std::abs(a.offset - b.offset) <= rounding * (std::abs(a.offset) + a.last);
+  }
   const double size = rounding * (std::abs(a.x) + a.y + a.last);
-  return a.offset == b.offset && a.seed == b.seed && std::abs(a.x - b.x) <= size &&
-    std::abs(a.y - b.y) <= size;
+  return a.offset == b.offset && std::abs(a.x - b.x) <= size && std::abs(a.y - b.y) <= size;
 }
 
 /** Two windows over a part of the edge that both have. */
@@ -46,15 +54,6 @@ public:
   bool wins(double at) const
   {
     return this->excess(at) < -LeastGain * this->Present.distanceAt(at);
-  }
-
-  /** The point where the lines from both sources have one direction: between it and either end of
-   * the edge's line, the excess grows or falls throughout. */
-  double turningPoint() const
-  {
-    const Window& p = this->Present;
-    const Window& a = this->Added;
-    return (p.x * a.y - a.x * p.y) / (a.y - p.y);
   }
 
   /** A point from @p from to @p to where both are equally near. @pre they differ in who wins */
@@ -94,6 +93,15 @@ private:
   {
     const Window& p = this->Present;
     const Window& a = this->Added;
+    if (p.isStraight && a.isStraight)
+    {
+      const double root = (a.offset - p.offset) / (p.x - a.x);
+      return { root, root };
+    }
+    if (p.isStraight || a.isStraight)
+    {
+      return p.isStraight ? rootsWith(p, a) : rootsWith(a, p);
+    }
     const double apart = a.x - p.x;
     const double gain = p.offset - a.offset;
     const double k = apart * apart + (a.y - p.y) * (a.y + p.y) - gain * gain;
@@ -107,6 +115,18 @@ private:
     const double q = k * apart + std::copysign(gain * root, k * apart);
     const double product = (0.5 * k - gain * p.y) * (0.5 * k + gain * p.y);
     return { p.x + 0.5 * q / square, p.x + 2.0 * product / q };
+  }
+
+  /** The same with a straight front: where its distance is that of a round one. */
+  static std::array<double, 2> rootsWith(const Window& straight, const Window& round)
+  {
+    // Below the round front's source, the straight one is by so much farther than that.
+    const double gain = straight.offset + straight.x * round.x - round.offset;
+    const double root =
+      std::sqrt(std::max(0.0, (gain - straight.y * round.y) * (gain + straight.y * round.y)));
+    const double q = gain * straight.x + std::copysign(root, gain * straight.x);
+    return { round.x + q / (straight.y * straight.y),
+      round.x + (round.y - gain) * (round.y + gain) / q };
   }
 
   const Window& Present;
@@ -159,10 +179,10 @@ void divide(const Window& present, const Window& added, double first, double las
   const Contest contest(present, added);
   std::array<double, 3> ends{ first, last, last };
   std::size_t parts = 1;
-  if (present.offset != added.offset)
+  if (present.offset != added.offset || present.isStraight != added.isStraight)
   {
-    // Two sources of one offset have at most one crossing; others may have one on either side.
-    const double turn = contest.turningPoint();
+    // Two points of one offset have at most one crossing; others may have one on either side.
+    const double turn = turningPoint(present, added);
     if (turn > first && turn < last)
     {
       ends[1] = turn;
@@ -214,7 +234,8 @@ bool WindowList::insertBehind(const Window& window)
     append(this->Windows, added);
     return true;
   }
-  if (present.offset == window.offset && window.x > present.x)
+  if (present.offset == window.offset && window.x > present.x && !present.isStraight &&
+    !window.isStraight)
   {
     // The difference of the squared lengths is linear along the edge.
     const double apart = window.x - present.x;
@@ -231,7 +252,7 @@ bool WindowList::insertBehind(const Window& window)
     const Contest contest(present, window);
     const bool winsAtFirst = contest.wins(window.first);
     const bool winsAtLast = contest.wins(present.last);
-    const double turn = contest.turningPoint();
+    const double turn = turningPoint(present, window);
     // Else the windows may change places twice.
     if (winsAtFirst ? present.first == window.first || !winsAtLast ||
           (turn > window.first && turn < present.last)

@@ -17,6 +17,10 @@ namespace
 /** The slope of a window's distance along the edge. */
 double slopeAt(const Window& window, double at)
 {
+  if (window.isStraight)
+  {
+    return window.x;
+  }
   const double length = window.lineTo(at);
   return length > 0.0 ? (at - window.x) / length : 0.0;
 }
@@ -27,7 +31,7 @@ double greatestGain(const Window& window, const Window& other, double from, doub
   const auto gain = [&](double at) { return window.distanceAt(at) - other.distanceAt(at); };
   double greatest = std::max(gain(from), gain(to));
   // Where the lines from both sources have one direction, the gain neither grows nor falls.
-  const double turn = (window.x * other.y - other.x * window.y) / (other.y - window.y);
+  const double turn = turningPoint(window, other);
   if (turn > from && turn < to)
   {
     greatest = std::max(greatest, gain(turn));

@@ -5,6 +5,7 @@
 #include "solve/DistanceField.h"
 #include "solve/Partition.h"
 #include "solve/StopLimit.h"
+#include "windows/SeedWindows.h"
 #include "windows/WindowFront.h"
 
 #include <algorithm>
@@ -14,23 +15,13 @@
 namespace geodesic
 {
 
-void checkWindowRequest(
-  const char* distances, std::span<const Label> labels, bool hasCost, const Partition& partition)
+void checkWindowRequest(const char* distances, bool hasCost, const Partition& partition)
 {
   if (hasCost || partition.isDivided())
   {
     throw std::invalid_argument(std::string(distances) + " can't be measured " +
       (hasCost ? "with costs" : "on a surface in several pieces") +
       "; use the method FastMarching.");
-  }
-  for (const Label& label : labels)
-  {
-    if (label.shape == FrontShape::Straight)
-    {
-      throw std::invalid_argument("Seed " + std::to_string(label.seed) +
-        " is a curve or a region, but exact distances are measured from points; use the method "
-        "FastMarching, or give points along it as seeds.");
-    }
   }
 }
 
@@ -39,18 +30,20 @@ double leastKeyOf(std::span<const Label> labels, const StopLimit& limit)
   double least = DistanceField::Unreached;
   for (const Label& label : labels)
   {
-    least = std::min(
-      least, label.value + WindowFront::PartOfOrder * limit.goal().leftFrom(label.position));
+    // A straight front has no position.
+    const double left =
+      label.shape == FrontShape::Round ? limit.goal().leftFrom(label.position) : 0.0;
+    least = std::min(least, label.value + WindowFront::PartOfOrder * left);
   }
   return least;
 }
 
-bool marchFrom(std::span<const Label> labels, WindowFront& front)
+bool marchFrom(std::span<const Seed> seeds, const TriangleMesh& mesh, WindowFront& front)
 {
-  for (const Label& label : labels)
+  SeedWindows windows(mesh, front);
+  for (Index i = 0; i < seeds.size(); ++i)
   {
-    front.startAt(label.origin, label.value, label.seed);
-    if (!front.mayGoOn())
+    if (!windows.start(seeds[i], i))
     {
       return false;
     }
