@@ -46,6 +46,17 @@ double reachOfHigher(const Window& window, double length, double known)
                            : length - (x * x + y * y - known * known) / (2.0 * (x + known));
 }
 
+/** Whether the distance of a window at a point, less the offset, is larger than a bound. */
+bool isLineLonger(const Window& window, double at, double bound)
+{
+  if (window.isStraight)
+  {
+    return window.x * at > bound;
+  }
+  const double along = at - window.x;
+  return bound < 0.0 || along * along + window.y * window.y > bound * bound;
+}
+
 }
 
 double WindowFront::shortestToGoal(const Window& window, const PlanePoint& goal) const
@@ -59,32 +70,27 @@ double WindowFront::shortestToGoal(const Window& window, const PlanePoint& goal)
 
 void WindowFront::offer(const Target& target, Window window)
 {
-  double atFirst = window.lineTo(window.first);
-  double atLast = window.lineTo(window.last);
-  const double margin = Margin * (std::abs(window.offset) + std::abs(atFirst) + std::abs(atLast));
+  const double margin =
+    Margin * (std::abs(window.offset) + std::abs(window.x) + window.y + target.length);
   const double lower = target.atLower - window.offset + margin;
   const double higher = target.atHigher - window.offset + margin;
-  const double restAtFirst = target.length - window.first;
-  const double restAtLast = target.length - window.last;
-  if (atLast - window.last > lower || atFirst - restAtFirst > higher)
+  const double length = target.length;
+  if (isLineLonger(window, window.last, lower + window.last) ||
+    isLineLonger(window, window.first, higher + (length - window.first)))
   {
     return;
   }
-  if (atFirst - window.first > lower)
+  if (isLineLonger(window, window.first, lower + window.first))
   {
     const double cut = reachOfLower(window, lower);
     window.first = cut > window.first && cut < window.last ? cut : window.first;
   }
-  if (atLast - restAtLast > higher)
+  if (isLineLonger(window, window.last, higher + (length - window.last)))
   {
-    const double cut = reachOfHigher(window, target.length, higher);
+    const double cut = reachOfHigher(window, length, higher);
     window.last = cut > window.first && cut < window.last ? cut : window.last;
   }
-  const double line = window.isStraight ? std::min(window.lineTo(window.first), atLast)
-    : window.x < window.first           ? atFirst
-    : window.x > window.last            ? atLast
-                                        : window.y;
-  const double least = window.offset + line;
+  const double least = window.leastDistance();
   if (!(window.first < window.last) || least > this->Limit.value())
   {
     return;
@@ -99,17 +105,28 @@ void WindowFront::offer(const Target& target, Window window)
     }
     key += PartOfOrder * std::max(shortest - least, 0.0);
   }
-  for (Index other = this->Edges.next(target.halfEdge); other != target.halfEdge;
-       other = this->Edges.next(other))
-  {
-    if (this->Passable.contains(EdgeTable::triangleOf(other)))
-    {
-      this->wait(other, window, key);
-    }
-  }
+  this->Offered.push_back(window);
+  this->LeastKey = std::min(this->LeastKey, key);
 }
 
-void WindowFront::wait(Index halfEdge, const Window& window, double key)
+void WindowFront::letOfferedWait(Index halfEdge)
+{
+  if (!this->Offered.empty())
+  {
+    for (Index other = this->Edges.next(halfEdge); other != halfEdge;
+         other = this->Edges.next(other))
+    {
+      if (this->Passable.contains(EdgeTable::triangleOf(other)))
+      {
+        this->waitAt(other);
+      }
+    }
+  }
+  this->Offered.clear();
+  this->LeastKey = DistanceField::Unreached;
+}
+
+void WindowFront::waitAt(Index halfEdge)
 {
   Index& place = this->Work.places[halfEdge];
   bool isFirst = false;
@@ -126,13 +143,16 @@ void WindowFront::wait(Index halfEdge, const Window& window, double key)
   }
   WindowWorkspace::Waiting& waiting = this->Work.waiting[place];
   const std::size_t before = waiting.list.bytes();
-  waiting.list.insert(window);
-  this->Work.bytes += waiting.list.bytes() - before;
-  if (isFirst || key < waiting.key)
+  for (const Window& window : this->Offered)
   {
-    waiting.key = key;
+    waiting.list.insert(window);
+  }
+  this->Work.bytes += waiting.list.bytes() - before;
+  if (isFirst || this->LeastKey < waiting.key)
+  {
+    waiting.key = this->LeastKey;
     waiting.halfEdge = halfEdge;
-    this->Work.queue.push(halfEdge, key - this->First);
+    this->Work.queue.push(halfEdge, this->LeastKey - this->First);
   }
 }
 
@@ -161,9 +181,17 @@ std::optional<WindowFront::Line> WindowFront::lineTo(
 void WindowFront::reachApex(
   Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows)
 {
+  const double miss = Miss * laid.length;
+  this->BesideApex.clear();
   for (const Window& w : windows)
   {
-    if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, Miss * laid.length))
+    const double at = w.placeTowards(laid.x, laid.y);
+    this->BesideApex.push_back(at);
+    if ((at < w.first - miss || at > w.last + miss) && w.y + laid.y > 0.0)
+    {
+      continue;
+    }
+    if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, miss))
     {
       this->reach(laid.apex, line->distance, w.seed, line->arrival, w.excess);
     }
@@ -208,49 +236,60 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
   const double alongX = apexX / length;
   const double alongY = laid.y / length;
   const bool isTurned = laid.apex < corner;
-  const auto pass = [&](const Window& window)
+  const auto pass = [&]<bool isStraight>(const Window& w, double besideApex)
   {
-    Window w = isLower ? window : window.turned(laid.length);
-    const double atApex = w.placeTowards(apexX, laid.y);
-    if (!(w.first < atApex))
+    const double atApex = isLower ? besideApex : laid.length - besideApex;
+    const double first = isLower ? w.first : laid.length - w.last;
+    if (!(first < atApex))
     {
       return;
     }
+    const double last = isLower ? w.last : laid.length - w.first;
+    const double sourceX = isStraight ? (isLower ? -w.x : w.x) : isLower ? w.x : laid.length - w.x;
     const auto onSide = [&](double at)
     {
-      const double across = w.isStraight ? w.x : at - w.x;
+      const double across = isStraight ? -sourceX : at - sourceX;
       const double place = at * w.y / (alongX * w.y - alongY * across);
       return std::clamp(place, 0.0, length);
     };
-    const double from = w.first > 0.0 ? onSide(w.first) : 0.0;
-    const double to = w.last < atApex ? onSide(w.last) : length;
+    const double from = first > 0.0 ? onSide(first) : 0.0;
+    const double to = last < atApex ? onSide(last) : length;
     if (!(from < to))
     {
       return;
     }
-    // A source lies above the crossed edge, the way of a straight front goes down.
-    const double x = w.isStraight ? -w.x : w.x;
-    w.first = from;
-    w.last = to;
-    w.x = x * alongX - w.y * alongY;
-    w.y = std::max(0.0, alongX * w.y + alongY * x);
-    if (w.isStraight)
+    Window next = w;
+    next.first = from;
+    next.last = to;
+    next.x = sourceX * alongX - w.y * alongY;
+    next.y = std::max(0.0, alongX * w.y + alongY * sourceX);
+    if (isStraight)
     {
-      const double size = std::hypot(w.x, w.y);
-      w.x /= -size;
-      w.y /= size;
+      // A source lies above the crossed edge, the way of a straight front goes down.
+      const double size = std::hypot(next.x, next.y);
+      next.x /= -size;
+      next.y /= size;
+      next.offset = isLower ? w.offset : w.offset + w.x * laid.length;
     }
-    this->offer(target, isTurned ? w.turned(length) : w);
+    this->offer(target, isTurned ? next.turned(length) : next);
+  };
+  const auto passAny = [&](std::size_t i)
+  {
+    if (windows[i].isStraight)
+    {
+      pass.template operator()<true>(windows[i], this->BesideApex[i]);
+    }
+    else
+    {
+      pass.template operator()<false>(windows[i], this->BesideApex[i]);
+    }
   };
   // In the order in which they lie on the side, so that each goes to the end of the list.
-  if (isLower != isTurned)
+  for (std::size_t i = 0; i < windows.size(); ++i)
   {
-    std::for_each(windows.begin(), windows.end(), pass);
+    passAny(isLower != isTurned ? i : windows.size() - 1 - i);
   }
-  else
-  {
-    std::for_each(windows.rbegin(), windows.rend(), pass);
-  }
+  this->letOfferedWait(side);
 }
 
 void WindowFront::dropKnown(Index halfEdge)

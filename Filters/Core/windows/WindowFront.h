@@ -172,10 +172,12 @@ private:
   void sendStraight(Index halfEdge, const Vector3& a, const Vector3& b, double value, Index seed);
   /** Sends paths from a vertex through all triangles round it, and along edges. */
   void sendFrom(Index vertex);
-  /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and lets it
-   * wait in all other triangles of the edge. */
+  /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and puts
+   * what is left to those that are offered to the edge. */
   void offer(const Target& target, Window window);
-  void wait(Index halfEdge, const Window& window, double key);
+  /** Lets the windows that were offered to an edge wait in all other triangles of it. */
+  void letOfferedWait(Index halfEdge);
+  void waitAt(Index halfEdge);
   /** Gives a vertex a distance if that is less than what it has.
    * @param excess  by how much the shortest path may be longer */
   void reach(
@@ -213,6 +215,11 @@ private:
   const WindowMerging* Merging = nullptr;
   /** The windows that cross a triangle now. */
   WindowList Crossing;
+  /** Where on the crossed edge the line of each of them to the apex passes. */
+  std::vector<double> BesideApex;
+  /** The windows that are offered to an edge, and their least key. */
+  std::vector<Window> Offered;
+  double LeastKey = DistanceField::Unreached;
   /** What dropKnown() leaves of them. */
   std::vector<Window> Nearer;
   std::size_t MostBytes;

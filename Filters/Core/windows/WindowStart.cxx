@@ -151,6 +151,7 @@ void WindowFront::sendStraight(
     const double offset = value + y * from.y - x * from.x;
     this->offer(this->targetOf(halfEdge, laid.lower, laid.higher, laid.length),
       { first, last, x, y, offset, seed, true });
+    this->letOfferedWait(halfEdge);
   }
 }
 
@@ -169,6 +170,7 @@ void WindowFront::sendThrough(
   const PlanePoint source = placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, from);
   const Target target = this->targetOf(halfEdge, laid.lower, laid.higher, laid.length);
   this->offer(target, { 0.0, laid.length, source.x, source.y, distance, seed, false, excess });
+  this->letOfferedWait(halfEdge);
 }
 
 }
