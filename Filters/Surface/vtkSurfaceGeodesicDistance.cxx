@@ -478,8 +478,8 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
   }
   if (seeds.empty())
   {
-    throw std::invalid_argument("There is no seed to measure from. Set SeedPositions to x, y and z "
-                                "of one or more points on or near the surface, or give "
+    throw std::invalid_argument("There is no seed to measure from. Pick one or more points on the "
+                                "surface, set SeedPositions to their x, y and z, or give "
                                 "SeedPointIds, SeedSource, SeedArray or SeedSelection.");
   }
   return seeds;

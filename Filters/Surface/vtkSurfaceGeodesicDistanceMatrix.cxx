@@ -239,9 +239,9 @@ void vtkSurfaceGeodesicDistanceMatrix::CheckLandmarks(const Landmarks& landmarks
 {
   if (landmarks.First.empty())
   {
-    throw std::invalid_argument(
-      "There is no landmark; a matrix needs one at least. Set LandmarkPositions to x, y and z of "
-      "one or more points on or near the surface, or give a LandmarkSource.");
+    throw std::invalid_argument("There is no landmark. Pick one or more points on the surface, set "
+                                "LandmarkPositions to their "
+                                "x, y and z, or give a LandmarkSource.");
   }
   if (landmarks.HasSecond && landmarks.Second.empty())
   {

@@ -354,9 +354,10 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
 {
   if (waypoints.size() < 2)
   {
-    throw std::invalid_argument("There are " + std::to_string(waypoints.size()) +
-      " waypoints; a path needs two at least. Set WaypointPositions to x, y and z of two or more "
-      "points on or near the surface, or give a WaypointSource.");
+    throw std::invalid_argument("A path needs at least two waypoints; the number given is " +
+      std::to_string(waypoints.size()) +
+      ". Pick two or more points on the surface, set WaypointPositions to their x, y and "
+      "z, or give a WaypointSource.");
   }
   Internals& internal = *this->Internal;
   const Points points = this->OpenPoints(run, waypoints, "Waypoint");
@@ -438,10 +439,11 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
 {
   if (waypoints.empty() || starts.empty())
   {
-    throw std::invalid_argument("There are " + std::to_string(waypoints.size()) +
-      " waypoints and " + std::to_string(starts.size()) +
-      " starts; ToNearestSeed needs one of each at least. Set WaypointPositions and "
-      "StartPositions, or give a WaypointSource and a StartSource.");
+    throw std::invalid_argument(
+      "ToNearestSeed needs at least one waypoint and one start; given are " +
+      std::to_string(waypoints.size()) + " waypoints and " + std::to_string(starts.size()) +
+      " starts. Pick them on the surface, set WaypointPositions and StartPositions, or give a "
+      "WaypointSource and a StartSource.");
   }
   Internals& internal = *this->Internal;
   const Points ends = this->OpenPoints(run, waypoints, "Waypoint");

@@ -152,7 +152,7 @@ expect("same on all ranks", with_large_ids, SeedPointIds=[LARGE + 3 * harness.IS
 expect_success(torus, SeedSource=simple.PointSource(Center=SEED, NumberOfPoints=5, Radius=0.1))
 
 ENDS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
-expect_no_path("There are 1 waypoints", torus, WaypointPositions=ENDS[:3])
+expect_no_path("the number given is 1", torus, WaypointPositions=ENDS[:3])
 expect_no_path("multiple of 3", torus, WaypointPositions=ENDS[:5])
 expect_no_path(("BadCost", "-1"), torus, WaypointPositions=ENDS, CostArray=["POINTS", "BadCost"])
 expect_no_path("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,

@@ -117,7 +117,7 @@ path.HeightOffset = 0
 
 # Too few waypoints, an array that is not there.
 path.WaypointPositions = square[:3]
-testing.expect_error(path, "1 waypoints", "two at least")
+testing.expect_error(path, "at least two waypoints", "is 1.")
 path.WaypointPositions = [0, 0]
 testing.expect_error(path, "2 numbers, which is no multiple of 3")
 path.WaypointPositions = square[:6]

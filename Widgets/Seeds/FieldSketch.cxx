@@ -9,6 +9,8 @@
 #include "pqRenderView.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -100,10 +102,19 @@ PixelTriangle nearestTriangle(
 
 std::vector<float> valuesOf(vtkDataArray* array)
 {
-  std::vector<float> values(array->GetNumberOfTuples());
-  for (std::size_t i = 0; i < values.size(); ++i)
+  const vtkIdType count = array->GetNumberOfTuples();
+  if (auto* numbers = vtkFloatArray::SafeDownCast(array))
   {
-    values[i] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), 0));
+    return { numbers->GetPointer(0), numbers->GetPointer(0) + count };
+  }
+  if (auto* numbers = vtkDoubleArray::SafeDownCast(array))
+  {
+    return { numbers->GetPointer(0), numbers->GetPointer(0) + count };
+  }
+  std::vector<float> values;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    values.push_back(static_cast<float>(array->GetComponent(i, 0)));
   }
   return values;
 }
@@ -145,8 +156,7 @@ FieldSketch::Conditions FieldSketch::conditions() const
 {
   vtkPolyData* surface = outputOf(this->Filter);
   const int* size = windowOf(this->View)->GetSize();
-  return { surface->GetPoints(), surface->GetMeshMTime(),
-    this->View->getRenderViewProxy()->GetRenderer()->GetActiveCamera()->GetMTime(),
+  return { surface->GetPoints(), surface->GetMeshMTime(), cameraTimeOf(this->View),
     this->Mapper->GetLookupTable()->GetMTime(), { size[0], size[1] } };
 }
 

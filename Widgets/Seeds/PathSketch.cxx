@@ -41,17 +41,23 @@ bool PathSketch::begin(pqRenderView* view, SeedOverlay* overlay, double toleranc
   {
     return false;
   }
+  this->View = view;
   this->Overlay = overlay;
   this->Tolerance = tolerance;
   this->Actor = actor;
   this->Actor->SetVisibility(false);
   view->forceRender();
   this->Snapshot.emplace(view);
+  this->CameraTime = cameraTimeOf(view);
   return true;
 }
 
 bool PathSketch::update()
 {
+  if (!this->View || cameraTimeOf(this->View) != this->CameraTime)
+  {
+    return false;
+  }
   vtkSMSourceProxy::SafeDownCast(this->Filter)->UpdatePipeline();
   vtkPolyData* lines = outputOf(this->Filter);
   vtkMatrix4x4* placement = this->Actor->GetMatrix();

@@ -7,6 +7,7 @@
 #include "ViewSnapshot.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <QPointer>
 
@@ -33,9 +34,12 @@ public:
 
 private:
   vtkSmartPointer<vtkSMProxy> Filter;
+  QPointer<pqRenderView> View;
   QPointer<SeedOverlay> Overlay;
   vtkSmartPointer<vtkActor> Actor;
   std::optional<ViewSnapshot> Snapshot;
+  /** When the camera was moved last before the snapshot. */
+  vtkMTimeType CameraTime = 0;
   double Tolerance = 0.0;
 };
 

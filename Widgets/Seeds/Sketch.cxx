@@ -9,11 +9,14 @@
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
 #include "vtkAlgorithm.h"
+#include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkGeometryRepresentation.h"
 #include "vtkPVLODActor.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
 
 namespace seeds
 {
@@ -48,6 +51,11 @@ vtkActor* soleActorIn(pqRenderView* view, vtkSMProxy* filter)
   auto* geometry =
     choice ? vtkGeometryRepresentation::SafeDownCast(choice->GetActiveRepresentation()) : nullptr;
   return geometry ? geometry->GetActor() : nullptr;
+}
+
+vtkMTimeType cameraTimeOf(pqRenderView* view)
+{
+  return view->getRenderViewProxy()->GetRenderer()->GetActiveCamera()->GetMTime();
 }
 
 }

@@ -3,6 +3,8 @@
 #ifndef seeds_Sketch_h
 #define seeds_Sketch_h
 
+#include "vtkType.h"
+
 class pqRenderView;
 class vtkActor;
 class vtkPolyData;
@@ -43,6 +45,9 @@ vtkPolyData* outputOf(vtkSMProxy* filter);
  * uses it.
  */
 vtkActor* soleActorIn(pqRenderView* view, vtkSMProxy* filter);
+
+/** When a view's camera was moved last. */
+vtkMTimeType cameraTimeOf(pqRenderView* view);
 
 }
 
