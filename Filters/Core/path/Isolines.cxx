@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/Isolines.h"
 
-#include "base/SortUnique.h"
+#include "base/DisjointSets.h"
 #include "path/FaceField.h"
+#include "path/FlatFace.h"
+#include "path/IsolineJoining.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +14,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 namespace geodesic
@@ -25,81 +26,6 @@ int signOf(std::initializer_list<double> values)
 {
   return std::min(values) >= 0.0 ? 1 : (std::max(values) <= 0.0 ? -1 : 0);
 }
-
-/** Sets that grow together. */
-class Unions
-{
-public:
-  explicit Unions(Index count)
-    : Parents(count)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), Index{ 0 });
-  }
-
-  Index rootOf(Index member)
-  {
-    while (this->Parents[member] != member)
-    {
-      this->Parents[member] = this->Parents[this->Parents[member]];
-      member = this->Parents[member];
-    }
-    return member;
-  }
-  /** Makes two sets one. @return its root and the one that is no root any more */
-  std::pair<Index, Index> connect(Index a, Index b)
-  {
-    a = this->rootOf(a);
-    b = this->rootOf(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-    return std::minmax(a, b);
-  }
-  Index add()
-  {
-    this->Parents.push_back(static_cast<Index>(this->Parents.size()));
-    return this->Parents.back();
-  }
-
-private:
-  std::vector<Index> Parents;
-};
-
-/** A face laid into the plane. */
-struct FlatFace
-{
-  std::array<PlanePoint, 3> corners;
-  Vector3 origin;
-  Vector3 right;
-  Vector3 up;
-
-  FlatFace(const Vector3& a, const Vector3& b, const Vector3& c)
-    : origin(a)
-  {
-    const double length = norm(b - a);
-    this->right = (1.0 / length) * (b - a);
-    const double x = dot(c - a, this->right);
-    const Vector3 height = (c - a) - x * this->right;
-    const double y = norm(height);
-    this->up = (1.0 / y) * height;
-    this->corners = { PlanePoint{ 0.0, 0.0 }, PlanePoint{ length, 0.0 }, PlanePoint{ x, y } };
-  }
-  Vector3 inSpace(const PlanePoint& p) const
-  {
-    return this->origin + p.x * this->right + p.y * this->up;
-  }
-};
-
-/** A place where an edge has the level: a half-edge that stands for the edge, and 0 or 1. */
-using Node = std::pair<Index, Index>;
-
-/** A part of a level in one face. */
-struct Piece
-{
-  std::array<Node, 2> ends;
-  std::vector<Vector3> points;
-  double length;
-  /** The set of faces whose parts below the level are connected. */
-  Index set;
-};
 
 class Tracer
 {
@@ -134,7 +60,12 @@ public:
     {
       areas[this->Sets->rootOf(set)] += this->SetAreas[set];
     }
-    this->join(areas, isolines);
+    std::vector<double> ofPieces;
+    for (const LevelPiece& piece : this->Pieces)
+    {
+      ofPieces.push_back(areas[this->Sets->rootOf(piece.set)]);
+    }
+    joinPieces(level, this->Pieces, ofPieces, isolines);
   }
 
 private:
@@ -315,7 +246,7 @@ private:
   /** A place where the level enters or leaves a face on its border. */
   struct Crossing
   {
-    Node node;
+    LevelPiece::Node node;
     PlanePoint place;
     /** The corner after which it comes. */
     int corner;
@@ -452,116 +383,25 @@ private:
           3 * std::uint64_t{ this->Mesh.numberOfTriangles() } + face,
         0.0);
       this->SetAreas[set] += disc;
-      this->addPiece(
-        flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
+      this->addPiece(flat, field.circle(radius),
+        { LevelPiece::Node{ NoIndex, face }, LevelPiece::Node{ NoIndex, face } }, set);
       return;
     }
     const Index set = this->setOfVertex(this->Mesh.triangle(face)[0]);
     this->SetAreas[set] -= disc;
-    this->addPiece(
-      flat, field.circle(radius), { Node{ NoIndex, face }, Node{ NoIndex, face } }, set);
+    this->addPiece(flat, field.circle(radius),
+      { LevelPiece::Node{ NoIndex, face }, LevelPiece::Node{ NoIndex, face } }, set);
   }
 
-  void addPiece(
-    const FlatFace& flat, const FaceField::Arc& arc, const std::array<Node, 2>& ends, Index set)
+  void addPiece(const FlatFace& flat, const FaceField::Arc& arc,
+    const std::array<LevelPiece::Node, 2>& ends, Index set)
   {
-    Piece piece{ ends, {}, arc.length, set };
+    LevelPiece piece{ ends, {}, arc.length, set };
     for (const PlanePoint& point : arc.points)
     {
       piece.points.push_back(flat.inSpace(point));
     }
     this->Pieces.push_back(std::move(piece));
-  }
-
-  /** Makes curves of the pieces. */
-  void join(const std::vector<double>& areas, std::vector<Isoline>& isolines)
-  {
-    struct End
-    {
-      Node node;
-      Index piece;
-      int side;
-
-      auto operator<=>(const End&) const = default;
-    };
-    std::vector<End> ends;
-    for (Index piece = 0; piece < this->Pieces.size(); ++piece)
-    {
-      ends.push_back({ this->Pieces[piece].ends[0], piece, 0 });
-      ends.push_back({ this->Pieces[piece].ends[1], piece, 1 });
-    }
-    std::sort(ends.begin(), ends.end());
-    // The end that follows on each end of a piece.
-    std::vector<std::array<std::pair<Index, int>, 2>> next(
-      this->Pieces.size(), { std::pair{ NoIndex, 0 }, std::pair{ NoIndex, 0 } });
-    for (std::size_t i = 0; i < ends.size();)
-    {
-      std::size_t last = i;
-      while (last < ends.size() && ends[last].node == ends[i].node)
-      {
-        ++last;
-      }
-      if (last - i == 2)
-      {
-        next[ends[i].piece][ends[i].side] = { ends[i + 1].piece, ends[i + 1].side };
-        next[ends[i + 1].piece][ends[i + 1].side] = { ends[i].piece, ends[i].side };
-      }
-      i = last;
-    }
-    std::vector<bool> isDone(this->Pieces.size(), false);
-    // Open curves first, each from an end.
-    for (const bool mustBeOpen : { true, false })
-    {
-      for (Index piece = 0; piece < this->Pieces.size(); ++piece)
-      {
-        for (int side = 0; side < 2 && !isDone[piece]; ++side)
-        {
-          if (mustBeOpen && next[piece][side].first != NoIndex)
-          {
-            continue;
-          }
-          Isoline line{ this->Level, {}, 0.0, areas[this->Sets->rootOf(this->Pieces[piece].set)] };
-          std::pair<Index, int> at{ piece, side };
-          while (at.first != NoIndex && !isDone[at.first])
-          {
-            isDone[at.first] = true;
-            this->append(this->Pieces[at.first], at.second == 1, line);
-            at = next[at.first][1 - at.second];
-          }
-          if (line.length > 0.0)
-          {
-            if (!mustBeOpen)
-            {
-              line.points.back() = line.points.front();
-            }
-            isolines.push_back(std::move(line));
-          }
-        }
-      }
-    }
-  }
-
-  static void append(const Piece& piece, bool isReversed, Isoline& line)
-  {
-    line.length += piece.length;
-    const auto add = [&](const Vector3& point)
-    {
-      // By rounding the faces of an edge have a crossing at places that differ in the last digits.
-      const bool isRepeated = !line.points.empty() &&
-        norm(point - line.points.back()) <= 1e-12 * (norm(point) + piece.length);
-      if (!isRepeated)
-      {
-        line.points.push_back(point);
-      }
-    };
-    if (isReversed)
-    {
-      std::for_each(piece.points.rbegin(), piece.points.rend(), add);
-    }
-    else
-    {
-      std::for_each(piece.points.begin(), piece.points.end(), add);
-    }
   }
 
   const TriangleMesh& Mesh;
@@ -576,12 +416,12 @@ private:
   /** The ranges that can have the level. */
   std::vector<Index> Active;
   /** The vertices below the level, connected over faces, and the area of whole faces by root. */
-  Unions Below;
+  DisjointSets Below;
   std::vector<double> AreaBelow;
   double Level = 0.0;
-  std::vector<Piece> Pieces;
+  std::vector<LevelPiece> Pieces;
   /** What is connected below the level, with the cut faces. */
-  std::optional<Unions> Sets;
+  std::optional<DisjointSets> Sets;
   std::vector<double> SetAreas;
   std::map<std::uint64_t, Index> SetOfKey;
 };
