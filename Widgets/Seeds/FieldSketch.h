@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <QByteArray>
 #include <QImage>
 #include <QPointer>
 
