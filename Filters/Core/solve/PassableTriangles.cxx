@@ -32,4 +32,20 @@ PassableTriangles::PassableTriangles(
   }
 }
 
+std::vector<bool> PassableTriangles::verticesBesideOthers(const TriangleMesh& mesh) const
+{
+  std::vector<bool> beside(this->areAll() ? 0 : mesh.numberOfVertices());
+  for (Index t = 0; t < this->Passable.size(); ++t)
+  {
+    if (!this->Passable[t])
+    {
+      for (const Index corner : mesh.triangle(t))
+      {
+        beside[corner] = true;
+      }
+    }
+  }
+  return beside;
+}
+
 }

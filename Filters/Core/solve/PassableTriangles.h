@@ -27,6 +27,9 @@ public:
   /** Whether every triangle may be crossed. */
   bool areAll() const { return this->Passable.empty(); }
   bool contains(Index triangle) const { return this->Passable.empty() || this->Passable[triangle]; }
+  /** Whether each vertex is a corner of a triangle that fronts may not cross; empty where there is
+   * none. Shortest paths can turn there. Time O(n), unless it is empty. */
+  std::vector<bool> verticesBesideOthers(const TriangleMesh& mesh) const;
 
 private:
   std::vector<bool> Passable;

@@ -5,9 +5,6 @@
 
 #include "base/Vector3.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace geodesic
 {
 

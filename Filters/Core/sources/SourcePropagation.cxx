@@ -29,7 +29,7 @@ constexpr double MostMoved = 0.03;
 /** Width of a bucket, in mean longest edges of vertices. A round number would put borders of
  * buckets at distances that are frequent on grids, where rounding would tell which bucket comes
  * first. */
-constexpr double BucketWidth = 0.2937;
+constexpr double BucketWidth = 0.1437;
 
 /** How far along the line from a place on the x axis to the third corner it meets the line from a
  * source through a point of the axis, as a fraction from 0 to 1. */
@@ -49,9 +49,8 @@ bool isBefore(const DistanceOrigin& a, const DistanceOrigin& b)
 
 SourceWorkspace::SourceWorkspace(const TriangleMesh& mesh)
   : edges(mesh)
-  , store(std::size_t{ 3 } * mesh.numberOfTriangles())
-  , origins(mesh.numberOfVertices())
-  , isQueued(mesh.numberOfVertices())
+  , store(mesh)
+  , vertices(mesh.numberOfVertices())
 {
 }
 
@@ -66,6 +65,7 @@ SourcePropagation::SourcePropagation(const TriangleMesh& mesh, const SeedFront& 
   , Field(field)
   , Work(workspace)
   , Passable(mesh, workspace.edges, options)
+  , BesideBarrier(this->Passable.verticesBesideOthers(mesh))
   , Control(options, limit)
 {
   const auto [least, most] = std::minmax_element(front.labels.begin(), front.labels.end(),
@@ -74,7 +74,11 @@ SourcePropagation::SourcePropagation(const TriangleMesh& mesh, const SeedFront& 
   const double width = BucketWidth * mesh.meanLongestEdge();
   this->Queue.start(
     width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() + most->value - least->value);
-  std::fill(this->Work.isQueued.begin(), this->Work.isQueued.end(), std::uint8_t{ 0 });
+  for (const Index vertex : this->Work.reached)
+  {
+    this->Work.vertices[vertex] = VertexDistance();
+  }
+  this->Work.reached.clear();
   this->Work.store.clear();
   this->Work.sidesWithNews.clear();
   this->Work.loweredVertices.clear();
@@ -85,7 +89,8 @@ bool SourcePropagation::run()
   for (const FrontStart& start : this->Front.starts)
   {
     const double offset = this->Front.labels[start.label].value;
-    this->proposeDistance(start.vertex, { start.label, offset }, offset + start.length);
+    if (!this->Options.isExcluded(start.vertex))
+      this->proposeDistance(start.vertex, { offset, start.label }, offset + start.length);
   }
   for (Index number = 0; number < this->Front.labels.size(); ++number)
   {
@@ -104,16 +109,13 @@ bool SourcePropagation::run()
     {
       return false;
     }
-    for (const Index item : this->Work.round)
-    {
-      const Index sides = 3 * this->Mesh.numberOfTriangles();
-      item < sides ? this->propagateSide(item) : this->propagateVertex(item - sides);
-    }
+    this->propagateRound();
     this->takeOver();
   }
   for (const Index vertex : this->Field.reached())
   {
-    this->Field.setNearestSeed(vertex, this->Front.labels[this->Work.origins[vertex].label].seed);
+    this->Field.setNearestSeed(
+      vertex, this->Front.labels[this->Work.vertices[vertex].origin.label].seed);
   }
   return true;
 }
@@ -130,15 +132,17 @@ void SourcePropagation::startAt(const Label& label, Index number)
     }
     for (Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
     {
-      const Corners corners = this->cornersOf(side);
-      if (carriers.contains(corners.third))
+      const SourceStore::Side& at = this->Work.store.side(side);
+      if (carriers.contains(at.third))
       {
         const SideFrame seen(
-          this->Mesh.position(corners.first), this->Mesh.position(corners.second), label.position);
+          this->Mesh.position(at.first), this->Mesh.position(at.second), label.position);
         if (seen.length > 0.0)
         {
-          this->crossEdge(side, corners.first, seen.length,
-            { seen.x, -seen.height, label.value, 0.0, seen.length, number });
+          const VirtualSource source{ seen.x, -seen.height, label.value, 0.0, seen.length, 0.0,
+            number };
+          this->crossEdge(side, at.first, seen.length,
+            { source, source.onSide(0.0), source.onSide(seen.length) });
         }
       }
     }
@@ -153,193 +157,274 @@ void SourcePropagation::takeRound()
   this->Queue.take(this->Work.round);
 }
 
+/** Asks the processor to fetch what lies behind the triangle of a side. */
+GEODESIC_INLINED void SourcePropagation::prefetchBehind(Index side) const
+{
+  const Index second = EdgeTable::following(side);
+  this->Work.store.prefetch(this->Work.edges.next(second));
+  this->Work.store.prefetch(this->Work.edges.next(EdgeTable::following(second)));
+  this->Work.store.prefetchNews(side);
+}
+
+/** Propagates all items of a round. What they read is fetched some items before. */
+void SourcePropagation::propagateRound()
+{
+  constexpr std::size_t ahead = 3;
+  const Index sides = 3 * this->Mesh.numberOfTriangles();
+  const std::span<const Index> round = this->Work.round;
+  for (std::size_t i = 0; i < round.size(); ++i)
+  {
+    if (i + 2 * ahead < round.size() && round[i + 2 * ahead] < sides)
+    {
+      this->Work.store.prefetch(round[i + 2 * ahead]);
+    }
+    if (i + ahead < round.size() && round[i + ahead] < sides)
+    {
+      this->prefetchBehind(round[i + ahead]);
+    }
+    round[i] < sides ? this->propagateSide(round[i]) : this->propagateVertex(round[i] - sides);
+  }
+}
+
 void SourcePropagation::propagateVertex(Index vertex)
 {
-  this->Work.isQueued[vertex] = 0;
+  VertexDistance& own = this->Work.vertices[vertex];
+  own.isQueued = false;
   const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    if (this->Closed.isOpenEdge(vertex, i))
+    const Index neighbour = ring[i].neighbour();
+    const double most = this->Work.vertices[neighbour].value * (1.0 + EqualDistances) - own.value;
+    const Vector3 edge = this->Mesh.position(neighbour) - this->Mesh.position(vertex);
+    // Most neighbours are nearer by far, which is seen without a root.
+    if (most >= 0.0 && dot(edge, edge) <= most * most && this->Closed.isOpenEdge(vertex, i) &&
+      !this->Options.isExcluded(neighbour))
     {
-      const Index neighbour = ring[i].neighbour();
-      const double length = norm(this->Mesh.position(neighbour) - this->Mesh.position(vertex));
-      const double offset = this->Field.distance(vertex);
-      this->proposeDistance(
-        neighbour, { this->Work.origins[vertex].label, offset }, offset + length);
+      this->proposeDistance(neighbour, { own.value, own.origin.label }, own.value + norm(edge));
     }
   }
+}
+
+SourcePropagation::Exit::Exit(
+  Index side, Index corner, const SideFrame& frame, double at, double turn)
+  : side(side)
+  , corner(corner)
+  , at(at)
+  , turn(turn)
+  , length(lengthOf(frame.x - at, frame.height))
+{
+  const double perLength = 1.0 / this->length;
+  this->upX = (frame.x - at) * perLength;
+  this->upY = frame.height * perLength;
 }
 
 void SourcePropagation::propagateSide(Index side)
 {
-  const Corners corners = this->cornersOf(side);
-  const SideFrame frame = this->frameOf(corners);
-  this->Work.store.visitNews(
-    side, [&](const SeenSource& seen) { this->propagate(side, corners, frame, seen.source); });
-  this->Work.store.forgetNews(side);
+  const SourceStore::Side& at = this->Work.store.side(side);
+  const Index second = EdgeTable::following(side);
+  const Exit atFirst(EdgeTable::following(second), at.first, at.frame, 0.0, -1.0);
+  const Exit atSecond(second, at.second, at.frame, at.frame.length, 1.0);
+  this->Work.store.visitNews(side,
+    [&](const VirtualSource& source) { this->propagate(at.frame, atFirst, atSecond, source); });
 }
 
 /** Hands a source on through the two other sides of the triangle behind a side: the source itself
- * where its straight lines reach them, and where they miss the third corner a source at the end of
- * the lit part. */
-void SourcePropagation::propagate(
-  Index side, const Corners& corners, const SideFrame& frame, VirtualSource source)
+ * where its straight lines reach them, and where they miss the third corner, a source at the corner
+ * of the side that they pass if paths can turn there. */
+inline void SourcePropagation::propagate(
+  const SideFrame& frame, const Exit& atFirst, const Exit& atSecond, const VirtualSource& source)
 {
-  this->fit(source, corners, frame.length);
-  const Index second = EdgeTable::following(side);
-  const Exit atFirst{ EdgeTable::following(second), corners.first, 0.0, -1.0 };
-  const Exit atSecond{ second, corners.second, frame.length, 1.0 };
   const double meets = source.crossing(frame.x, frame.height);
+  // Where the line to the third corner grazes an end of the lit part, rounding would tell on which
+  // side of that end it passes: it counts as lit then.
+  const double grazing = Rounding * frame.length;
+  const bool isBeforeLast = meets <= source.last + grazing;
+  const bool isBehindFirst = meets >= source.first - grazing;
+  const bool fromFirst = source.first == 0.0;
+  const bool toSecond = source.last == frame.length;
+  const double atCorner = source.onSide(source.first);
+  const double atOther = source.onSide(source.last);
   if (meets > source.first)
   {
-    const double far = meeting(source, source.last, atFirst.at, frame);
-    this->shineThrough(atFirst, frame, source, meeting(source, source.first, atFirst.at, frame),
-      meets <= source.last ? 1.0 : far);
+    this->shineThrough(atFirst, source,
+      { fromFirst ? 0.0 : meeting(source, source.first, atFirst.at, frame),
+        isBeforeLast ? 1.0 : meeting(source, source.last, atFirst.at, frame),
+        fromFirst ? atCorner : -1.0, isBeforeLast ? source.toThird : -1.0 });
   }
   if (meets < source.last)
   {
-    const double far = meeting(source, source.first, atSecond.at, frame);
-    this->shineThrough(atSecond, frame, source, meeting(source, source.last, atSecond.at, frame),
-      meets >= source.first ? 1.0 : far);
+    this->shineThrough(atSecond, source,
+      { toSecond ? 0.0 : meeting(source, source.last, atSecond.at, frame),
+        isBehindFirst ? 1.0 : meeting(source, source.first, atSecond.at, frame),
+        toSecond ? atOther : -1.0, isBehindFirst ? source.toThird : -1.0 });
   }
-  // Where the line to the third corner grazes an end of the lit part, rounding would tell on which
-  // side of that end it passes: both cases are followed then.
-  const double grazing = Rounding * frame.length;
-  if (meets <= source.first + grazing)
+  if (fromFirst && meets <= grazing && this->canTurn(atFirst.corner))
   {
-    const VirtualSource bent = this->bentAt(source, source.first, atFirst);
-    this->shineThrough(atFirst, frame, bent, 0.0, 1.0);
-    if (source.first == atFirst.at)
-    {
-      this->shineThrough(atSecond, frame, bent, 0.0, 1.0);
-    }
+    this->bendAt(frame, atFirst, atSecond, source, atCorner);
   }
-  if (meets >= source.last - grazing)
+  if (toSecond && meets >= frame.length - grazing && this->canTurn(atSecond.corner))
   {
-    const VirtualSource bent = this->bentAt(source, source.last, atSecond);
-    this->shineThrough(atSecond, frame, bent, 0.0, 1.0);
-    if (source.last == atSecond.at)
-    {
-      this->shineThrough(atFirst, frame, bent, 0.0, 1.0);
-    }
+    this->bendAt(frame, atSecond, atFirst, source, atOther);
   }
 }
 
-/** The source of lines that are bent at an end of the lit part. @param nearest the exit at that end
- */
-VirtualSource SourcePropagation::bentAt(
-  const VirtualSource& source, double at, const Exit& nearest) const
+/** Hands on the source of lines that are bent at the corner of an exit. @param atCorner the
+ * source's distance there */
+void SourcePropagation::bendAt(const SideFrame& frame, const Exit& nearest, const Exit& other,
+  const VirtualSource& source, double atCorner)
 {
-  VirtualSource bent{ at, 0.0, source.onSide(at), 0.0, 0.0, source.label };
-  const double atCorner = this->Field.distance(nearest.corner);
-  if (at == nearest.at && atCorner < bent.offset)
+  const VertexDistance& corner = this->Work.vertices[nearest.corner];
+  VirtualSource bent{ nearest.at, 0.0, atCorner, 0.0, 0.0, 0.0, source.label };
+  if (corner.value < bent.offset)
   {
-    bent.offset = atCorner;
-    bent.label = this->Work.origins[nearest.corner].label;
+    bent.offset = corner.value;
+    bent.label = corner.origin.label;
   }
-  return bent;
+  const double toThird = bent.offset + nearest.length;
+  this->shineThrough(nearest, bent, { 0.0, 1.0, bent.offset, toThird });
+  this->shineThrough(other, bent, { 0.0, 1.0, bent.offset + frame.length, toThird });
 }
 
-/** Proposes a source to the triangles behind an exit.
- * @param source    in the frame of the side that it came through
- * @param from, to  the lit part of the exit, from 0 at its corner to 1 at the third corner */
+/** Proposes a source to the triangles behind an exit. @param source in the frame of the side that
+ * it came through */
 void SourcePropagation::shineThrough(
-  const Exit& exit, const SideFrame& frame, const VirtualSource& source, double from, double to)
+  const Exit& exit, const VirtualSource& source, const Light& light)
 {
-  const double upX = frame.x - exit.at;
-  const double upY = frame.height;
-  const double length = std::sqrt(upX * upX + upY * upY);
-  if (!(length > 0.0))
+  if (!(exit.length > 0.0))
   {
     return;
   }
   const double fromX = source.x - exit.at;
-  const double depth = exit.turn * (source.y * upX - fromX * upY) / length;
-  this->crossEdge(exit.side, exit.corner, length,
-    { (fromX * upX + source.y * upY) / length, -std::max(0.0, depth), source.offset, from * length,
-      to * length, source.label });
+  const double depth = exit.turn * (source.y * exit.upX - fromX * exit.upY);
+  const VirtualSource through{ fromX * exit.upX + source.y * exit.upY, -std::max(0.0, depth),
+    source.offset, light.from * exit.length, light.to * exit.length, 0.0, source.label };
+  this->crossEdge(exit.side, exit.corner, exit.length,
+    { through, light.atFrom >= 0.0 ? light.atFrom : through.onSide(through.first),
+      light.atTo >= 0.0 ? light.atTo : through.onSide(through.last) });
 }
 
-/** Proposes a source to the triangles on the other side of an edge. @param source in the frame
- * whose x axis goes along the edge from @p corner */
-void SourcePropagation::crossEdge(
-  Index side, Index corner, double length, const VirtualSource& source)
+/** Proposes a source to the triangles on the other side of an edge. @param lit in the frame whose x
+ * axis goes along the edge from @p corner */
+GEODESIC_INLINED void SourcePropagation::crossEdge(
+  Index side, Index corner, double length, const LitSource& lit)
 {
-  VirtualSource mirrored = source;
-  mirrored.x = length - source.x;
-  mirrored.first = length - source.last;
-  mirrored.last = length - source.first;
   for (Index other = this->Work.edges.next(side); other != side;
        other = this->Work.edges.next(other))
   {
-    if (this->Passable.contains(EdgeTable::triangleOf(other)))
+    if (!this->Passable.contains(EdgeTable::triangleOf(other)))
     {
-      this->proposeSource(other, this->cornersOf(other).first == corner ? source : mirrored);
+      continue;
     }
+    const bool isSame = this->Work.store.side(other).first == corner;
+    const VirtualSource& source = lit.source;
+    this->proposeSource(other,
+      { { isSame ? source.x : length - source.x, source.y, source.offset,
+          isSame ? source.first : length - source.last,
+          isSame ? source.last : length - source.first, 0.0, source.label },
+        isSame ? lit.atFirst : lit.atLast, isSame ? lit.atLast : lit.atFirst });
   }
 }
 
-void SourcePropagation::proposeSource(Index side, VirtualSource source)
+GEODESIC_INLINED void SourcePropagation::proposeSource(Index side, LitSource lit)
 {
-  const Corners corners = this->cornersOf(side);
-  const SideFrame frame = this->frameOf(corners);
-  const double rounding = Rounding * frame.length;
-  source.first = source.first < rounding ? 0.0 : source.first;
-  source.last = source.last > frame.length - rounding ? frame.length : source.last;
-  source.snap(frame.length, rounding);
-  this->fit(source, corners, frame.length);
-  const PathFromSource toThird = source.pathTo(frame.x, frame.height);
-  const PathFromSource toFirst = source.pathToFirst();
-  const PathFromSource toSecond = source.pathToSecond(frame.length);
-  this->proposeDistance(corners.third, { source.label, toThird.offset }, toThird.distance);
-  this->proposeDistance(corners.first, { source.label, toFirst.offset }, toFirst.distance);
-  this->proposeDistance(corners.second, { source.label, toSecond.offset }, toSecond.distance);
-  const SeenSource seen{ source, { toThird.distance, toFirst.distance, toSecond.distance } };
-  if (this->Work.store.isWorthwhile(side, seen) && this->isUseful(corners, frame, seen))
+  const SourceStore::Side& at = this->Work.store.side(side);
+  const SideFrame& frame = at.frame;
+  VirtualSource& source = lit.source;
+  source.snap(frame.length, Rounding * frame.length);
+  this->fit(lit, frame, this->Work.vertices[at.first], this->Work.vertices[at.second]);
+  if (this->isBehindCorners(at, lit))
+  {
+    return;
+  }
+  // The path to the third corner is straight, or bent at an end of the lit part.
+  const double grazing = Rounding * frame.length;
+  const double meets = source.crossing(frame.x, frame.height);
+  const bool isBefore = meets < source.first - grazing;
+  const bool isBehind = meets > source.last + grazing;
+  DistanceOrigin origin{ source.offset, source.label };
+  if (isBefore || isBehind)
+  {
+    origin.offset = isBefore ? lit.atFirst : lit.atLast;
+    source.toThird =
+      origin.offset + lengthOf(frame.x - (isBefore ? source.first : source.last), frame.height);
+  }
+  else
+  {
+    source.toThird = source.offset + lengthOf(frame.x - source.x, frame.height - source.y);
+  }
+  this->proposeDistance(at.third, origin, source.toThird);
+  // A source at a corner is of use only where lines bend round that corner.
+  if (source.y == 0.0 && (source.x == 0.0 || source.x == frame.length) &&
+    source.toThird > this->Work.vertices[at.third].value * (1.0 + Rounding))
+  {
+    return;
+  }
+  const SeenSource seen{ source,
+    { source.toThird, lit.atFirst + source.first, lit.atLast + (frame.length - source.last) } };
+  if (this->Work.store.isWorthwhile(at, seen))
   {
     this->Work.sources.push_back({ side, seen });
   }
 }
 
+/** Moves a source to the distances at its side's corners that come from the same place. */
+GEODESIC_INLINED void SourcePropagation::fit(LitSource& lit, const SideFrame& frame,
+  const VertexDistance& first, const VertexDistance& second) const
+{
+  VirtualSource& source = lit.source;
+  const bool isFromFirst = this->isFrom(source, first);
+  const bool isFromSecond = this->isFrom(source, second);
+  if (!isFromFirst && !isFromSecond)
+  {
+    return;
+  }
+  constexpr double none = DistanceField::Unreached;
+  const double length = frame.length;
+  const double ownFirst =
+    source.first == 0.0 ? lit.atFirst - source.offset : lengthOf(source.x, source.y);
+  const double ownSecond =
+    source.last == length ? lit.atLast - source.offset : lengthOf(length - source.x, source.y);
+  if (source.fit(length, ownFirst, ownSecond, isFromFirst ? first.value - source.offset : none,
+        isFromSecond ? second.value - source.offset : none, MostMoved))
+  {
+    lit.atFirst = source.onSide(source.first);
+    lit.atLast = source.onSide(source.last);
+  }
+}
+
 /**
- * Whether a source can give a shorter path than the present distances at the corners do, to
- * anything behind the side. S.-Q. Xin, G.-J. Wang, Improving Chen and Han's algorithm on the
+ * Whether paths by way of a corner, by its present distance, are no longer than those of a source
+ * to anything behind the side. S.-Q. Xin, G.-J. Wang, Improving Chen and Han's algorithm on the
  * discrete geodesic problem, ACM Trans. Graph. 28 (2009).
  */
-bool SourcePropagation::isUseful(
-  const Corners& corners, const SideFrame& frame, const SeenSource& seen) const
+GEODESIC_INLINED bool SourcePropagation::isBehindCorners(
+  const SourceStore::Side& at, const LitSource& lit) const
 {
   constexpr double least = 1.0 - Rounding;
-  const VirtualSource& source = seen.source;
-  const double atFirst = this->Field.distance(corners.first);
-  const double atSecond = this->Field.distance(corners.second);
-  const double atThird = this->Field.distance(corners.third);
-  const bool isFirst = source.x == 0.0 && source.y == 0.0;
-  const bool isSecond = source.x == frame.length && source.y == 0.0;
-  // A source at a corner is of use only where lines bend round that corner.
-  if ((isFirst || isSecond) && seen.distances[0] > atThird * (1.0 + Rounding))
+  const SideFrame& frame = at.frame;
+  const VirtualSource& source = lit.source;
+  const double atFirst = this->Work.vertices[at.first].value;
+  const double atSecond = this->Work.vertices[at.second].value;
+  const double atThird = this->Work.vertices[at.third].value;
+  const bool isAtFirst = source.x == 0.0 && source.y == 0.0;
+  const bool isAtSecond = source.x == frame.length && source.y == 0.0;
+  if ((!isAtFirst && lit.atLast > (atFirst + source.last) * least) ||
+    (!isAtSecond && lit.atFirst > (atSecond + frame.length - source.first) * least))
   {
-    return false;
+    return true;
   }
-  const double ofFirst = source.onSide(source.first);
-  const double ofLast = source.onSide(source.last);
-  const auto fromThird = [&](double at)
-  { return atThird + std::sqrt((frame.x - at) * (frame.x - at) + frame.height * frame.height); };
-  const bool isBehindFirst = !isFirst && ofLast > (atFirst + source.last) * least;
-  const bool isBehindSecond =
-    !isSecond && ofFirst > (atSecond + frame.length - source.first) * least;
-  const bool isBehindThird =
-    ofFirst > fromThird(source.first) * least && ofLast > fromThird(source.last) * least;
-  return !(isBehindFirst || isBehindSecond || isBehindThird);
+  const auto fromThird = [&](double place)
+  { return atThird + lengthOf(frame.x - place, frame.height); };
+  return atThird < std::min(lit.atFirst, lit.atLast) &&
+    lit.atFirst > fromThird(source.first) * least && lit.atLast > fromThird(source.last) * least;
 }
 
 void SourcePropagation::proposeDistance(Index vertex, const DistanceOrigin& origin, double value)
 {
   // Most are no news, so it is worth while to look before they are stored.
-  const double old = this->Field.distance(vertex);
-  const bool isNews = value < old * this->Control.keptFraction() ||
-    (value <= old * (1.0 + EqualDistances) && isBefore(origin, this->Work.origins[vertex]));
-  if (isNews && !this->Options.isExcluded(vertex))
+  const VertexDistance& old = this->Work.vertices[vertex];
+  if (value < old.value * this->Control.keptFraction() ||
+    (value <= old.value * (1.0 + EqualDistances) && isBefore(origin, old.origin)))
   {
     this->Work.distances.push_back({ vertex, origin, value });
   }
@@ -352,25 +437,28 @@ void SourcePropagation::takeOver()
   {
     this->lower(proposed);
   }
-  for (const ProposedSource& proposed : this->Work.sources)
+  constexpr std::size_t ahead = 4;
+  const std::span<const ProposedSource> sources = this->Work.sources;
+  for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    if (this->Work.store.offer(proposed.side, proposed.seen))
+    if (i + ahead < sources.size())
     {
-      this->Work.sidesWithNews.push_back(proposed.side);
+      this->Work.store.prefetch(sources[i + ahead].side);
+    }
+    if (this->Work.store.offer(sources[i].side, sources[i].seen))
+    {
+      this->Work.sidesWithNews.push_back(sources[i].side);
     }
   }
   this->Work.distances.clear();
   this->Work.sources.clear();
   for (const Index side : this->Work.sidesWithNews)
   {
-    double least = DistanceField::Unreached;
-    this->Work.store.visitNews(
-      side, [&](const SeenSource& seen) { least = std::min(least, seen.source.leastDistance()); });
-    this->push(side, least);
+    this->push(side, this->Work.store.side(side).distances[0]);
   }
   for (const Index vertex : this->Work.loweredVertices)
   {
-    this->push(3 * this->Mesh.numberOfTriangles() + vertex, this->Field.distance(vertex));
+    this->push(3 * this->Mesh.numberOfTriangles() + vertex, this->Work.vertices[vertex].value);
   }
   this->Work.sidesWithNews.clear();
   this->Work.loweredVertices.clear();
@@ -380,20 +468,25 @@ void SourcePropagation::takeOver()
  * whose path bends first. */
 void SourcePropagation::lower(const ProposedDistance& proposed)
 {
-  const double old = this->Field.distance(proposed.vertex);
-  DistanceOrigin& origin = this->Work.origins[proposed.vertex];
+  VertexDistance& vertex = this->Work.vertices[proposed.vertex];
+  const double old = vertex.value;
   const bool isEqual = proposed.value >= old * (1.0 - EqualDistances) &&
     proposed.value <= old * (1.0 + EqualDistances);
-  if (!isEqual ? proposed.value < old : isBefore(proposed.origin, origin))
+  if (!isEqual ? proposed.value < old : isBefore(proposed.origin, vertex.origin))
   {
-    origin = proposed.origin;
+    vertex.origin = proposed.origin;
   }
   if (proposed.value < old * this->Control.keptFraction())
   {
-    this->Field.setDistance(proposed.vertex, proposed.value);
-    if (!this->Work.isQueued[proposed.vertex])
+    if (old == DistanceField::Unreached)
     {
-      this->Work.isQueued[proposed.vertex] = 1;
+      this->Work.reached.push_back(proposed.vertex);
+    }
+    vertex.value = proposed.value;
+    this->Field.setDistance(proposed.vertex, proposed.value);
+    if (!vertex.isQueued)
+    {
+      vertex.isQueued = true;
       this->Work.loweredVertices.push_back(proposed.vertex);
     }
   }
@@ -404,37 +497,18 @@ void SourcePropagation::push(Index item, double distance)
   this->Queue.push(item, distance - this->First);
 }
 
-SourcePropagation::Corners SourcePropagation::cornersOf(Index side) const
+/** Whether a shortest path can turn at a vertex. */
+bool SourcePropagation::canTurn(Index vertex) const
 {
-  const Triangle& triangle = this->Mesh.triangle(EdgeTable::triangleOf(side));
-  const Index third = side % 3;
-  const Index first = third == 2 ? 0 : third + 1;
-  return { triangle[first], triangle[3 - first - third], triangle[third] };
+  return this->Work.edges.canTurn(vertex) ||
+    (!this->BesideBarrier.empty() && this->BesideBarrier[vertex]);
 }
 
-SideFrame SourcePropagation::frameOf(const Corners& corners) const
+/** Whether the distance of a vertex comes from the same place as that of a source. */
+bool SourcePropagation::isFrom(const VirtualSource& source, const VertexDistance& vertex) const
 {
-  return { this->Mesh.position(corners.first), this->Mesh.position(corners.second),
-    this->Mesh.position(corners.third) };
-}
-
-void SourcePropagation::fit(VirtualSource& source, const Corners& corners, double length) const
-{
-  source.fit(length, this->distanceFrom(source, corners.first),
-    this->distanceFrom(source, corners.second), MostMoved);
-}
-
-double SourcePropagation::distanceFrom(const VirtualSource& source, Index vertex) const
-{
-  const double distance = this->Field.distance(vertex);
-  if (distance < DistanceField::Unreached)
-  {
-    const DistanceOrigin& origin = this->Work.origins[vertex];
-    const bool isSame = origin.label == source.label &&
-      std::abs(origin.offset - source.offset) <= Rounding * distance;
-    return isSame ? distance : DistanceField::Unreached;
-  }
-  return distance;
+  return vertex.origin.label == source.label &&
+    std::abs(vertex.origin.offset - source.offset) <= Rounding * vertex.value;
 }
 
 }

@@ -10,11 +10,9 @@
 #include "solve/PassableTriangles.h"
 #include "solve/SeedFront.h"
 #include "solve/SolveOptions.h"
-#include "sources/SideFrame.h"
 #include "sources/SourceStore.h"
 
-#include <array>
-#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace geodesic
@@ -29,8 +27,17 @@ class TriangleMesh;
  */
 struct DistanceOrigin
 {
-  Index label;
   double offset;
+  Index label;
+};
+
+/** The distance of a vertex; in one line of the cache. */
+struct alignas(32) VertexDistance
+{
+  double value = std::numeric_limits<double>::infinity();
+  DistanceOrigin origin{ 0.0, NoIndex };
+  /** Whether the vertex waits in the queue. */
+  bool isQueued = false;
 };
 
 /** A distance that is proposed to a vertex. */
@@ -55,10 +62,9 @@ struct SourceWorkspace
 
   EdgeTable edges;
   SourceStore store;
-  /** For each vertex the origin of its distance. */
-  std::vector<DistanceOrigin> origins;
-  /** For each vertex whether it waits in the queue. */
-  std::vector<std::uint8_t> isQueued;
+  std::vector<VertexDistance> vertices;
+  /** The vertices that have a distance. */
+  std::vector<Index> reached;
   /** The items of a round, and what they propose. */
   std::vector<Index> round;
   std::vector<ProposedDistance> distances;
@@ -88,45 +94,60 @@ public:
   bool run();
 
 private:
-  /** A corner of the triangle behind a side that lies on the side, and the side of that triangle
-   * from it to the opposite corner. */
+  /** One of the two other sides of the triangle behind a side: from a corner that lies on that
+   * side up to the third corner. */
   struct Exit
   {
+    Exit(Index side, Index corner, const SideFrame& frame, double at, double turn);
+
     Index side;
     Index corner;
     /** The corner's place on the side that is the frame's x axis. */
     double at;
     /** 1 where the triangle lies on the left of the line from the corner up, -1 on its right. */
     double turn;
+    double length;
+    /** The direction from the corner up. */
+    double upX;
+    double upY;
+  };
+  /** The lit part of an exit, as fractions from 0 at its corner to 1 at the third corner, and the
+   * distances at its ends; a negative one where it is not known. */
+  struct Light
+  {
+    double from;
+    double to;
+    double atFrom;
+    double atTo;
+  };
+  /** A source at a side, and the distances at the ends of its lit part. */
+  struct LitSource
+  {
+    VirtualSource source;
+    double atFirst;
+    double atLast;
   };
 
-  /** The distance at a vertex for the first, second and third corner of a triangle. */
-  struct Corners
-  {
-    Index first;
-    Index second;
-    Index third;
-  };
-  Corners cornersOf(Index side) const;
-  SideFrame frameOf(const Corners& corners) const;
-  /** Moves a source to the distances at its side's corners that come from the same place. */
-  void fit(VirtualSource& source, const Corners& corners, double length) const;
-  /** The distance at a vertex if it comes from the same place as that of a source, else infinity.
-   */
-  double distanceFrom(const VirtualSource& source, Index vertex) const;
+  bool canTurn(Index vertex) const;
+  bool isFrom(const VirtualSource& source, const VertexDistance& vertex) const;
+  void fit(LitSource& lit, const SideFrame& frame, const VertexDistance& first,
+    const VertexDistance& second) const;
 
   void startAt(const Label& label, Index number);
   void takeRound();
+  void propagateRound();
+  void prefetchBehind(Index side) const;
   void propagateVertex(Index vertex);
   void propagateSide(Index side);
-  void propagate(Index side, const Corners& corners, const SideFrame& frame, VirtualSource source);
-  VirtualSource bentAt(const VirtualSource& source, double at, const Exit& nearest) const;
-  void shineThrough(
-    const Exit& exit, const SideFrame& frame, const VirtualSource& source, double from, double to);
-  void crossEdge(Index side, Index corner, double length, const VirtualSource& source);
-  void proposeSource(Index side, VirtualSource source);
+  void propagate(
+    const SideFrame& frame, const Exit& atFirst, const Exit& atSecond, const VirtualSource& source);
+  void bendAt(const SideFrame& frame, const Exit& nearest, const Exit& other,
+    const VirtualSource& source, double atCorner);
+  void shineThrough(const Exit& exit, const VirtualSource& source, const Light& light);
+  void crossEdge(Index side, Index corner, double length, const LitSource& lit);
+  void proposeSource(Index side, LitSource lit);
   void proposeDistance(Index vertex, const DistanceOrigin& origin, double value);
-  bool isUseful(const Corners& corners, const SideFrame& frame, const SeenSource& seen) const;
+  bool isBehindCorners(const SourceStore::Side& at, const LitSource& lit) const;
   void takeOver();
   void lower(const ProposedDistance& proposed);
   void push(Index item, double distance);
@@ -139,6 +160,8 @@ private:
   DistanceField& Field;
   SourceWorkspace& Work;
   PassableTriangles Passable;
+  /** Whether each vertex is beside a triangle that is not passable; empty where all are. */
+  std::vector<bool> BesideBarrier;
   MarchControl Control;
   /** The least value of any label. The queue's keys are distances less this one. */
   double First = 0.0;
