@@ -119,7 +119,8 @@ TIMED = {
         Case("strip of 300,000 squares, path from end to end", ["path", "strip 300k"], STRIP_PATH),
     ],
     "Flattened surfaces": [
-        *flat("flat", ["Bunny 35k", "torus 40k"], lambda factor: both(dijkstras, *((n,) for n in FLAT[factor]))),
+        *flat("flat", ["Bunny 35k", "torus 40k", "box with fillets 40k"],
+              lambda factor: both(dijkstras, *((n,) for n in FLAT[factor]))),
     ],
     "Much of what a loop runs over": [
         Case("10,000 starts to the nearest of 5 seeds", ["starts", "hilly grid 40k", 10000, 5], STARTS, "start"),
@@ -132,5 +133,5 @@ TIMED = {
     ],
 }
 
-ERRORS = [*flat("flat-error", ["Spot 3k", "torus 2k"],
+ERRORS = [*flat("flat-error", ["Spot 3k", "torus 2k", "box with fillets 2k"],
                 lambda factor: both(errors_before, (1.5,), (1,), growth_of_errors))]

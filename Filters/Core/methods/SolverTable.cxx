@@ -68,7 +68,7 @@ constexpr std::array Solvers{
     .takesCosts = false,
     .takesBarriers = true,
     .ranks = RankSupport::None,
-    .bytesPerVertex = 720.0,
+    .bytesPerVertex = 920.0,
     .make = &make<VirtualSourceSolver> },
   SolverTraits{ .number = 4,
     .name = "Bounded",

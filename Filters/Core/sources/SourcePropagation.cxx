@@ -26,10 +26,13 @@ constexpr double EqualDistances = 1e-10;
  * times a prototype had values too small by at most 0.6, 2 and 13 % with 0.01, 0.03 and 0.1, and
  * the least mean errors on usual ones with 0.03. */
 constexpr double MostMoved = 0.03;
-/** Width of a bucket, in mean longest edges of vertices. A round number would put borders of
- * buckets at distances that are frequent on grids, where rounding would tell which bucket comes
- * first. */
-constexpr double BucketWidth = 0.1437;
+/** Width of a bucket, in mean shortest sides of triangles: on a box with fillets a round of long
+ * edges holds thousands of points at its corners, each of which would be lowered five times. A
+ * round number would put borders of buckets at distances that are frequent on grids, where rounding
+ * would tell which bucket comes first. */
+constexpr double BucketWidth = 0.2937;
+/** The least shortest side that counts, in mean longest edges, so that empty buckets are few. */
+constexpr double LeastShare = 1e-3;
 
 /** How far along the line from a place on the x axis to the third corner it meets the line from a
  * source through a point of the axis, as a fraction from 0 to 1. */
@@ -71,7 +74,8 @@ SourcePropagation::SourcePropagation(const TriangleMesh& mesh, const SeedFront& 
   const auto [least, most] = std::minmax_element(front.labels.begin(), front.labels.end(),
     [](const Label& a, const Label& b) { return a.value < b.value; });
   this->First = least->value;
-  const double width = BucketWidth * mesh.meanLongestEdge();
+  const double width = BucketWidth *
+    std::max(this->Work.store.meanShortestSide(), LeastShare * mesh.meanLongestEdge());
   this->Queue.start(
     width > 0.0 ? width : 1.0, 2.0 * mesh.longestEdgeLength() + most->value - least->value);
   for (const Index vertex : this->Work.reached)

@@ -14,8 +14,10 @@ SourceStore::SourceStore(const TriangleMesh& mesh)
   : Run(1)
 {
   this->Sides.reserve(std::size_t{ 3 } * mesh.numberOfTriangles());
+  double sum = 0.0;
   for (const Triangle& corners : mesh.triangles())
   {
+    double shortest = std::numeric_limits<double>::infinity();
     for (Index k = 0; k < 3; ++k)
     {
       const Index first = corners[(k + 1) % 3];
@@ -23,8 +25,11 @@ SourceStore::SourceStore(const TriangleMesh& mesh)
       this->Sides.push_back(
         { SideFrame(mesh.position(first), mesh.position(second), mesh.position(corners[k])), first,
           second, corners[k], {}, {}, 0, 0 });
+      shortest = std::min(shortest, this->Sides.back().frame.length);
     }
+    sum += shortest;
   }
+  this->MeanShortestSide = this->Sides.empty() ? 0.0 : sum / mesh.numberOfTriangles();
 }
 
 void SourceStore::clear()
@@ -61,6 +66,7 @@ bool SourceStore::standsFor(
   const double distance = kept.distancesAt(frame)[corner];
   return kept.label == seen.source.label &&
     std::abs(kept.offset - seen.source.offset) <= SameBend * distance &&
+    lengthOf(kept.x - seen.source.x, kept.y - seen.source.y) <= SamePlace * frame.length &&
     kept.first <= seen.source.first && kept.last >= seen.source.last &&
     seen.distances[corner] >= distance * (1.0 - LeastGain);
 }

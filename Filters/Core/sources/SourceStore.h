@@ -53,6 +53,9 @@ public:
   /** Time O(n). */
   explicit SourceStore(const TriangleMesh& mesh);
 
+  /** Mean of the shortest sides of all triangles; 0 where there are none. */
+  double meanShortestSide() const { return this->MeanShortestSide; }
+
   /** Removes all sources. Time O(1), but for one run in 500 million. */
   void clear();
 
@@ -155,6 +158,9 @@ private:
   static constexpr double LeastGain = 1e-5;
   /** Offsets that differ by less, relatively to a distance, are those of one bend. */
   static constexpr double SameBend = 1e-9;
+  /** Sources nearer to each other than this part of the side's length may be joined ones. Two that
+   * see a bend by different ways round are farther apart. */
+  static constexpr double SamePlace = 0.1;
   static constexpr float Far = std::numeric_limits<float>::infinity();
 
   /** Whether a distance is less than a rounded one by more than LeastGain. */
@@ -214,6 +220,7 @@ private:
   std::vector<VirtualSource> Sources;
   std::vector<Index> Free;
   std::uint32_t Run : 29;
+  double MeanShortestSide = 0.0;
 };
 
 }

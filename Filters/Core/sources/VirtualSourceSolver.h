@@ -33,8 +33,8 @@ namespace geodesic
  * barriers on them are exact.
  *
  * Only for points as seeds, at cost 1, and for a surface in one piece. Time O(n) on usual meshes
- * and on needles, for any number of seeds: three to six items of the queue a vertex. Memory 400 to
- * 720 bytes a vertex.
+ * and on needles, for any number of seeds: four to eight items of the queue a vertex. Memory 670 to
+ * 920 bytes a vertex.
  */
 class VirtualSourceSolver final : public FrontSolver
 {
