@@ -11,6 +11,7 @@
 #include "FastMarchingRequest.h"
 #include "FastMarchingWorkspace.h"
 #include "filter/ErrorMessage.h"
+#include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "output/FieldArray.h"
 
@@ -72,6 +73,7 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
   this->NumberOfVisitedPoints = 0;
   try
   {
+    const geodesic::bridge::SetUpReporter setUp(*this, 0.2);
     geodesic::FastMarchingSolver& solver = this->Internal->Workspace.solverFor(input);
     const geodesic::TriangleMesh& mesh = solver.mesh();
     const geodesic::bridge::FastMarchingRequest request(
@@ -84,6 +86,13 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
       output->ShallowCopy(input);
       this->AttachArrays(mesh, field, output);
     }
+    return 1;
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    this->Internal->Workspace.forget();
+    geodesic::bridge::setAborted(*this);
+    output->Initialize();
     return 1;
   }
   catch (const std::exception& error)

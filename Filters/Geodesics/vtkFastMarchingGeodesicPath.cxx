@@ -11,6 +11,7 @@
 #include "FastMarchingWorkspace.h"
 #include "base/NumberText.h"
 #include "filter/ErrorMessage.h"
+#include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "path/PathFinder.h"
 #include "request/PointResolver.h"
@@ -132,12 +133,20 @@ int vtkFastMarchingGeodesicPath::RequestData(vtkInformation* vtkNotUsed(request)
   this->FirstOrderPathPointIds->Reset();
   try
   {
+    const geodesic::bridge::SetUpReporter setUp(*this, 0.2);
     this->CheckLimits();
     const TriangleMesh& mesh = this->Internal->Workspace.solverFor(input).mesh();
     if (const auto path = this->FindPath(input))
     {
       this->Deliver(mesh, *path, output);
     }
+    return 1;
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    this->Internal->Workspace.forget();
+    geodesic::bridge::setAborted(*this);
+    output->Initialize();
     return 1;
   }
   catch (const std::exception& error)

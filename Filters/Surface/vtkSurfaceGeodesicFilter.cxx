@@ -13,6 +13,7 @@
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ErrorMessage.h"
+#include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "global/SharedCostAndBarriers.h"
 #include "input/ArrayValues.h"
@@ -91,7 +92,18 @@ int vtkSurfaceGeodesicFilter::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    constexpr double shareOfSetUp = 0.2;
+    std::optional<geodesic::bridge::SetUpReporter> setUp;
+    if (ranks.size() == 1)
+    {
+      setUp.emplace(*this, shareOfSetUp);
+    }
     ranks.run([&] { this->RunOnAll(ranks, inputVector, output); });
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    this->Forget();
+    output->Initialize();
   }
   catch (const std::exception& error)
   {

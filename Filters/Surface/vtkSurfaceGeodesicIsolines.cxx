@@ -17,6 +17,7 @@
 #include "base/NumberText.h"
 #include "base/SortUnique.h"
 #include "filter/ErrorMessage.h"
+#include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "input/ArrayValues.h"
 #include "input/InputBlocks.h"
@@ -181,7 +182,18 @@ int vtkSurfaceGeodesicIsolines::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    constexpr double shareOfSetUp = 0.9;
+    std::optional<geodesic::bridge::SetUpReporter> setUp;
+    if (ranks.size() == 1)
+    {
+      setUp.emplace(*this, shareOfSetUp);
+    }
     ranks.run([&] { this->RunOnAll(ranks, inputVector, output); });
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    *this->Internal = Internals();
+    output->Initialize();
   }
   catch (const std::exception& error)
   {

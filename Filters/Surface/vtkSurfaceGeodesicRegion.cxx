@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 
 #include "filter/ErrorMessage.h"
+#include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
@@ -186,7 +187,18 @@ int vtkSurfaceGeodesicRegion::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
+    constexpr double shareOfSetUp = 0.9;
+    std::optional<geodesic::bridge::SetUpReporter> setUp;
+    if (ranks.size() == 1)
+    {
+      setUp.emplace(*this, shareOfSetUp);
+    }
     ranks.run([&] { this->RunOnAll(ranks, inputVector, output); });
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    *this->Internal = Internals();
+    output->Initialize();
   }
   catch (const std::exception& error)
   {

@@ -152,3 +152,31 @@ TEST(SeveralSeeds, AValueIsAHeadStartOfTheOthers)
     EXPECT_NEAR(both[i], std::min(fromLate, fromEarly), 1e-9);
   }
 }
+
+// Of equally near seeds the smallest counts, also where another one's front comes first.
+TEST(SeveralSeeds, AlongEdgesTheSmallestOfEquallyNearOnesCounts)
+{
+  // Along the lower row the seeds are 5 from the middle: seed 0 by steps of 4 and 1, seed 1 by
+  // steps of 3 and 2, so that its front leaves for the middle first.
+  Surface strip;
+  for (const double x : { 0.0, 4.0, 5.0, 7.0, 10.0 })
+  {
+    strip.points.push_back({ x, 0.0, 0.0 });
+    strip.points.push_back({ x, 100.0, 0.0 });
+  }
+  for (Index i = 0; i < 8; i += 2)
+  {
+    strip.triangles.push_back({ i, i + 2, i + 1 });
+    strip.triangles.push_back({ i + 2, i + 3, i + 1 });
+  }
+  const auto mesh = meshOf(strip);
+  constexpr Index middle = 4;
+  for (const auto& [first, second] : { std::pair{ 0u, 8u }, std::pair{ 8u, 0u } })
+  {
+    DijkstraSolver solver(mesh);
+    const std::vector<Seed> seeds{ seedAt(*mesh, first), seedAt(*mesh, second) };
+    const DistanceField& field = solver.solve(seeds, {});
+    EXPECT_EQ(field.distance(mesh->vertexOfPoint(middle)), 5.0);
+    EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(middle)), 0u) << "from point " << first;
+  }
+}

@@ -18,7 +18,8 @@ namespace geodesic::bridge
 /**
  * Reports the progress of a march, or of a search for a path, to a filter's observers: about a
  * hundred times a run, and every tenth of a second at least, so that they can abort it. How much
- * there is to do is not known before, so the progress only comes near to 1.
+ * there is to do is not known before, so the progress only comes near to 1. It goes on from the
+ * filter's progress so far.
  */
 class ProgressReporter
 {
@@ -26,6 +27,8 @@ public:
   ProgressReporter(vtkAlgorithm& filter, Index numberOfVertices)
     : Filter(filter)
     , Total(1.2 * numberOfVertices)
+    , Start(filter.GetProgress())
+    , Reported(Start)
   {
   }
 
@@ -36,7 +39,8 @@ public:
    */
   bool report(std::size_t taken)
   {
-    const double fraction = this->fractionOf(static_cast<double>(taken));
+    const double fraction =
+      this->Start + (1.0 - this->Start) * this->fractionOf(static_cast<double>(taken));
     const auto now = Clock::now();
     if (fraction < this->Reported + 0.01 && now < this->LastReport + std::chrono::milliseconds(100))
     {
@@ -61,7 +65,8 @@ private:
 
   vtkAlgorithm& Filter;
   double Total;
-  double Reported = 0.0;
+  double Start;
+  double Reported;
   Clock::time_point LastReport = Clock::now();
 };
 

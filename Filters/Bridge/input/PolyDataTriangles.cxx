@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/PolyDataTriangles.h"
 
+#include "base/Interruption.h"
 #include "filter/VtkVersions.h"
 
 #include "vtkArrayDispatch.h"
@@ -202,6 +203,7 @@ void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoin
     std::vector<Index> corners;
     for (vtkIdType cell = 0; cell < count; ++cell)
     {
+      Interruption::checkAt(static_cast<std::size_t>(cell));
       corners.clear();
       const auto end = static_cast<vtkIdType>(offsets[cell + 1]);
       checkSize(cell, end - static_cast<vtkIdType>(offsets[cell]));

@@ -3,6 +3,8 @@
 #ifndef geodesic_ThreadTeam_h
 #define geodesic_ThreadTeam_h
 
+#include "base/Interruption.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -47,11 +49,13 @@ public:
    * Calls work(range, first, last) for each range, all at the same time: range is its number, first
    * its first step, last the step after its last one. Together the ranges are the steps from 0 to
    * before @p count. Returns when all calls have returned.
-   * @throws whatever a call throws; if several do, the exception of the lowest range
+   * @throws whatever a call throws; if several do, the exception of the lowest range. Interrupted,
+   *         before the first call
    */
   template <class Work>
   void run(std::size_t count, const Work& work) const
   {
+    Interruption::check();
     const std::size_t ranges = this->numberOfRanges(count);
     std::vector<std::exception_ptr> errors(ranges);
     const auto runRange = [&](std::size_t range)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/EdgeTable.h"
 
+#include "base/Interruption.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
@@ -81,6 +82,7 @@ void EdgeTable::linkEdges(const TriangleMesh& mesh)
   std::vector<Side> sides;
   for (Index lower = 0; lower < mesh.numberOfVertices(); ++lower)
   {
+    Interruption::checkAt(lower);
     sides.clear();
     for (const Index t : this->trianglesAt(lower))
     {
@@ -137,6 +139,7 @@ void EdgeTable::findTurns(const TriangleMesh& mesh)
   constexpr double rounding = 1e-9;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
+    Interruption::checkAt(v);
     const std::span<const RingEntry> ring = mesh.ring(v);
     // An edge without length hides an angle.
     bool canTurn = ring.empty() || !isOneFan(ring);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/VertexRings.h"
 
+#include "base/Interruption.h"
 #include "base/Platform.h"
 #include "mesh/RingBuilder.h"
 
@@ -238,6 +239,7 @@ private:
       const std::span<const Triangle> rest = triangles.subspan(first);
       const std::span<const Triangle> some =
         rest.first(std::min(TriangleNumbers::Most, rest.size()));
+      Interruption::check();
       // Triangles still to come have no lower corner, so the rings of lower vertices are complete.
       this->chainBefore(lowestCorner(some.front()));
       this->measure(some);

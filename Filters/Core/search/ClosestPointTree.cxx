@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/ClosestPointTree.h"
 
+#include "base/Interruption.h"
 #include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "search/BvhSplit.h"
@@ -30,6 +31,7 @@ public:
   BvhBounds addNode(Index first, Index last)
   {
     const std::size_t number = this->Tree.Nodes.size();
+    Interruption::checkAt(number);
     this->Tree.Nodes.emplace_back();
     const Parts parts = this->partsOf(first, last);
     std::array<BvhBounds, FourBvhBounds::Runs> bounds;

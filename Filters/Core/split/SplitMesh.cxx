@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "split/SplitMesh.h"
 
+#include "base/Interruption.h"
 #include "split/MeshSplitter.h"
 #include "split/PieceWeights.h"
 
@@ -32,9 +33,12 @@ SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const S
   splitter.cutAlong(cutNumbers);
 
   std::vector<Triangle> triangles;
+  triangles.reserve(this->Base->numberOfTriangles() + splitter.pieces().size());
+  this->BaseTriangles.reserve(triangles.capacity());
   auto nextSplit = splitter.splitTriangles().begin();
   for (Index triangle = 0; triangle < this->Base->numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     if (nextSplit != splitter.splitTriangles().end() && *nextSplit == triangle)
     {
       ++nextSplit;
@@ -52,8 +56,10 @@ SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const S
   std::vector<Vector3> positions;
   positions.reserve(splitter.numberOfPoints());
   this->Origins.reserve(splitter.numberOfPoints());
+  this->OnCut.reserve(splitter.numberOfPoints());
   for (Index point = 0; point < splitter.numberOfPoints(); ++point)
   {
+    Interruption::checkAt(point);
     this->Origins.push_back(splitter.origin(point));
     positions.push_back(this->Origins[point].position(*this->Base));
     this->OnCut.push_back(splitter.isOnCut(point) ? 1 : 0);
@@ -64,10 +70,12 @@ SplitMesh::SplitMesh(std::shared_ptr<const TriangleMesh> base, std::span<const S
   std::vector<Index> pieces(this->Base->numberOfTriangles(), 0);
   for (Index triangle : this->BaseTriangles)
   {
+    Interruption::checkAt(triangle);
     ++pieces[triangle];
   }
   for (Index triangle = 0; triangle < this->Mesh->numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     const Index baseTriangle = this->baseTriangleOf(triangle);
     if (pieces[baseTriangle] > 1)
     {
