@@ -62,6 +62,15 @@ test_other_cores()
   done
 }
 
+# What is read from outside, and surfaces as nobody should make them, under the address and undefined behaviour
+# sanitizers. The tests of the core can be run there by hand: ctest --preset core-sanitized -L core.
+test_under_sanitizers()
+{
+  cmake --preset core-sanitized
+  cmake --build --preset core-sanitized --target PromiseCampaign RequestFuzzer PointTextFuzzer
+  ctest --preset core-sanitized --label-regex '^fuzz$' --parallel "$(nproc)" --output-on-failure
+}
+
 check_labels()
 {
   local label
@@ -98,6 +107,7 @@ check_core_with_clang_tidy
 check_labels
 if [[ " ${labels[*]} " == *" core "* ]]; then
   test_other_cores
+  test_under_sanitizers
 fi
 # Side by side but for those with ranks or windows, which ask for the whole machine.
 run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
