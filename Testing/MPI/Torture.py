@@ -13,6 +13,7 @@ import copy
 import faulthandler
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -131,6 +132,7 @@ class Case:
         random, count = self.random, len(self.points)
         kind = random.choice(["none", "none", "ranks", "lognormal", "bad"], p=[0.3, 0.3, 0.15, 0.2, 0.05])
         self.cost = None
+        self.has_random_cost = kind == "lognormal"
         if kind == "ranks":
             # A cost each, up to a thousand times that of another; a shared point has that of the last rank.
             factors = 1000 ** random.random(RANKS)
@@ -186,6 +188,10 @@ class Case:
         self.fault = random.choice(["none", "other property", "abort", "error"], p=[0.74, 0.06, 0.08, 0.12])
         # The progress event at which the run is aborted, or the phase that fails.
         self.place = int(self.more.integers(1, 5 if self.fault == "abort" else 80))
+        # Half of the aborts come in a phase instead.
+        aborts = np.random.default_rng([number, RANKS, 3])
+        if self.fault == "abort" and aborts.random() < 0.5:
+            self.fault, self.place = "abort in phase", int(aborts.integers(1, 80))
         self.name += f", {options}, line {self.line}, fault {self.fault} at {self.place} on rank {self.culprit}"
 
     def data(self, owner):
@@ -266,7 +272,7 @@ class Run:
         proxies[-1].UpdateVTKObjects()
         algorithm = proxies[-1].GetClientSideObject()
         self.messages_of_fault = None
-        if case.fault in ("abort", "error") and owner is not None:
+        if case.fault in ("abort", "abort in phase", "error") and owner is not None:
             self.messages_of_fault = self.run_with_fault(algorithm, case, fault)
         self.messages = harness.messages_of(algorithm.Update)
         self.output = algorithm.GetOutputDataObject(0)
@@ -286,13 +292,20 @@ class Run:
 
         if fault == "abort":
             observer = algorithm.AddObserver("ProgressEvent", abort)
+        elif fault == "abort in phase":
+            # Python handles a signal when it runs next, which an observer makes it do at the next event.
+            handler = signal.signal(signal.SIGUSR1, lambda *_: algorithm.AbortExecuteOn())
+            observer = algorithm.AddObserver("ProgressEvent", lambda *_: None)
+            os.environ["SURFACEGEODESICS_ABORT"] = str(case.place)
         elif fault == "error":
             os.environ["SURFACEGEODESICS_FAULT"] = str(case.place)
         messages = harness.messages_of(algorithm.Update)
-        if fault == "abort":
+        if fault in ("abort", "abort in phase"):
             algorithm.RemoveObserver(observer)
             algorithm.AbortExecuteOff()
         os.environ.pop("SURFACEGEODESICS_FAULT", None)
+        if os.environ.pop("SURFACEGEODESICS_ABORT", None):
+            signal.signal(signal.SIGUSR1, handler)
         algorithm.Modified()
         return messages
 
@@ -424,13 +437,15 @@ def check(number):
     error = difference(*without_ties_at_the_end(case, values, alone.values))
     # Straightened paths end a little apart.
     limit = 1e-6 if case.is_path else 1e-9
-    if case.is_path and (error is None or error > limit):
+    if case.is_path and case.has_random_cost and (error is None or error > limit):
         # Where two ways are equally good to rounding, which one is traced is rounding's choice on one rank as well, as
-        # long as the fields are the same.
+        # long as the fields are the same. This was seen under random costs only.
         require_same_fields(number, case)
         for _ in range(20):
             other = difference(values, run_alone(case.nudged()).values)
             if other is not None and other <= limit:
+                if harness.IS_FIRST:
+                    print(f"case {number}: another way, {error} longer or shorter", flush=True)
                 return "other way" + end
     assert error is not None, (number, case.name, "reached")
     assert error <= limit, (number, case.name, "error", error)

@@ -59,26 +59,40 @@ struct LabelPlace
   double unit() const { return this->edge * this->cost; }
 };
 
-/** Adds a normal, turned to the side of the sum. */
-void addAligned(Vector3& sum, const Vector3& normal)
+/** The normal of a triangle, on the side from which its corners go round to the left, and twice its
+ * area long. It is the same to the last bit with whichever corner the triangle begins. */
+Vector3 normalOf(const TriangleMesh& mesh, Triangle corners)
 {
-  sum = sum + (dot(sum, normal) < 0.0 ? -1.0 : 1.0) * normal;
+  const auto placeOf = [&](Index vertex)
+  {
+    const Vector3& p = mesh.position(vertex);
+    return std::tie(p.x, p.y, p.z);
+  };
+  double side = 1.0;
+  for (const auto& [i, j] : { std::pair(0, 1), std::pair(1, 2), std::pair(0, 1) })
+  {
+    if (placeOf(corners[j]) < placeOf(corners[i]))
+    {
+      std::swap(corners[i], corners[j]);
+      side = -side;
+    }
+  }
+  const Vector3& a = mesh.position(corners[0]);
+  return side * cross(mesh.position(corners[1]) - a, mesh.position(corners[2]) - a);
 }
 
-/** The sum of the normals of this piece's triangles at a point: those of which it is a corner, or
- * on an edge, or that it lies in. Each triangle is in one piece, so that the sum over all pieces is
- * that of the whole surface. */
-Vector3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
+/** Sets @p normals to those of this piece's triangles at a point: those of which it is a corner, or
+ * on an edge, or that it lies in. Each triangle is in one piece, so that all pieces together have
+ * those of the whole surface. */
+void findNormalsAt(
+  const TriangleMesh& mesh, const SurfacePoint& point, std::vector<Vector3>& normals)
 {
-  const auto normalOf = [&](const Triangle& t)
-  {
-    return cross(
-      mesh.position(t[1]) - mesh.position(t[0]), mesh.position(t[2]) - mesh.position(t[0]));
-  };
+  normals.clear();
   const Carriers carriers = carriersOf(mesh, point);
   if (carriers.size() == 3)
   {
-    return normalOf(mesh.triangle(point.triangle));
+    normals.push_back(normalOf(mesh, mesh.triangle(point.triangle)));
+    return;
   }
   Index centre = carriers[0];
   Index other = carriers[carriers.size() - 1];
@@ -87,7 +101,6 @@ Vector3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
     std::swap(centre, other);
   }
   const std::span<const RingEntry> ring = mesh.ring(centre);
-  Vector3 sum{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (ring[i].opensTriangle())
@@ -95,15 +108,40 @@ Vector3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
       const Triangle triangle{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
       if (std::find(triangle.begin(), triangle.end(), other) != triangle.end())
       {
-        addAligned(sum, normalOf(triangle));
+        normals.push_back(normalOf(mesh, triangle));
       }
     }
+  }
+}
+
+/** The sum of normals, each turned to the side of those before it. They are sorted first: where
+ * they differ by right angles the order decides, and it must not be that of triangles and pieces.
+ */
+Vector3 alignedSum(std::vector<Vector3>& normals)
+{
+  std::sort(normals.begin(), normals.end(),
+    [](const Vector3& a, const Vector3& b)
+    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  Vector3 sum{ 0.0, 0.0, 0.0 };
+  for (const Vector3& normal : normals)
+  {
+    sum = sum + (dot(sum, normal) < 0.0 ? -1.0 : 1.0) * normal;
   }
   return sum;
 }
 
-/** A direction of length 1 with few digits, so that the rounding of sums over pieces in another
- * order hardly ever changes it. */
+/** Whether other pieces may have triangles at a point, too. */
+bool isShared(const TriangleMesh& mesh, const SurfacePoint& point, const Partition& partition)
+{
+  const std::span<const Index> shared = partition.sharedVertices();
+  const Carriers carriers = carriersOf(mesh, point);
+  return carriers.size() < 3 &&
+    std::all_of(carriers.begin(), carriers.end(),
+      [&](Index vertex) { return std::binary_search(shared.begin(), shared.end(), vertex); });
+}
+
+/** A direction of length 1 with few digits, so that rounding hardly ever changes it: copies of a
+ * point on several pieces may differ by so much. */
 Vector3 roundedDirection(const Vector3& vector)
 {
   constexpr double steps = 1 << 20;
@@ -137,9 +175,11 @@ std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& fron
 {
   const std::span<const float> sides =
     partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
+  // For each label its number, edge, cost, the number of normals, and these.
   std::vector<double> own;
-  constexpr std::size_t size = 6;
-  own.reserve(size * front.starts.size());
+  constexpr std::size_t size = 4;
+  own.reserve((size + 3) * front.labels.size());
+  std::vector<Vector3> normals;
   for (auto start = front.starts.begin(); start != front.starts.end();)
   {
     const Index label = start->label;
@@ -151,27 +191,55 @@ std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& fron
       place.cost = std::max(place.cost, cost.empty() ? 1.0 : cost[start->vertex]);
     }
     const Label& of = front.labels[label];
+    normals.clear();
     if (of.shape == FrontShape::Round && of.origin.triangle != NoIndex)
     {
-      place.normal = normalAt(mesh, of.origin);
+      findNormalsAt(mesh, of.origin, normals);
+      if (!isShared(mesh, of.origin, partition))
+      {
+        normals.assign(1, alignedSum(normals));
+      }
     }
     own.insert(own.end(),
-      { static_cast<double>(label), place.edge, place.cost, place.normal.x, place.normal.y,
-        place.normal.z });
+      { static_cast<double>(label), place.edge, place.cost, static_cast<double>(normals.size()) });
+    for (const Vector3& normal : normals)
+    {
+      own.insert(own.end(), { normal.x, normal.y, normal.z });
+    }
   }
   std::vector<LabelPlace> places(front.labels.size());
+  std::vector<std::pair<std::size_t, Vector3>> normalOfLabel;
   const std::vector<double> all = partition.gather(own);
-  for (std::size_t i = 0; i < all.size(); i += size)
+  for (std::size_t i = 0; i < all.size();)
   {
-    LabelPlace& place = places[static_cast<std::size_t>(all[i])];
+    const auto label = static_cast<std::size_t>(all[i]);
+    LabelPlace& place = places[label];
     place.edge = std::max(place.edge, all[i + 1]);
     place.cost = std::max(place.cost, all[i + 2]);
-    addAligned(place.normal, { all[i + 3], all[i + 4], all[i + 5] });
+    const std::size_t last = i + size + 3 * static_cast<std::size_t>(all[i + 3]);
+    for (i += size; i < last; i += 3)
+    {
+      normalOfLabel.emplace_back(label, Vector3{ all[i], all[i + 1], all[i + 2] });
+    }
+  }
+  // Each piece has its labels in order.
+  if (partition.isDivided())
+  {
+    std::stable_sort(normalOfLabel.begin(), normalOfLabel.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+  for (std::size_t i = 0; i < normalOfLabel.size();)
+  {
+    const std::size_t label = normalOfLabel[i].first;
+    for (normals.clear(); i < normalOfLabel.size() && normalOfLabel[i].first == label; ++i)
+    {
+      normals.push_back(normalOfLabel[i].second);
+    }
+    places[label].normal = roundedDirection(alignedSum(normals));
   }
   for (std::size_t number = 0; number < places.size(); ++number)
   {
     LabelPlace& place = places[number];
-    place.normal = roundedDirection(place.normal);
     place.position = front.labels[number].position;
     place.value = place.cost > 0.0 ? front.labels[number].value / place.cost : 0.0;
   }

@@ -37,7 +37,7 @@ public:
   virtual bool isDivided() const { return false; }
   /** Whether this piece owns a vertex: of the pieces that share it, exactly one does. */
   virtual bool owns(Index) const { return true; }
-  /** The vertices that other pieces have as well. */
+  /** The vertices that other pieces have as well, in ascending order. */
   virtual std::span<const Index> sharedVertices() const { return {}; }
   /**
    * For each vertex of this piece the length of the longest side of the triangles round it on all

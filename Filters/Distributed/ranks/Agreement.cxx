@@ -75,7 +75,7 @@ vtkMultiProcessController& Agreement::after(const std::function<void()>& step)
 
 void Agreement::runStep(const std::function<void()>& step)
 {
-  throwInjectedFault(++this->PhasesBegun);
+  injectFault(++this->PhasesBegun);
   this->IsInStep = true;
   try
   {
@@ -97,7 +97,7 @@ vtkMultiProcessController& Agreement::agree(Phase phase, std::span<double> least
   }
   if (!this->HasFailed)
   {
-    throwInjectedFault(++this->PhasesBegun);
+    injectFault(++this->PhasesBegun);
   }
   // All agreements have the same size, as a rank that failed does not know what the others want.
   const auto number = static_cast<double>(phase);
