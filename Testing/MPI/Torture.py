@@ -272,6 +272,7 @@ class Run:
         proxies[-1].UpdateVTKObjects()
         algorithm = proxies[-1].GetClientSideObject()
         self.messages_of_fault = None
+        self.was_aborted = False
         if case.fault in ("abort", "abort in phase", "error") and owner is not None:
             self.messages_of_fault = self.run_with_fault(algorithm, case, fault)
         self.messages = harness.messages_of(algorithm.Update)
@@ -293,14 +294,16 @@ class Run:
         if fault == "abort":
             observer = algorithm.AddObserver("ProgressEvent", abort)
         elif fault == "abort in phase":
-            # Python handles a signal when it runs next, which an observer makes it do at the next event.
-            handler = signal.signal(signal.SIGUSR1, lambda *_: algorithm.AbortExecuteOn())
-            observer = algorithm.AddObserver("ProgressEvent", lambda *_: None)
+            # Python handles a signal when it runs next, here as the observer of the next event.
+            phases = []
+            handler = signal.signal(signal.SIGUSR1, lambda *_: phases.append(case.place))
+            observer = algorithm.AddObserver("ProgressEvent", lambda *_: phases and algorithm.AbortExecuteOn())
             os.environ["SURFACEGEODESICS_ABORT"] = str(case.place)
         elif fault == "error":
             os.environ["SURFACEGEODESICS_FAULT"] = str(case.place)
         messages = harness.messages_of(algorithm.Update)
         if fault in ("abort", "abort in phase"):
+            self.was_aborted = bool(algorithm.GetAbortExecute())
             algorithm.RemoveObserver(observer)
             algorithm.AbortExecuteOff()
         os.environ.pop("SURFACEGEODESICS_FAULT", None)
@@ -422,6 +425,8 @@ def check(number):
         require_same_on_all(number, case, several.messages_of_fault)
         if "A fault was injected" in several.messages_of_fault:
             end = " after injected error"
+    if least_of_ranks([-float(several.was_aborted)])[0] < 0:
+        end = " after abort"
     alone = run_alone(case)
     if case.fault == "other property":
         assert "same on all ranks" in several.messages, (number, case.name, several.messages)
@@ -469,7 +474,8 @@ for number in range(FIRST, FIRST + COUNT):
         result = "failed"
     counts[result] = counts.get(result, 0) + 1
 watchdog.stop()
-assert COUNT < 300 or any("injected" in kind for kind in counts), "the plugin injects no errors"
+for fault in ("injected error", "abort"):
+    assert COUNT < 300 or any(kind.endswith(fault) for kind in counts), f"no {fault} in any case"
 if harness.IS_FIRST:
     print(f"{COUNT} cases on {RANKS} ranks ended:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())))
 if "failed" in counts:
