@@ -132,7 +132,6 @@ class Case:
         random, count = self.random, len(self.points)
         kind = random.choice(["none", "none", "ranks", "lognormal", "bad"], p=[0.3, 0.3, 0.15, 0.2, 0.05])
         self.cost = None
-        self.has_random_cost = kind == "lognormal"
         if kind == "ranks":
             # A cost each, up to a thousand times that of another; a shared point has that of the last rank.
             factors = 1000 ** random.random(RANKS)
@@ -442,9 +441,9 @@ def check(number):
     error = difference(*without_ties_at_the_end(case, values, alone.values))
     # Straightened paths end a little apart.
     limit = 1e-6 if case.is_path else 1e-9
-    if case.is_path and case.has_random_cost and (error is None or error > limit):
+    if case.is_path and (error is None or error > limit):
         # Where two ways are equally good to rounding, which one is traced is rounding's choice on one rank as well, as
-        # long as the fields are the same. This was seen under random costs only.
+        # long as the fields are the same.
         require_same_fields(number, case)
         for _ in range(20):
             other = difference(values, run_alone(case.nudged()).values)
