@@ -188,7 +188,7 @@ TEST(Exact, IsTheLeastOfAllFaceSequences)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (int round = 0; round < 300; ++round)
+  for (int round = 0; round < 10000; ++round)
   {
     const Index points = 6 + round % 5;
     const bool isFlat = round % 3 == 0;
