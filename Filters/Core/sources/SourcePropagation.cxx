@@ -105,8 +105,11 @@ bool SourcePropagation::run()
     }
   }
   this->takeOver();
+  // A side is queued by the distance to its third corner, and what lies behind it may be nearer
+  // than that by an edge.
+  const double behind = this->Mesh.longestEdgeLength();
   while (!this->Queue.isEmpty() &&
-    this->First + this->Queue.keyOf(this->Queue.nextBucket()) <= this->Limit.value())
+    this->First + this->Queue.keyOf(this->Queue.nextBucket()) <= this->Limit.value() + behind)
   {
     this->takeRound();
     if (!this->Control.mayGoOn(this->Field.reached().size(), this->Work.round.size()))
