@@ -47,7 +47,7 @@ for mistake, words in (
         (lambda: distance(plane, [0], method="Fast"), "Exact"),
         (lambda: distance(plane, [0], cost="Price"), "Price"),
         (lambda: distance(plane, [0], method="Exact", cost="Cost"), "FastMarching"),
-        (lambda: path(plane, triangle[:1]), "two at least")):
+        (lambda: path(plane, triangle[:1]), "at least two")):
     try:
         mistake()
     except ValueError as error:
