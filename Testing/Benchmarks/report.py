@@ -235,7 +235,7 @@ def machine(run):
         ["Memory", f"{memory:.0f} GiB"],
         ["Load before the start", ", ".join(f"{load:.2f}" for load in context["load_avg"])],
         ["System", f"{platform.freedesktop_os_release()['PRETTY_NAME']}, Linux {platform.release()}"],
-        ["Compiler", f"g++ {version('g++-12')}, Release: -O3 -DNDEBUG"],
+        ["Compiler", f"g++ {output_of('g++', '-dumpfullversion')}, Release: -O3 -DNDEBUG"],
         ["ParaView", version("paraview-dev")],
         ["CGAL, Eigen", f"{version('libcgal-dev')}, {version('libeigen3-dev')}"],
         ["Google Benchmark", version("libbenchmark-dev")],

@@ -11,7 +11,7 @@ import string
 import sys
 
 import worst_cases
-from report import number, processor, table, version
+from report import number, output_of, processor, table
 
 TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worst_cases.md.in")
 # Seconds of processor time that a case may take.
@@ -122,7 +122,8 @@ def write(run, document):
         template = string.Template(file.read())
     text = template.substitute(
         limit=LIMIT,
-        machine=f"{processor()}, {run['cores']} cores; g++ {version('g++-12')}; commit {run['commit']}; "
+        machine=f"{processor()}, {run['cores']} cores; g++ {output_of('g++', '-dumpfullversion')}; "
+                f"commit {run['commit']}; "
                 f"{run['date']}; load before the start {run['load'][0]:.2f}",
         shortfalls=shortfalls(found),
         long_silence=LONG_SILENCE,
