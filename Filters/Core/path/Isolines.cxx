@@ -24,7 +24,8 @@ namespace
 /** The sign of the values of a face or an edge, 0 if there are both. */
 int signOf(std::initializer_list<double> values)
 {
-  return std::min(values) >= 0.0 ? 1 : (std::max(values) <= 0.0 ? -1 : 0);
+  const auto [least, most] = std::minmax(values);
+  return least >= 0.0 ? 1 : (most <= 0.0 ? -1 : 0);
 }
 
 class Tracer
