@@ -12,7 +12,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <utility>
@@ -28,44 +27,6 @@ struct OppositeSide
   Index second;
   /** A number by which the caller knows the triangle. */
   Index triangle;
-};
-
-/** The second end of an opposite side, and the number of its triangle's ring entry, which is only
- * passed on. The two are written and read as one, which is faster. */
-struct SideEnd
-{
-  Index second;
-  std::uint32_t number;
-};
-
-/** Workspace for the ends of many sides. */
-class SideEnds
-{
-public:
-  /** Numbers of workspace that each end takes. */
-  static constexpr std::size_t RoomOfEach = 2;
-
-  explicit SideEnds(Index* room)
-    : Room(room)
-  {
-  }
-
-  SideEnd operator[](std::size_t i) const
-  {
-    SideEnd end;
-    std::memcpy(&end, this->Room + RoomOfEach * i, sizeof end);
-    return end;
-  }
-  void set(std::size_t i, SideEnd end) const
-  {
-    static_assert(sizeof end == RoomOfEach * sizeof(Index));
-    std::memcpy(this->Room + RoomOfEach * i, &end, sizeof end);
-  }
-  void prefetch(std::size_t i) const { prefetchToWrite(this->Room + RoomOfEach * i); }
-  SideEnds from(std::size_t i) const { return SideEnds(this->Room + RoomOfEach * i); }
-
-private:
-  Index* Room;
 };
 
 /**
@@ -259,17 +220,18 @@ public:
   /**
    * Brings sides into the order of a closed fan, where each side begins at the end of the one
    * before.
-   * @param size     the number of sides
    * @param ends     the second end of each side
    * @param fan      the entry that opens each side's triangle, with the side's first end as
    *                 neighbour, and room for one more entry, which repeats the first neighbour
-   * @param numbers  if @p HasNumbers, gets the number of each entry that opens a triangle
-   * @return false, with the entries as they were, where the sides are not one such fan or more than
-   *         255
+   * @param numbers  if @p HasNumbers, the number of each entry that opens a triangle; they are
+   *                 brought into the order of the entries
+   * @return false, with entries and numbers as they were, where the sides are not one such fan or
+   * more than 255
    */
   template <bool HasNumbers>
-  bool chain(std::size_t size, SideEnds ends, std::span<RingEntry> fan, EntryNumber* numbers)
+  bool chain(std::span<const Index> ends, std::span<RingEntry> fan, EntryNumber* numbers)
   {
+    const std::size_t size = ends.size();
     if (size == 0 || size > std::numeric_limits<Place>::max())
     {
       return false;
@@ -280,6 +242,10 @@ public:
     {
       const RingEntry side = fan[i];
       this->Sides[i] = side;
+      if constexpr (HasNumbers)
+      {
+        this->Numbers[i] = numbers[i];
+      }
       placeOf[side.neighbour()] = static_cast<Place>(i);
     }
     std::size_t place = 0;
@@ -287,10 +253,10 @@ public:
     bool isFound = false;
     do
     {
-      const auto [end, number] = ends[place];
+      const Index end = ends[place];
       if constexpr (HasNumbers)
       {
-        numbers[chained] = static_cast<EntryNumber>(number);
+        numbers[chained] = this->Numbers[place];
       }
       fan[chained++] = this->Sides[place];
       place = placeOf[end];
@@ -305,6 +271,10 @@ public:
     else
     {
       std::copy_n(this->Sides.begin(), chained, fan.begin());
+      if constexpr (HasNumbers)
+      {
+        std::copy_n(this->Numbers.begin(), chained, numbers);
+      }
     }
     return isWhole;
   }
@@ -313,6 +283,7 @@ private:
   using Place = std::uint8_t;
   std::vector<Place> PlaceOf;
   std::array<RingEntry, std::numeric_limits<Place>::max()> Sides;
+  std::array<EntryNumber, std::numeric_limits<Place>::max()> Numbers;
 };
 
 }

@@ -130,7 +130,7 @@ public:
   /**
    * @param rings      gets the rings; its Starts hold the number of triangles at each vertex
    * @param start      index of the first entry of the range's first vertex
-   * @param room       workspace, SideEnds::RoomOfEach numbers for each triangle at each vertex
+   * @param room       workspace, a number for each triangle at each vertex
    * @param numbers    to make along with the rings, if @p HasNumbers
    */
   Filling(VertexRings& rings, const Range& range, std::size_t start,
@@ -138,10 +138,10 @@ public:
     : OfRange(range)
     , Positions(positions)
     , Measurer(numbers ? numbers->measurer : nullptr)
-    , OfEntries(numbers ? numbers->ofEntries.data() : nullptr)
     , OfNoTriangle(numbers ? numbers->measurer->ofNoTriangle() : EntryNumber{})
-    , AllRings{ rings.Starts.data(), rings.Entries.data(), SideEnds(room.data()),
-      rings.LongestSides.data(), numbers ? numbers->ofVertices.data() : nullptr }
+    , AllRings{ rings.Starts.data(), rings.Entries.data(), room.data(), rings.LongestSides.data(),
+      numbers ? numbers->ofEntries.data() : nullptr,
+      numbers ? numbers->ofVertices.data() : nullptr }
     , NextVertex(range.vertices().first())
     , NextStart(start)
     , ClosedFan(static_cast<Index>(positions.size()))
@@ -183,7 +183,7 @@ private:
       const Triangle& t, const TriangleNumbers& measured, std::size_t i, const Vertices& ours) const
     {
       const float longestSide = measured.longestSides[i];
-      const std::uint32_t ofEntry = HasNumbers ? measured.ofEntries[i] : 0;
+      const EntryNumber ofEntry = HasNumbers ? measured.ofEntries[i] : EntryNumber{};
       const float ofVertex = HasNumbers ? measured.ofVertices[i] : 0.0f;
       for (int c = 0; c < 3; ++c)
       {
@@ -193,10 +193,11 @@ private:
           // While entries are added, starts holds the end of the ring; chainBefore() restores it.
           const std::uint32_t place = this->starts[v]++;
           this->entries[place] = RingEntry(t[(c + 1) % 3], true);
-          this->ends.set(place - v, { t[(c + 2) % 3], ofEntry });
+          this->ends[place - v] = t[(c + 2) % 3];
           this->longestSides[v] = std::max(this->longestSides[v], longestSide);
           if constexpr (HasNumbers)
           {
+            this->ofEntries[place] = ofEntry;
             this->ofVertices[v] = std::max(this->ofVertices[v], ofVertex);
           }
         }
@@ -213,10 +214,11 @@ private:
       {
         const std::uint32_t place = this->starts[v];
         prefetchToWrite(&this->entries[place]);
-        this->ends.prefetch(place - v);
+        prefetchToWrite(&this->ends[place - v]);
         prefetchToWrite(&this->longestSides[v]);
         if constexpr (HasNumbers)
         {
+          prefetchToWrite(&this->ofEntries[place]);
           prefetchToWrite(&this->ofVertices[v]);
         }
       }
@@ -224,9 +226,10 @@ private:
 
     std::uint32_t* starts;
     RingEntry* entries;
-    /** Of the side opposite to the vertex, for each triangle at each vertex. */
-    SideEnds ends;
+    /** The second end of the side opposite to the vertex, for each triangle at each vertex. */
+    Index* ends;
     float* longestSides;
+    EntryNumber* ofEntries;
     float* ofVertices;
   };
 
@@ -276,11 +279,11 @@ private:
       const std::size_t size =
         std::exchange(this->AllRings.starts[v], static_cast<std::uint32_t>(start)) - start;
       const std::span<RingEntry> ring{ this->AllRings.entries + start, size + 1 };
-      const SideEnds ends = this->AllRings.ends.from(start - v);
-      EntryNumber* const numbers = HasNumbers ? this->OfEntries + start : nullptr;
-      if (!this->ClosedFan.template chain<HasNumbers>(size, ends, ring, numbers))
+      const std::span<const Index> ends{ this->AllRings.ends + (start - v), size };
+      EntryNumber* const numbers = HasNumbers ? this->AllRings.ofEntries + start : nullptr;
+      if (!this->ClosedFan.template chain<HasNumbers>(ends, ring, numbers))
       {
-        this->chainAny(v, size, ends, ring, numbers);
+        this->chainAny(v, ends, ring, numbers);
       }
       else if constexpr (HasNumbers)
       {
@@ -291,14 +294,14 @@ private:
     this->NextVertex = std::max(this->NextVertex, last);
   }
 
-  /** @param numbersHere get the numbers of the ring's entries */
+  /** @param numbersHere those of the ring's entries, brought into their order */
   void chainAny(
-    Index v, std::size_t size, SideEnds ends, std::span<RingEntry> ring, EntryNumber* numbersHere)
+    Index v, std::span<const Index> ends, std::span<RingEntry> ring, EntryNumber* numbersHere)
   {
     this->Sides.clear();
-    for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < ends.size(); ++i)
     {
-      this->Sides.push_back({ ring[i].neighbour(), ends[i].second, static_cast<Index>(i) });
+      this->Sides.push_back({ ring[i].neighbour(), ends[i], static_cast<Index>(i) });
     }
     this->Fans.clear();
     this->FanTriangles.clear();
@@ -307,8 +310,7 @@ private:
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
       const Index triangle = this->FanTriangles[i];
-      numbers[i] =
-        triangle == NoIndex ? this->OfNoTriangle : static_cast<EntryNumber>(ends[triangle].number);
+      numbers[i] = triangle == NoIndex ? this->OfNoTriangle : numbersHere[triangle];
     }
     if (this->Fans.size() == ring.size())
     {
@@ -324,7 +326,6 @@ private:
   const Range& OfRange;
   std::span<const Vector3> Positions;
   const RingMeasurer* Measurer;
-  EntryNumber* OfEntries;
   EntryNumber OfNoTriangle;
   TriangleNumbers Measured;
   Rings AllRings;

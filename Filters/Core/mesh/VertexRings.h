@@ -69,7 +69,7 @@ public:
   static void checkNumber(std::size_t triangles);
 
   /** Numbers of workspace that each triangle takes while the rings are made. */
-  static constexpr std::size_t RoomOfTriangle = 6;
+  static constexpr std::size_t RoomOfTriangle = 3;
   /** The number of entries that may be read past the end of a ring, so that code can read several
    * at once. */
   static constexpr std::size_t Overrun = 3;
