@@ -13,7 +13,10 @@
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProxy.h"
 
+#include <QMouseEvent>
 #include <QString>
+
+#include <memory>
 
 namespace seeds
 {
@@ -47,6 +50,39 @@ void showLegend(vtkSMProxy* representation, vtkSMProxy* view)
   else if (auto* colored = Proxy::SafeDownCast(representation))
   {
     colored->SetScalarBarVisibility(view, true);
+  }
+}
+
+/** Where in its widget the pointer was. Qt 6 renamed it. */
+template <class Event>
+QPointF placeOf(const Event& event)
+{
+  if constexpr (requires { event.position(); })
+  {
+    return event.position();
+  }
+  else
+  {
+    return event.localPos();
+  }
+}
+
+/** An event of the mouse that can be sent later. Qt 6 renamed the places. */
+template <class Event>
+std::unique_ptr<QMouseEvent> copyOf(const Event& event)
+{
+  const auto copyAt = [&](const QPointF& inWindow, const QPointF& onScreen)
+  {
+    return std::make_unique<QMouseEvent>(event.type(), placeOf(event), inWindow, onScreen,
+      event.button(), event.buttons(), event.modifiers());
+  };
+  if constexpr (requires { event.scenePosition(); })
+  {
+    return copyAt(event.scenePosition(), event.globalPosition());
+  }
+  else
+  {
+    return copyAt(event.windowPos(), event.screenPos());
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeedPicker.h"
 
+#include "ParaViewVersions.h"
 #include "pqRenderView.h"
 #include "vtkMatrix4x4.h"
 
@@ -153,7 +154,7 @@ bool SeedPicker::press(QMouseEvent* event)
     return false;
   }
   const bool isRemoval = this->IsPicking && (event->modifiers() & Qt::ShiftModifier);
-  const int row = isRemoval ? -1 : this->Overlay->rowAt(event->localPos());
+  const int row = isRemoval ? -1 : this->Overlay->rowAt(placeOf(*event));
   if (row >= 0)
   {
     this->DraggedRow = row;
@@ -168,8 +169,7 @@ bool SeedPicker::press(QMouseEvent* event)
   }
   // A click must not reach the view, which would draw the scene twice. The press of a drag is
   // passed on later.
-  this->Held = std::make_unique<QMouseEvent>(event->type(), event->localPos(), event->windowPos(),
-    event->screenPos(), event->button(), event->buttons(), event->modifiers());
+  this->Held = copyOf(*event);
   return true;
 }
 
@@ -178,17 +178,17 @@ bool SeedPicker::move(QMouseEvent* event)
   if (this->DraggedRow >= 0)
   {
     const auto probed =
-      this->Probe.at(this->View, event->localPos(), snapOf(event->modifiers()), Care::Preview);
+      this->Probe.at(this->View, placeOf(*event), snapOf(event->modifiers()), Care::Preview);
     if (probed.point)
     {
       Q_EMIT this->dragged(this->DraggedRow, *probed.point);
     }
-    Q_EMIT this->pointed(event->localPos());
+    Q_EMIT this->pointed(placeOf(*event));
     return true;
   }
   if (this->Held)
   {
-    const QPointF moved = event->localPos() - this->Held->localPos();
+    const QPointF moved = placeOf(*event) - placeOf(*this->Held);
     if (moved.manhattanLength() < QApplication::startDragDistance())
     {
       return true;
@@ -197,8 +197,8 @@ bool SeedPicker::move(QMouseEvent* event)
   }
   else if (event->buttons() == Qt::NoButton)
   {
-    this->preview(event->localPos(), event->modifiers());
-    Q_EMIT this->pointed(event->localPos());
+    this->preview(placeOf(*event), event->modifiers());
+    Q_EMIT this->pointed(placeOf(*event));
   }
   return false;
 }
@@ -221,7 +221,7 @@ bool SeedPicker::release(QMouseEvent* event)
     return false;
   }
   const auto held = std::move(this->Held);
-  const QPointF place = held->localPos();
+  const QPointF place = placeOf(*held);
   if (!(held->modifiers() & Qt::ShiftModifier))
   {
     this->pick(place, snapOf(held->modifiers()));
