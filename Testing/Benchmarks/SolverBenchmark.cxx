@@ -85,7 +85,7 @@ Run runFrom(Subject& s, const Vector3& position, const SolveOptions& options = {
 double dijkstraSeconds(Subject& s, const Vector3& position)
 {
   const Index source = s.vertexNear(s.pointAt(position));
-  return seconds([&] { benchmark::DoNotOptimize(s.dijkstra.solve(source)); });
+  return seconds([&] { benchmark::DoNotOptimize(s.dijkstra.solve(source).data()); });
 }
 
 /** How often what is compared runs for one repetition: on small surfaces until as many points were

@@ -5,10 +5,15 @@
 #include "CgalMesh.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+// CGAL 6 renamed it.
+#if __has_include(<CGAL/AABB_traits_3.h>)
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +24,12 @@ namespace geodesic::testing
 namespace
 {
 using namespace cgal;
+
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using BoxTraits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+#else
+using BoxTraits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+#endif
 
 std::vector<double> distancesBy(ShortestPath& paths, const Mesh& mesh)
 {
@@ -56,7 +67,7 @@ std::vector<double> exactDistancesFromPositions(
 {
   const Mesh mesh = meshOf(surface);
   ShortestPath paths(mesh);
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> tree;
+  CGAL::AABB_tree<BoxTraits> tree;
   paths.build_aabb_tree(tree);
   for (const Vector3& p : positions)
   {
