@@ -216,9 +216,9 @@ public:
   ///@{
   /**
    * Whether on several ranks the surface is cut into patches that are dealt out to the ranks in
-   * turn, so that all have work while the front is in one rank's piece. There are some ten times as
-   * many rounds then: with two ranks it was slower in all cases measured. It takes about as much
-   * memory again, and time once for a surface. Not with lines of seeds and barriers. Default: off.
+   * turn, so that all have work while the front is in one rank's piece. From a seed where pieces
+   * meet that is slower, as there are some ten times as many rounds. It takes about as much memory
+   * again, and time once for a surface. Not with lines of seeds and barriers. Default: off.
    */
   vtkSetMacro(SpreadWork, bool);
   vtkGetMacro(SpreadWork, bool);

@@ -17,7 +17,7 @@ TINY = {"sphere of 642": "sphere:3", "Bunny of 35 thousand": "bunny:0"}
 SEEDS = {"on a cut": "cut", "in the middle": "middle"}
 RANKS = [1, 2, 64, 1000]
 # Patches a rank.
-PATCHES = [1, 4, 16]
+PATCHES = [1, 4, 8, 16]
 BEGIN, END = "<!-- Tables of rank_suite.py: -->", "<!-- End of the tables. -->"
 LARGEST_DIFFERENCE = 1e-9
 

@@ -44,8 +44,15 @@ for case in ("bunny", "costs"):
     surface, options = cases.FIELDS[case]
     check_field(simple.GeodesicDistance(registrationName=case, Input=harness.surface(surface, "slabs"), **options), case)
 
-path = simple.GeodesicPath(registrationName="path", Input=harness.surface("torus", "slabs"),
-                           WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
+
+def searches_of(path):
+    """How many segments a run searches for."""
+    path.UpdatePipeline()
+    return harness.informed(path, "NumberOfSearches")
+
+
+torus = harness.surface("torus", "slabs")
+path = simple.GeodesicPath(registrationName="path", Input=torus, WaypointPositions=[1.3, 0.2, 0.3, -1.35, 0.1, 0.1])
 line = servermanager.Fetch(path)
 with np.load(os.path.join(FOLDER, "torus.path.npz")) as reference:
     assert line.GetNumberOfCells() == 1
@@ -61,6 +68,20 @@ for step in (0.05, 0.1, 0.05, 0.0):
     path.UpdatePipeline()
     moved = harness.informed(path, "TotalLength")
     assert (abs(moved - length) <= 1e-9 * length) == (step == 0.0), (step, moved, length)
+
+# Of five segments a moved waypoint costs the two beside it, and what does not change the way none.
+points = np.reshape(cases.points_on("torus", 7), (-1, 3))
+many = simple.GeodesicPath(registrationName="many", Input=torus, WaypointPositions=points[:6].ravel().tolist())
+assert searches_of(many) == 5
+points[2] = points[6]
+many.WaypointPositions = points[:6].ravel().tolist()
+assert searches_of(many) == 2
+many.HeightOffset = 0.001
+assert searches_of(many) == 0
+kept = harness.informed(many, "TotalLength")
+new = simple.GeodesicPath(Input=torus, WaypointPositions=points[:6].ravel().tolist())
+assert searches_of(new) == 5
+assert harness.informed(new, "TotalLength") == kept
 
 with tempfile.TemporaryDirectory() as folder:
     state = os.path.join(folder, "state.pvsm")

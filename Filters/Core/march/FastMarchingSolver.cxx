@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace geodesic
 {
@@ -123,7 +124,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   }
   QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
     values.firstDistance(), values,
-    [&](std::uint64_t end)
+    [&](std::uint64_t end, std::vector<Index>* taken)
     {
       std::array<Index, BatchSize> room;
       std::array<Index, BatchSize> roomOfNext;
@@ -133,6 +134,13 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
         if (!control.mayGoOn(values.numberOfValues(), batch.size()))
         {
           break;
+        }
+        if (taken)
+        {
+          for (const Index item : batch)
+          {
+            taken->push_back(values.vertexOf(item));
+          }
         }
         const std::span<const Index> soon = this->Queues.next(3 * BatchSize);
         for (Index later : soon.subspan(std::min(soon.size(), 2 * BatchSize)))

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace geodesic
 {
@@ -18,8 +19,8 @@ namespace geodesic
 /**
  * The march of FastMarchingSolver as a MarchingFront, which a Partition drives.
  * @tparam Values   as in NeighbourUpdate
- * @tparam Advance  called with the number of a bucket; marches until nothing waits in buckets
- * before it
+ * @tparam Advance  called with the number of a bucket, and advance()'s list of vertices that are
+ * taken; marches until nothing waits in buckets before it
  */
 template <class Values, class Advance>
 class QueuedFront final : public MarchingFront
@@ -40,9 +41,9 @@ public:
   {
   }
 
-  void advance(double limit) override
+  void advance(double limit, std::vector<Index>* taken) override
   {
-    this->AdvanceBefore(this->Queues.endOfMarch(limit - this->FirstDistance));
+    this->AdvanceBefore(this->Queues.endOfMarch(limit - this->FirstDistance), taken);
   }
 
   double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }

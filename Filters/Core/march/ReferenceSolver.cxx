@@ -58,7 +58,7 @@ public:
     this->set(number, first.value, first.isIdle);
   }
 
-  void advance(double limit) override
+  void advance(double limit, std::vector<Index>* taken) override
   {
     std::uint64_t end = this->Queue.bucketOf(limit - this->First);
     if (this->nextDistance() < limit)
@@ -70,17 +70,21 @@ public:
     std::array<Index, 1> room;
     while (this->Queue.hasBefore(end) && this->Control.mayGoOn(this->Values.size()))
     {
-      ReferenceValue& taken = this->Values[this->Queue.take(room)[0]];
-      if (!taken.isQueued)
+      ReferenceValue& first = this->Values[this->Queue.take(room)[0]];
+      if (!first.isQueued)
       {
         continue;
       }
-      taken.isQueued = false;
+      first.isQueued = false;
+      if (taken)
+      {
+        taken->push_back(first.vertex);
+      }
       // It is dropped where another label has come so much nearer that it is beyond the margin.
-      if (this->distance(taken) <= this->keptUpTo(taken.vertex))
+      if (this->distance(first) <= this->keptUpTo(first.vertex))
       {
         // A copy, as values may be added, and so moved, meanwhile.
-        this->updateNeighbours(ReferenceValue(taken));
+        this->updateNeighbours(ReferenceValue(first));
       }
     }
   }

@@ -58,13 +58,17 @@ public:
     }
   }
 
-  void advance(double limit) override
+  void advance(double limit, std::vector<Index>* taken) override
   {
     while (this->nextDistance() < limit && this->Control.mayGoOn(this->Field.reached().size()))
     {
       std::pop_heap(this->Heap.begin(), this->Heap.end(), isAfter);
       const EdgeTrial trial = this->Heap.back();
       this->Heap.pop_back();
+      if (taken)
+      {
+        taken->push_back(trial.vertex);
+      }
       // An item is out of date where a better one for its vertex was proposed after it.
       if (trial.distance == this->Field.distance(trial.vertex) &&
         trial.seed == this->Field.nearestSeed(trial.vertex))

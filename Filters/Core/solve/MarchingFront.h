@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace geodesic
 {
@@ -25,8 +26,10 @@ public:
 
   /** Takes vertices from the queue, also those added meanwhile, until hardly any has a distance
    * below @p limit or the run is cancelled. If nextDistance() is below @p limit, it takes at least
-   * one. */
-  virtual void advance(double limit) = 0;
+   * one.
+   * @param taken  gets the vertices that were taken, some of them several times; may be null. Each
+   * vertex whose value falls waits in the queue then, so that it is taken sooner or later. */
+  virtual void advance(double limit, std::vector<Index>* taken) = 0;
   /** A lower bound of all distances in the queue; infinity where the queue is empty. */
   virtual double nextDistance() const = 0;
   /** TriangleMesh::meanLongestEdge() times the mean cost. On a piece without edges 0 or any other

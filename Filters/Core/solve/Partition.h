@@ -61,7 +61,7 @@ public:
    */
   virtual bool march(MarchingFront& front, StopLimit&)
   {
-    front.advance(std::numeric_limits<double>::infinity());
+    front.advance(std::numeric_limits<double>::infinity(), nullptr);
     return !front.isCancelled();
   }
 };

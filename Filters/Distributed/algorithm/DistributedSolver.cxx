@@ -9,6 +9,7 @@
 #include "solve/StopLimit.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -61,6 +62,9 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   {
     known.clear();
   }
+  this->Touched.resize(this->Known.size());
+  std::iota(this->Touched.begin(), this->Touched.end(), 0u);
+  this->IsTouched.assign(this->Known.size(), true);
   const double leastStep = this->stepOf(front);
   double step = 0.5 * leastStep;
   double end = 0.0;
@@ -97,11 +101,12 @@ bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
   }
 }
 
-double DistributedSolver::advance(MarchingFront& front, double end) const
+double DistributedSolver::advance(MarchingFront& front, double end)
 {
   const bool hasWork = front.nextDistance() < end;
   const std::size_t before = front.numberOfUpdates();
-  front.advance(end);
+  this->Taken.clear();
+  front.advance(end, this->Known.empty() ? nullptr : &this->Taken);
   const std::size_t updates = front.numberOfUpdates() - before;
   if (hasWork && updates == 0)
   {
@@ -110,7 +115,23 @@ double DistributedSolver::advance(MarchingFront& front, double end) const
       ", rank " + std::to_string(this->Ranks.rank()) +
       " has not gone on from its least distance, " + textOf(front.nextDistance()) + ".");
   }
+  this->addTouched();
   return static_cast<double>(updates);
+}
+
+void DistributedSolver::addTouched()
+{
+  for (const Index vertex : this->Taken)
+  {
+    for (const std::uint32_t slot : this->Mesh.slotsBeside().of(vertex))
+    {
+      if (!this->IsTouched[slot])
+      {
+        this->IsTouched[slot] = true;
+        this->Touched.push_back(slot);
+      }
+    }
+  }
 }
 
 double DistributedSolver::stepOf(const MarchingFront& front)
@@ -153,10 +174,13 @@ std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFron
       }
     }
   };
-  for (; slot < shared.vertices().size(); ++slot)
+  for (const std::uint32_t touched : this->Touched)
   {
+    slot = touched;
     front.visitValues(shared.vertices()[slot], visit);
+    this->IsTouched[slot] = false;
   }
+  this->Touched.clear();
   for (const RankGroup::Message& message : messages)
   {
     this->Own.bytes += static_cast<double>(message.size());

@@ -82,7 +82,9 @@ private:
    * Marches up to a distance; returns the number of updates.
    * @throws std::logic_error if there was something to do and none was made
    */
-  double advance(MarchingFront& front, double end) const;
+  double advance(MarchingFront& front, double end);
+  /** Adds the slots beside the vertices that were taken to those whose values may have fallen. */
+  void addTouched();
   /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
   void takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
@@ -96,6 +98,12 @@ private:
   const DividedMesh& Mesh;
   std::vector<int> Partners;
   std::vector<std::vector<KnownValue>> Known;
+  /** The vertices that were taken in this round. */
+  std::vector<Index> Taken;
+  /** The slots whose values may have fallen since the last messages, and for each slot whether it
+   * is one of them. In the first round these are all, as they may have got values before. */
+  std::vector<std::uint32_t> Touched;
+  std::vector<bool> IsTouched;
   DistributedWork Own;
 };
 

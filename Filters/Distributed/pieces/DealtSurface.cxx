@@ -15,9 +15,9 @@ namespace
 
 /**
  * The number of patches of a piece. With more the ranks' work is hardly more even, and more points
- * are shared; the counts are in Plugin/Documentation/clusters.md.
+ * are shared; counts and times are in Plugin/Documentation/clusters.md.
  */
-constexpr int PatchesOfPiece = 16;
+constexpr int PatchesOfPiece = 8;
 
 struct SentVertex
 {

@@ -11,6 +11,7 @@ DividedMesh::DividedMesh(
   RankGroup& ranks, std::shared_ptr<const TriangleMesh> mesh, std::span<const Key> keys)
   : Mesh(std::move(mesh))
   , Shared(ranks, *this->Mesh, keys)
+  , Beside(*this->Mesh, this->Shared.vertices())
 {
   if (ranks.size() > 1)
   {

@@ -5,6 +5,7 @@
 
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"
+#include "pieces/SlotsBeside.h"
 #include "ranks/RankGroup.h"
 
 #include <memory>
@@ -28,6 +29,7 @@ public:
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Mesh; }
   const TriangleMesh& mesh() const { return *this->Mesh; }
   const SharedPoints& shared() const { return this->Shared; }
+  const SlotsBeside& slotsBeside() const { return this->Beside; }
 
   /** See Partition::longestSides. */
   std::span<const float> longestSides() const { return this->LongestSides; }
@@ -48,6 +50,7 @@ private:
 
   std::shared_ptr<const TriangleMesh> Mesh;
   SharedPoints Shared;
+  SlotsBeside Beside;
   std::vector<float> LongestSides;
   double StepInEdges = 0.0;
 };

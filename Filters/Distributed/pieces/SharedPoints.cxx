@@ -75,6 +75,7 @@ std::vector<KeyedNumber> candidates(
 
 SharedPoints::SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Key> keys)
   : Rank(ranks.rank())
+  , IsShared(mesh.numberOfVertices(), false)
 {
   this->FirstPlaces.push_back(0);
   if (ranks.size() == 1)
@@ -87,6 +88,7 @@ SharedPoints::SharedPoints(RankGroup& ranks, const TriangleMesh& mesh, std::span
     if (this->Vertices.empty() || this->Vertices.back() != match.own)
     {
       this->Vertices.push_back(match.own);
+      this->IsShared[match.own] = true;
       // Matches are sorted, so the first one names the lowest rank.
       this->Globals.push_back({ match.rank, match.number });
     }
@@ -172,10 +174,12 @@ std::vector<StartValue> SharedPoints::exchange(
 
 Index SharedPoints::slotOf(Index vertex) const
 {
+  if (vertex >= this->IsShared.size() || !this->IsShared[vertex])
+  {
+    return NoIndex;
+  }
   const auto place = std::lower_bound(this->Vertices.begin(), this->Vertices.end(), vertex);
-  return place != this->Vertices.end() && *place == vertex
-    ? static_cast<Index>(place - this->Vertices.begin())
-    : NoIndex;
+  return static_cast<Index>(place - this->Vertices.begin());
 }
 
 GlobalVertex SharedPoints::globalOf(Index vertex) const

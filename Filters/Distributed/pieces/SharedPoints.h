@@ -100,13 +100,16 @@ public:
   GlobalVertex globalOf(Index vertex) const;
   /** The number of a vertex on this rank; NoIndex if this rank does not have it. */
   Index find(const GlobalVertex& vertex) const;
-  /** The slot of a vertex; NoIndex if the vertex is not shared. */
+  /** The slot of a vertex; NoIndex if the vertex is not shared, as one that a split has added to
+   * the mesh. */
   Index slotOf(Index vertex) const;
 
 private:
   void findPlaces();
 
   int Rank;
+  /** Whether a vertex is shared. */
+  std::vector<bool> IsShared;
   /** The shared vertices, sorted. */
   std::vector<Index> Vertices;
   /** The shared vertices as all ranks identify them, by slot. */
