@@ -4,9 +4,11 @@
 because an exception in the shell would not fail a playback.
 """
 
+import ctypes
 import os
 import subprocess
 import sys
+import time
 import traceback
 
 import numpy as np
@@ -30,6 +32,18 @@ def fail(kind, error, trace):
 
 # The shell asks this for what to do with an exception.
 sys.excepthook = fail
+
+
+def let_paint():
+    """
+    Has Qt paint what it has not painted yet, as a view that a state file made. If the first painting of a view falls
+    in an update of a server's filter, which its progress can bring about, ParaView ends by "Wrong tag", whatever
+    filter it is.
+    """
+    process = ctypes.CDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+    end = time.monotonic() + 0.5
+    while time.monotonic() < end:
+        process(1)  # all but what the user does
 
 
 def shown(name="SeedPositions"):
