@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 using namespace geodesic;
@@ -150,6 +152,27 @@ TEST(ClosestPoint, TrianglesWithoutAreaAreSegments)
   const Surface needle{ { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } } };
   const auto found = ClosestPointTree(meshOf(needle)).closestPoint({ 1.3, 2.0, 0.0 });
   EXPECT_NEAR(found.distance, 2.0, 1e-12);
+}
+
+// Inside of a ridge two places, one on each side of it, are as near but for rounding.
+TEST(ClosestPoint, OfPlacesThatAreAsNearTheSameIsFoundHoweverTheTrianglesAreStored)
+{
+  const int rows = 120;
+  Surface surface = torus(rows, 60, 1.0, 0.4);
+  const ClosestPointTree tree(meshOf(surface));
+  std::mt19937 random(5);
+  for (Triangle& t : surface.triangles)
+  {
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+  }
+  const ClosestPointTree turned(meshOf(surface));
+  for (int i = 0; i < rows; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / rows;
+    const Vector3 query{ 1.3 * std::cos(angle), 1.3 * std::sin(angle), 0.2 };
+    EXPECT_LT(norm(tree.closestPoint(query).position - turned.closestPoint(query).position), 1e-9)
+      << i;
+  }
 }
 
 TEST(ClosestPoint, APointTooFarToMeasureIsAnError)

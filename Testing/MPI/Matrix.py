@@ -23,11 +23,15 @@ harness.load(PLUGIN)
 
 ON_TORUS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1, 0.2, -1.3, 0.1]
 WALL = simple.PolyLineSource(Points=[0.03, 0.75, -0.3, 0.02, 0.61, 0, 0.03, 1, 0.4])
+# Inside of the torus, below ridges where planes of its points meet: the places on both sides of a ridge are as near.
+TURNS = np.radians(np.arange(0, 360, 30))
+BELOW_RIDGES = np.stack([1.3 * np.cos(TURNS), 1.3 * np.sin(TURNS), 0 * TURNS + 0.2], -1).ravel().tolist()
 MATRICES = {
     "bunny": ("bunny", dict(LandmarkPositions=cases.points_on("bunny", 5))),
     "edges": ("bunny", dict(LandmarkPositions=cases.points_on("bunny", 4), Method="Dijkstra")),
     "sets": ("torus", dict(LandmarkPositions=ON_TORUS, SecondLandmarkPositions=[1.4, 0, 0, 0, 1.3, 0.2])),
     "equal": ("torus", dict(LandmarkPositions=ON_TORUS[:3] * 2 + ON_TORUS[3:])),
+    "ridges": ("torus", dict(LandmarkPositions=ON_TORUS[:3], SecondLandmarkPositions=BELOW_RIDGES)),
     "line": ("torus", dict(LandmarkPositions=ON_TORUS, BarrierSource=WALL)),
     "parts": ("parts", dict(LandmarkPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5])),
 }

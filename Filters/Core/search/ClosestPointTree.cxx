@@ -6,10 +6,12 @@
 #include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "search/BvhSplit.h"
+#include "search/NearestOrder.h"
 #include "search/SearchedTriangle.h"
 #include "search/ShearedRay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -157,14 +159,17 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
   const auto farther = [](const Pending& a, const Pending& b) { return a.toCentre > b.toCentre; };
 
   const Vector3 fromOrigin = query - this->Origin;
-  Index nearest = NoIndex;
-  OnTriangle best{ {}, std::numeric_limits<double>::infinity() };
+  const NearestOrder order(query);
+  NearestOrder::Candidate best;
+  SurfacePoint nearest{ NoIndex, {} };
+  // The square of the distance up to which a point may come before the best one.
+  double reach = std::numeric_limits<double>::max();
   std::vector<Pending> pending{ { 0.0, 0.0, { 0, 0 } } };
   while (!pending.empty())
   {
     const Pending next = pending.back();
     pending.pop_back();
-    if (next.squaredDistance >= best.squaredDistance)
+    if (next.squaredDistance > reach)
     {
       continue;
     }
@@ -175,15 +180,23 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
       {
         const std::array<Vector3, 3> corners = this->cornersOf(t);
         const SearchedTriangle triangle(corners, query);
-        if (triangle.isBeyond(best.squaredDistance))
+        if (triangle.isBeyond(reach))
         {
           continue;
         }
-        const OnTriangle candidate = triangle.nearest();
-        if (candidate.squaredDistance < best.squaredDistance)
+        const OnTriangle found = triangle.nearest();
+        if (!(found.squaredDistance <= reach))
+        {
+          continue;
+        }
+        const SurfacePoint point{ t, found.weights };
+        const NearestOrder::Candidate candidate{ std::sqrt(found.squaredDistance),
+          this->Mesh->positionOf(point) };
+        if (order.isBefore(candidate, best))
         {
           best = candidate;
-          nearest = t;
+          nearest = point;
+          reach = std::pow(best.distance + order.blur(best), 2);
         }
       }
       continue;
@@ -196,7 +209,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     const std::size_t start = pending.size();
     for (std::size_t i = 0; i < FourBvhBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
-      if (least[i] < best.squaredDistance)
+      if (least[i] <= reach)
       {
         this->prefetch(node.runs[i]);
         pending.push_back({ least[i], toCentre[i], node.runs[i] });
@@ -205,12 +218,12 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     std::sort(pending.begin() + start, pending.end(), farther);
   }
 
-  if (nearest == NoIndex)
+  if (nearest.triangle == NoIndex)
   {
     throw std::invalid_argument("A point is too far from the surface to measure its distance.");
   }
   Result result;
-  result.point = snapped({ nearest, best.weights });
+  result.point = snapped(nearest);
   result.position = this->Mesh->positionOf(result.point);
   result.distance = norm(query - result.position);
   return result;

@@ -7,15 +7,14 @@
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"
 #include "request/PointResolver.h"
+#include "search/NearestOrder.h"
 #include "solve/SeedFront.h"
 
 #include "vtkIdList.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <unordered_map>
 
 namespace geodesic::distributed
@@ -26,14 +25,9 @@ namespace
 /** The nearest point of one rank's piece to a position. */
 struct Projection
 {
-  double distance = std::numeric_limits<double>::infinity();
-  Vector3 position;
+  Vector3 query;
+  NearestOrder::Candidate nearest;
   SurfacePoint point;
-
-  auto order() const
-  {
-    return std::tuple(this->distance, this->position.x, this->position.y, this->position.z);
-  }
 };
 
 std::vector<Projection> localProjections(const DistributedSurface& surface,
@@ -43,15 +37,15 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
   std::vector<Projection> projections;
   for (const Vector3& position : bridge::positionsAt(coordinates, property))
   {
-    Projection projection;
+    Projection projection{ position, {}, {} };
     if (mesh.numberOfTriangles() > 0)
     {
       const auto nearest = surface.piece().closestPoints().closestPoint(position);
-      projection.distance = nearest.distance;
+      projection.nearest.distance = nearest.distance;
       projection.point = precision == Precision::Single
         ? bridge::snappedAsSingle(mesh, nearest.point)
         : nearest.point;
-      projection.position = mesh.positionOf(projection.point);
+      projection.nearest.position = mesh.positionOf(projection.point);
     }
     projections.push_back(projection);
   }
@@ -64,20 +58,22 @@ std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& o
   std::vector<double> flat;
   for (const Projection& p : own)
   {
-    flat.insert(flat.end(), { p.distance, p.position.x, p.position.y, p.position.z });
+    const auto& [distance, position] = p.nearest;
+    flat.insert(flat.end(), { distance, position.x, position.y, position.z });
   }
   const std::vector<std::vector<double>> all = ranks.gatherByRank(flat);
   std::vector<int> nearest(own.size(), 0);
   for (std::size_t i = 0; i < own.size(); ++i)
   {
-    const auto order = [&](int rank)
+    const NearestOrder order(own[i].query);
+    const auto candidateOf = [&](int rank)
     {
       const double* p = all[rank].data() + 4 * i;
-      return std::tuple(p[0], p[1], p[2], p[3]);
+      return NearestOrder::Candidate{ p[0], { p[1], p[2], p[3] } };
     };
     for (int rank = 1; rank < ranks.size(); ++rank)
     {
-      nearest[i] = order(rank) < order(nearest[i]) ? rank : nearest[i];
+      nearest[i] = order.isBefore(candidateOf(rank), candidateOf(nearest[i])) ? rank : nearest[i];
     }
   }
   return nearest;
@@ -235,7 +231,8 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
     if (nearest[i] == ranks.rank())
     {
       append(rows,
-        CarriedPoint::rowOf(i, own[i].position, surface.mesh(), surface.shared(), own[i].point));
+        CarriedPoint::rowOf(
+          i, own[i].nearest.position, surface.mesh(), surface.shared(), own[i].point));
     }
   }
   std::vector<bool> isKnown;
