@@ -6,64 +6,12 @@ pasting in the table, dragging a row of it, and typing a point after the Tab key
 usage: RealInput.py PARAVIEW FOLDER
 """
 
-import json
-import os
-import subprocess
 import sys
 import time
 
 import numpy as np
 
-PARAVIEW, FOLDER = sys.argv[1:]
-REPORT = os.path.join(FOLDER, "points.json")
-WIDTH, HEIGHT = 1366, 768
-# The colours of the markers and of the table's chosen row.
-ORANGE = (230, 76, 26)
-GREEN = (0, 255, 0)
-
-
-def xdotool(*arguments):
-    subprocess.run(["xdotool", *map(str, arguments)], check=True)
-
-
-def screen():
-    raw = subprocess.run(
-        ["import", "-window", "root", "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True)
-    return np.frombuffer(raw.stdout, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
-
-
-def places_of(color):
-    """x and y of the pixels of about this colour."""
-    y, x = np.nonzero((abs(screen() - color) < 4).all(axis=2))
-    return x, y
-
-
-def points():
-    with open(REPORT, encoding="utf-8") as file:
-        return np.reshape(json.load(file), (-1, 3))
-
-
-def wait_until(what, condition):
-    """A minute is for a machine that does much else; the answer comes at once."""
-    for _ in range(600):
-        if condition():
-            return
-        assert paraview.poll() is None, "ParaView has ended"
-        time.sleep(0.1)
-    subprocess.run(["import", "-window", "root", os.path.join(FOLDER, "failed.png")], check=True)
-    sys.exit(f"FAILED: {what}; see failed.png")
-
-
-def wait_for(count):
-    wait_until(f"{count} points", lambda: len(points()) == count)
-
-
-def settle():
-    """Waits until the screen stands still: the table grows with its rows."""
-    before = None
-    while before is None or not np.array_equal(before, screen()):
-        before = screen()
-        time.sleep(0.5)
+from pointer import ORANGE, Window, screen, settle, xdotool
 
 
 def chosen_row():
@@ -76,21 +24,9 @@ def chosen_row():
     return (x.min() + x.max()) // 2, (top + bottom) // 2, bottom - top + 2
 
 
-if os.path.exists(REPORT):
-    os.remove(REPORT)
-paraview = subprocess.Popen(
-    [PARAVIEW, "-qwindowgeometry", f"{WIDTH}x{HEIGHT}+0+0", "--dr",
-     "--script=" + os.path.join(os.environ["PYTHONPATH"], "Reporting.py")],
-    env={**os.environ, "REPORT": REPORT})
-wait_until("ParaView to start", lambda: os.path.exists(REPORT))
-
-# The button has the colour of the markers; the ball is in the middle of the view, which is green round it.
-wait_until("the panel", lambda: len(places_of(ORANGE)[0]) > 20)
-x, y = places_of(ORANGE)
-BUTTON = int(x.mean()), int(y.mean())
-wait_until("the view", lambda: len(places_of(GREEN)[0]) > 100000)
-x, y = places_of(GREEN)
-VIEW = (x.min() + x.max() + 1) // 2, (y.min() + y.max() + 1) // 2
+window = Window(*sys.argv[1:], "Ball.py", ORANGE)
+points, wait_for, wait_until = window.points, window.wait_for, window.wait_until
+BUTTON, VIEW = window.button, window.view
 
 # The keys go to the view once it has been clicked in.
 xdotool("mousemove", VIEW[0] - 300, VIEW[1] - 200, "click", 1)
@@ -155,5 +91,4 @@ xdotool("type", "--delay", "50", "0.3")
 xdotool("key", "Return")
 wait_until("the typed point", lambda: np.allclose(points()[4], [0.1, 0.2, 0.3]))
 
-paraview.kill()
-paraview.wait()
+window.close()

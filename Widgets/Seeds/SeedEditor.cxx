@@ -35,10 +35,11 @@ void SeedEditor::follow(SeedPicker* picker, pqRenderView* view, SeedOverlay* ove
   this->Overlay = overlay;
   this->connect(picker, &SeedPicker::picked, this, &SeedEditor::pick);
   this->connect(picker, &SeedPicker::inserted, this, &SeedEditor::insert);
-  this->connect(
-    picker, &SeedPicker::removed, this, [this](int row) { this->Model.removeRows({ row }); });
-  this->connect(picker, &SeedPicker::deleteRequested, this->Panel->table(), &SeedTableView::remove);
-  this->connect(picker, &SeedPicker::undoRequested, this, &SeedEditor::undoPick);
+  this->connect(picker, &SeedPicker::removed, this,
+    [this](int row) { this->edit([this, row] { this->Model.removeRows({ row }); }); });
+  this->connect(picker, &SeedPicker::deleteRequested, this,
+    [this] { this->edit([this] { this->Panel->table()->remove(); }); });
+  this->connect(picker, &SeedPicker::undoRequested, this, &SeedEditor::undo);
   this->connect(picker, &SeedPicker::dragStarted, this, &SeedEditor::startDrag);
   this->connect(picker, &SeedPicker::dragged, this, &SeedEditor::drag);
   this->connect(picker, &SeedPicker::dragFinished, this, &SeedEditor::finishDrag);
@@ -47,22 +48,24 @@ void SeedEditor::follow(SeedPicker* picker, pqRenderView* view, SeedOverlay* ove
 
 void SeedEditor::pick(const Position& point)
 {
-  const QVector<double> before = this->Model.values();
-  this->Panel->table()->append({ point });
-  this->notePick(before);
+  this->edit([&] { this->Panel->table()->append({ point }); });
 }
 
 void SeedEditor::insert(int row, const Position& point)
 {
-  const QVector<double> before = this->Model.values();
-  this->Model.insert(row, point);
-  this->Panel->table()->choose(row);
-  this->notePick(before);
+  this->edit(
+    [&]
+    {
+      this->Model.insert(row, point);
+      this->Panel->table()->choose(row);
+    });
 }
 
-void SeedEditor::notePick(const QVector<double>& before)
+void SeedEditor::edit(const std::function<void()>& change)
 {
-  this->Picks.add(before, this->Model.values());
+  const QVector<double> before = this->Model.values();
+  change();
+  this->Edits.add({ before, this->Model.values(), false });
   this->showUndo();
 }
 
@@ -70,23 +73,36 @@ void SeedEditor::showUndo()
 {
   if (this->Picker)
   {
-    this->Picker->setUndoable(this->Picks.canUndo(this->Model.values()));
+    this->Picker->setUndoable(this->Edits.canUndo(this->Model.values()));
   }
 }
 
-void SeedEditor::undoPick()
+void SeedEditor::undo()
 {
-  this->Model.replace(this->Picks.undo());
+  const EditHistory::Edit edit = this->Edits.takeLast();
+  this->Model.replace(edit.before);
+  if (edit.isApplied && this->Live.isPossible())
+  {
+    this->beginLive();
+    this->Live.push(edit.before);
+    this->Live.finish();
+  }
   this->showUndo();
+}
+
+void SeedEditor::beginLive()
+{
+  this->Live.begin(this->View, this->Overlay, this->Surface.thickness());
 }
 
 void SeedEditor::startDrag(int row)
 {
   this->Panel->table()->choose(row);
+  this->BeforeDrag = this->Model.values();
   this->IsLive = this->Panel->isLive() && this->Live.isPossible();
   if (this->IsLive)
   {
-    this->Live.begin(this->View, this->Overlay, this->Surface.thickness());
+    this->beginLive();
   }
 }
 
@@ -110,6 +126,8 @@ void SeedEditor::drag(int row, const Position& point)
 
 void SeedEditor::finishDrag()
 {
+  this->Edits.add({ this->BeforeDrag, this->Model.values(), this->IsLive });
+  this->showUndo();
   if (this->IsLive)
   {
     this->Live.finish();

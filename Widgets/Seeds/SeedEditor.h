@@ -3,12 +3,15 @@
 #ifndef seeds_SeedEditor_h
 #define seeds_SeedEditor_h
 
+#include "EditHistory.h"
 #include "LiveUpdate.h"
-#include "PickHistory.h"
 #include "Position.h"
 
 #include <QObject>
 #include <QPointer>
+#include <QVector>
+
+#include <functional>
 
 class pqRenderView;
 class vtkSMDoubleVectorProperty;
@@ -24,8 +27,8 @@ class SeedTableModel;
 class ShownSurface;
 
 /**
- * Turns the gestures of a picker into changes of the points: picks, which Ctrl+Z takes back,
- * removals and drags, which the filter follows where the panel asks for that.
+ * Turns the gestures of a picker into changes of the points: picks, removals and drags, which the
+ * filter follows where the panel asks for that. Ctrl+Z in the view takes them back.
  */
 class SeedEditor : public QObject
 {
@@ -47,11 +50,12 @@ Q_SIGNALS:
 private:
   void pick(const Position& point);
   void insert(int row, const Position& point);
-  /** Lets Ctrl+Z take back what was just done to the table. */
-  void notePick(const QVector<double>& before);
-  /** Lets Ctrl+Z in the view take back the last pick if nothing has followed it. */
+  /** Changes the table, and lets Ctrl+Z take that back. */
+  void edit(const std::function<void()>& change);
+  /** Lets Ctrl+Z in the view take back what was last done there, if nothing has followed it. */
   void showUndo();
-  void undoPick();
+  void undo();
+  void beginLive();
   void startDrag(int row);
   void drag(int row, const Position& point);
   void finishDrag();
@@ -62,9 +66,10 @@ private:
   QPointer<pqRenderView> View;
   QPointer<SeedOverlay> Overlay;
   QPointer<SeedPicker> Picker;
-  PickHistory Picks;
+  EditHistory Edits;
   LiveUpdate Live;
   bool IsLive = false;
+  QVector<double> BeforeDrag;
 };
 
 }
