@@ -65,6 +65,8 @@ struct SurfaceSeedsWidget::Internals
   SeedTableModel Model;
   SeedPanel* Panel = nullptr;
   ResultNumbers Result;
+  /** The values of the table that Result is of. */
+  QVector<double> ValuesOfResult;
   /** In the widget of another property; null if there is no error, or the property has changed. */
   QPointer<ErrorNote> Error;
   /** Null if the filter makes no distances. */
@@ -163,7 +165,7 @@ void SurfaceSeedsWidget::connectPanel()
       this->showPoints();
     });
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
-    &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::showLines);
+    &pqServerManagerModel::modifiedStateChanged, this, &SurfaceSeedsWidget::followState);
   this->connect(my.Editor.get(), &SeedEditor::moved, this,
     [this]
     {
@@ -349,6 +351,7 @@ void SurfaceSeedsWidget::showResult()
 {
   Internals& my = *this->Internal;
   my.Result = ResultNumbers::of(this->proxy(), this->propertyGroup());
+  my.ValuesOfResult = my.Model.values();
   my.Panel->showResult(my.Result);
   this->showError();
   my.Panel->showLive(LiveUpdate::isWanted(my.Result.runTime));
@@ -385,14 +388,30 @@ void SurfaceSeedsWidget::forgetLengths()
   my.Numbers->setResult({});
 }
 
-void SurfaceSeedsWidget::showLines()
+void SurfaceSeedsWidget::followState()
 {
+  this->showLines();
+  // Apply runs nothing where all is as in the last run, as after a change that was taken back.
   Internals& my = *this->Internal;
+  if (!this->isModified() && my.Model.values() == my.ValuesOfResult)
+  {
+    this->showResult();
+  }
+}
+
+bool SurfaceSeedsWidget::isModified() const
+{
   auto* source =
     pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
       this->proxy());
-  if (my.Overlay && source)
+  return !source || source->modifiedState() != pqProxy::UNMODIFIED;
+}
+
+void SurfaceSeedsWidget::showLines()
+{
+  Internals& my = *this->Internal;
+  if (my.Overlay)
   {
-    my.Overlay->setJoined(my.Role.isJoined && source->modifiedState() != pqProxy::UNMODIFIED);
+    my.Overlay->setJoined(my.Role.isJoined && this->isModified());
   }
 }

@@ -69,6 +69,9 @@ private:
   void detach();
   void showPoints();
   void showLines();
+  /** Follows whether the filter waits for Apply. */
+  void followState();
+  bool isModified() const;
   /** Shows what the filter's last run has measured. */
   void showResult();
   /** Shows the last run's error where its property is, or here. */
