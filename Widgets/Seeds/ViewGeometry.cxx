@@ -102,7 +102,8 @@ bool ViewGeometry::isDrawnHere() const
 
 bool ViewGeometry::isCovered(const Position& point, double tolerance) const
 {
-  const auto place = this->isDrawnHere() ? this->toWidget(point) : std::nullopt;
+  const bool wasDrawn = !this->Renderer->GetRenderWindow()->GetNeverRendered();
+  const auto place = wasDrawn && this->isDrawnHere() ? this->toWidget(point) : std::nullopt;
   if (!place)
   {
     return false;

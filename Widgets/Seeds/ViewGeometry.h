@@ -42,7 +42,7 @@ public:
   bool isDrawnHere() const;
   /**
    * Whether what was drawn at a point's pixel is nearer to the camera than the point, by more than
-   * a tolerance. Always false if a server draws.
+   * a tolerance. Always false if a server draws, or nothing was drawn yet.
    */
   bool isCovered(const Position& point, double tolerance) const;
   /** The pixel of the render window at a place of the widget, counted from its lower left corner.
