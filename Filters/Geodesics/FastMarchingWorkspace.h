@@ -15,13 +15,17 @@ namespace geodesic::bridge
 class FastMarchingWorkspace
 {
 public:
-  /** Returns a solver for the input's surface: the last one, if the surface is the same. */
+  /** Returns a solver for the input's surface: the last one, if the surface is the same, but for
+   * where its points are. */
   FastMarchingSolver& solverFor(vtkPolyData* input)
   {
     auto surface = InputSurface::of(InputBlocks(input), PointIdentity{});
     if (surface != this->Surface)
     {
-      this->Solver = std::make_unique<FastMarchingSolver>(surface->mesh());
+      if (!this->Solver || !this->Solver->moveTo(surface->mesh()))
+      {
+        this->Solver = std::make_unique<FastMarchingSolver>(surface->mesh());
+      }
       this->Surface = std::move(surface);
     }
     return *this->Solver;

@@ -16,6 +16,7 @@
 #include "filter/ProgressReporter.h"
 #include "input/InputBlocks.h"
 #include "input/InputSurface.h"
+#include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
 #include "output/PathAttributes.h"
 #include "pieces/DistributedSurface.h"
@@ -32,8 +33,7 @@
 struct vtkSurfaceGeodesicCentre::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
-  int Method = FAST_MARCHING;
-  std::unique_ptr<geodesic::DistanceSolver> Solver;
+  geodesic::KeptSolver Solver;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicCentre);
@@ -113,12 +113,7 @@ void vtkSurfaceGeodesicCentre::Search(
   Internals& internal = *this->Internal;
   const geodesic::bridge::InputSurface& surface = internal.Surface->piece();
   const geodesic::SolverTraits& method = this->GetSolver();
-  if (!internal.Solver || &internal.Solver->mesh() != surface.mesh().get() ||
-    internal.Method != method.number)
-  {
-    internal.Solver = method.make(surface.mesh());
-    internal.Method = method.number;
-  }
+  geodesic::DistanceSolver& solver = internal.Solver.get(method, surface.mesh());
   geodesic::CentreRequest request;
   request.error = this->RelativeError;
   request.mostFields = static_cast<std::size_t>(this->MaximumNumberOfFields);
@@ -128,7 +123,7 @@ void vtkSurfaceGeodesicCentre::Search(
   geodesic::bridge::ProgressReporter reporter(*this, steps);
   request.onProgress = [&](double part)
   { return reporter.report(static_cast<std::size_t>(part * steps)); };
-  const auto parts = geodesic::findCentres(*internal.Solver, request);
+  const auto parts = geodesic::findCentres(solver, request);
   if (parts.empty())
   {
     return;

@@ -24,6 +24,7 @@
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
 #include "lines/SidesOfSeeds.h"
+#include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
@@ -61,24 +62,12 @@ struct vtkSurfaceGeodesicDistance::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
-  int Method = FAST_MARCHING;
-  std::unique_ptr<geodesic::DistanceSolver> Solver;
+  geodesic::KeptSolver Solver;
   const geodesic::DistanceField* Field = nullptr;
   /** With SpreadWork or GatherForExact on several ranks. */
   geodesic::distributed::DealtField Dealt;
   /** With Signed. */
   geodesic::distributed::SidesOfSeeds Sides;
-
-  /** Makes the solver of a method on a mesh, unless it is there. */
-  void setSolver(
-    const geodesic::SolverTraits& method, const std::shared_ptr<const geodesic::TriangleMesh>& mesh)
-  {
-    if (!this->Solver || &this->Solver->mesh() != mesh.get() || this->Method != method.number)
-    {
-      this->Solver = method.make(mesh);
-      this->Method = method.number;
-    }
-  }
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -350,8 +339,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
     return;
   }
   internal.Dealt.clear();
-  internal.setSolver(method, surface.mesh());
-  internal.Field = &internal.Solver->solve(openSeeds, options);
+  internal.Field = &internal.Solver.get(method, surface.mesh()).solve(openSeeds, options);
   this->ReportWork(run, partition, *internal.Field, internal.Lined.mesh()->numberOfPoints());
 }
 
@@ -401,17 +389,18 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   geodesic::distributed::DealtRequest request(
     ranks, dealt, options, std::move(seeds), destinations);
   geodesic::distributed::DistributedSolver partition(ranks, dealt.divided());
-  internal.setSolver(this->GetSolver(), dealt.divided().sharedMesh());
+  geodesic::DistanceSolver& solver =
+    internal.Solver.get(this->GetSolver(), dealt.divided().sharedMesh());
   const geodesic::DistanceField* field = nullptr;
   geodesic::StopReason reason{};
   if (gathers)
   {
-    std::tie(field, reason) = geodesic::distributed::solveOnFirst(ranks, request, *internal.Solver);
+    std::tie(field, reason) = geodesic::distributed::solveOnFirst(ranks, request, solver);
   }
   else
   {
     request.options().partition = &partition;
-    field = &internal.Solver->solve(request.seeds(), request.options());
+    field = &solver.solve(request.seeds(), request.options());
     reason = field->stopReason();
   }
   internal.Field = &internal.Dealt.takeBack(ranks, field, reason);

@@ -24,6 +24,7 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
+#include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
@@ -98,8 +99,7 @@ struct vtkSurfaceGeodesicSamples::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
-  int Method = FAST_MARCHING;
-  std::unique_ptr<geodesic::DistanceSolver> Solver;
+  geodesic::KeptSolver Solver;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicSamples);
@@ -253,12 +253,7 @@ void vtkSurfaceGeodesicSamples::Compute(geodesic::distributed::RankGroup& ranks,
         }
       }
     });
-  if (!internal.Solver || &internal.Solver->mesh() != surface.mesh().get() ||
-    internal.Method != method.number)
-  {
-    internal.Solver = method.make(surface.mesh());
-    internal.Method = method.number;
-  }
+  geodesic::DistanceSolver& solver = internal.Solver.get(method, surface.mesh());
   const std::vector<geodesic::Seed> firstPoints = geodesic::distributed::seedsAt(std::move(first));
   const std::vector<std::uint8_t> isMade = madeBySplitting(internal.Lined.split());
   request.firstPoints = firstPoints;
@@ -269,7 +264,7 @@ void vtkSurfaceGeodesicSamples::Compute(geodesic::distributed::RankGroup& ranks,
   geodesic::bridge::ProgressReporter reporter(*this, steps);
   request.onProgress = [&](double part)
   { return reporter.report(static_cast<std::size_t>(part * steps)); };
-  const geodesic::Sampling sampling = geodesic::sampleFarthest(*internal.Solver, request);
+  const geodesic::Sampling sampling = geodesic::sampleFarthest(solver, request);
   if (sampling.isCancelled)
   {
     return;

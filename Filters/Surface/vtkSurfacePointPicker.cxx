@@ -169,7 +169,7 @@ void vtkSurfacePointPicker::Pick()
     this->Internal->prepare(this->ArrayName);
     const auto& surface = this->Internal->Surface;
     const auto hit =
-      surface ? surface->closestPoints().firstOnRay(origin, direction) : std::nullopt;
+      surface ? surface->closestPoints().tree().firstOnRay(origin, direction) : std::nullopt;
     if (hit)
     {
       nearest = { hit->distance,

@@ -47,6 +47,12 @@ def main(build, pvpython, ours, bundled, document, tiny=None):
             plugin)
         return loaded(file)
 
+    def moving_run(seed_by):
+        file = os.path.join(results, f"moving-by-{seed_by}.json")
+        run(pvpython, os.path.join(FOLDER, "moving_surface.py"), file, ours, seed_by,
+            *(["20"] if tiny else []))
+        return loaded(file)
+
     two_threads = core("two-threads", TWO_THREADS) if len(cores) > 1 else None
     # What is started from here on inherits the core.
     os.sched_setaffinity(0, {max(cores)})
@@ -59,6 +65,7 @@ def main(build, pvpython, ours, bundled, document, tiny=None):
             "ours-by-id": filter_run("ours-by-id", ours),
             "ours-by-position": filter_run("ours-by-position", ours),
             "bundled": filter_run("bundled", bundled),
+            "moving": {seed_by: moving_run(seed_by) for seed_by in ("id", "position")},
         } for _ in range(1 if tiny else ROUNDS)]
     }
     with open(os.path.join(results, "all.json"), "w") as stream:

@@ -3,8 +3,11 @@
 // The closest point against a search through all triangles by CGAL.
 
 #include "ExactDistances.h"
+#include "RandomMeshes.h"
 #include "Solving.h"
+#include "base/WorkCount.h"
 #include "search/ClosestPointTree.h"
+#include "search/PointSearch.h"
 
 #include <gtest/gtest.h>
 
@@ -43,9 +46,12 @@ void checkAgainstAllTriangles(const Surface& surface, const Vector3& shift, doub
       expected = std::min(expected,
         distanceToTriangle(moved.points[t[0]], moved.points[t[1]], moved.points[t[2]], query));
     }
-    const auto found = tree.closestPoint(query);
-    EXPECT_NEAR(found.distance, expected, 1e-9);
-    EXPECT_NEAR(norm(found.position - query), found.distance, 1e-12);
+    for (const auto& found : { tree.closestPoint(query), scannedClosestPoint(*mesh, query) })
+    {
+      EXPECT_NEAR(found.distance, expected, 1e-9);
+      EXPECT_NEAR(norm(found.position - query), found.distance, 1e-12);
+      EXPECT_EQ(mesh->positionOf(found.point), found.position);
+    }
   }
 }
 
@@ -179,4 +185,46 @@ TEST(ClosestPoint, APointTooFarToMeasureIsAnError)
 {
   const ClosestPointTree tree(meshOf(icosphere(0)));
   EXPECT_THROW(tree.closestPoint({ 1e200, 0.0, 0.0 }), std::invalid_argument);
+}
+
+// A vertex that no triangle has may be nearer, but is no point of the surface.
+TEST(ClosestPoint, AScanFindsWhatTheTreeFinds)
+{
+  for (unsigned seed = 0; seed < 3 * meshKinds().size(); ++seed)
+  {
+    const MeshKind kind = meshKinds()[seed % meshKinds().size()];
+    SCOPED_TRACE(nameOf(kind));
+    const auto whole = meshOf(randomSurface(kind, seed), CoincidentPoints::Merge);
+    std::vector<bool> leftOut(whole->numberOfTriangles());
+    for (std::size_t t = 0; t < leftOut.size() / 2; ++t)
+    {
+      leftOut[t] = true;
+    }
+    const auto mesh = std::make_shared<const TriangleMesh>(whole->without(leftOut));
+    const ClosestPointTree tree(mesh);
+    for (Index v = 0; v < mesh->numberOfVertices(); v += 7)
+    {
+      const Vector3 query =
+        mesh->position(v) + 0.1 * mesh->meanLongestEdge() * Vector3{ 1.0, -0.3, 0.7 };
+      const double expected = tree.closestPoint(query).distance;
+      EXPECT_NEAR(
+        scannedClosestPoint(*mesh, query).distance, expected, 1e-12 * (1.0 + norm(query)));
+    }
+  }
+}
+
+TEST(ClosestPoint, ASearchGoesOverToTheTree)
+{
+  const auto mesh = meshOf(icosphere(4));
+  const PointSearch search(mesh);
+  const Vector3 query{ 0.2, 0.7, -1.1 };
+  for (int i = 0; i < 2 * PointSearch::MostScans; ++i)
+  {
+    const std::size_t before = WorkCount::steps();
+    const auto found = search.closestPoint(query);
+    EXPECT_EQ(found.position, ClosestPointTree(mesh).closestPoint(query).position);
+    EXPECT_EQ(WorkCount::steps() - before > 0, i < PointSearch::MostScans);
+  }
+  EXPECT_THROW(PointSearch(meshOf({})).closestPoint(query), std::invalid_argument);
+  EXPECT_THROW(search.closestPoint({ 1e200, 0.0, 0.0 }), std::invalid_argument);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/InputSurface.h"
 
+#include "input/InputGeometry.h"
 #include "input/ObjectVersion.h"
 #include "input/PolyDataTriangles.h"
 #include "input/VersionCache.h"
@@ -12,8 +13,10 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic::bridge
@@ -27,6 +30,8 @@ struct BlockPlace
   unsigned int flatIndex;
   unsigned int number;
   std::string name;
+  /** Of cells without faces, whose numbers come before those of the others. */
+  vtkIdType faceless;
 
   friend bool operator==(const BlockPlace&, const BlockPlace&) = default;
 };
@@ -34,60 +39,48 @@ struct BlockPlace
 /** Identifies the points and cells of an input. */
 struct InputVersion
 {
-  PointIdentity points;
-  std::vector<ObjectVersion> parts;
+  PointIdentity identity;
+  std::vector<ObjectVersion> points;
+  /** The arrays of cells, of ghost cells, and of ids if they matter. */
+  std::vector<ObjectVersion> cells;
   std::vector<BlockPlace> places;
 
   friend bool operator==(const InputVersion&, const InputVersion&) = default;
 };
 
-InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& points)
+InputVersion versionOf(const InputBlocks& blocks, const PointIdentity& identity)
 {
-  InputVersion version{ points, {}, {} };
+  InputVersion version{ identity, {}, {}, {} };
   for (const InputBlock& block : blocks)
   {
     vtkPolyData* surface = block.surface;
-    version.parts.insert(version.parts.end(),
-      { surface->GetPoints(), surface->GetPolys(), surface->GetStrips(),
-        surface->GetCellGhostArray() });
-    if (points.by == PointIdentity::By::GlobalIds)
+    version.points.emplace_back(surface->GetPoints());
+    version.cells.insert(version.cells.end(),
+      { surface->GetPolys(), surface->GetStrips(), surface->GetCellGhostArray() });
+    if (identity.by == PointIdentity::By::GlobalIds)
     {
-      version.parts.emplace_back(block.globalPointIds());
+      version.cells.emplace_back(block.globalPointIds());
     }
-    version.places.push_back({ block.flatIndex, block.block, block.name });
+    version.places.push_back({ block.flatIndex, block.block, block.name,
+      surface->GetNumberOfVerts() + surface->GetNumberOfLines() });
   }
   return version;
 }
 
-/** Reserves memory for all blocks at once. Polygons can give more triangles than are reserved. */
-void reserve(const InputBlocks& blocks, std::vector<Vector3>& points, SurfaceTriangles& triangles)
+/** Whether points of equal coordinates are one vertex; nothing where kindsOfPoints() decides. */
+std::optional<CoincidentPoints> coincidentPoints(
+  const InputBlocks& blocks, const PointIdentity& identity)
 {
-  vtkIdType numberOfPoints = 0;
-  vtkIdType numberOfPolygons = 0;
-  for (const InputBlock& block : blocks)
+  if (identity.by == PointIdentity::By::Nothing)
   {
-    numberOfPoints += block.surface->GetNumberOfPoints();
-    numberOfPolygons += block.surface->GetNumberOfPolys();
+    return CoincidentPoints::Separate;
   }
-  points.reserve(numberOfPoints);
-  triangles.corners.reserve(numberOfPolygons);
-  triangles.cells.reserve(numberOfPolygons);
-}
-
-std::shared_ptr<const TriangleMesh> meshOf(const InputBlocks& blocks, const PointIdentity& identity,
-  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
-  const ThreadTeam& team)
-{
-  const bool areAllSeparate = identity.by == PointIdentity::By::Nothing;
   const bool isWithinBlocks = !identity.acrossBlocks && blocks.size() > 1;
-  if (areAllSeparate || (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks))
+  if (identity.by == PointIdentity::By::Coordinates && !isWithinBlocks)
   {
-    return std::make_shared<const TriangleMesh>(points, triangles,
-      areAllSeparate ? CoincidentPoints::Separate : CoincidentPoints::Merge, team,
-      &updateMeasurer());
+    return CoincidentPoints::Merge;
   }
-  return std::make_shared<const TriangleMesh>(
-    points, triangles, kindsOfPoints(blocks, identity, points), team, &updateMeasurer());
+  return {};
 }
 
 void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
@@ -109,14 +102,26 @@ void checkNotEmpty(const TriangleMesh& mesh, const InputBlocks& blocks)
 }
 
 std::shared_ptr<const InputSurface> InputSurface::of(
-  const InputBlocks& blocks, const PointIdentity& points, const ThreadTeam& team)
+  const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team)
 {
   static VersionCache<InputVersion, const InputSurface> known;
-  return known.get(versionOf(blocks, points),
-    [&]
+  return known.get(versionOf(blocks, identity),
+    [&](const InputVersion& version, const auto& held)
     {
-      auto surface = std::make_shared<const InputSurface>(blocks, points, team);
-      if (!points.rank)
+      InputGeometry geometry(blocks, identity.rank);
+      for (const auto& other : held)
+      {
+        const bool canMove =
+          other.version.identity == version.identity && other.version.places == version.places;
+        if (auto surface = canMove
+            ? moved(*other.made, other.version.cells == version.cells, geometry, identity, team)
+            : nullptr)
+        {
+          return surface;
+        }
+      }
+      auto surface = built(geometry, identity, team);
+      if (!identity.rank)
       {
         checkNotEmpty(*surface->mesh(), blocks);
       }
@@ -124,46 +129,81 @@ std::shared_ptr<const InputSurface> InputSurface::of(
     });
 }
 
-InputSurface::InputSurface(
-  const InputBlocks& blocks, const PointIdentity& identity, const ThreadTeam& team)
-  : Numbering(blocks, identity.rank)
+InputSurface::InputSurface(BlockNumbering numbering, std::shared_ptr<const TriangleMesh> mesh)
+  : Numbering(std::move(numbering))
+  , Mesh(std::move(mesh))
+  , ClosestPoints(std::make_unique<const PointSearch>(this->Mesh))
 {
-  std::vector<Vector3> points;
-  SurfaceTriangles triangles;
-  reserve(blocks, points, triangles);
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+}
+
+std::shared_ptr<const InputSurface> InputSurface::built(
+  InputGeometry& geometry, const PointIdentity& identity, const ThreadTeam& team)
+{
+  SurfaceTriangles& triangles = geometry.triangles();
+  const auto coincident = coincidentPoints(geometry.blocks(), identity);
+  auto mesh = coincident
+    ? std::make_shared<const TriangleMesh>(
+        geometry.points(), triangles.corners, *coincident, team, &updateMeasurer())
+    : std::make_shared<const TriangleMesh>(geometry.points(), triangles.corners,
+        kindsOfPoints(geometry.blocks(), identity, geometry.points()), team, &updateMeasurer());
+  const std::shared_ptr<InputSurface> surface(
+    new InputSurface(geometry.numbering(), std::move(mesh)));
+  surface->Cells = sourceCellsOf(std::move(triangles.cells));
+  surface->IsCutByPositions = triangles.areCutByPositions;
+  return surface;
+}
+
+std::shared_ptr<const InputSurface> InputSurface::moved(const InputSurface& held, bool hasSameCells,
+  InputGeometry& geometry, const PointIdentity& identity, const ThreadTeam& team)
+{
+  const TriangleMesh& mesh = *held.mesh();
+  if (geometry.points().size() != mesh.numberOfPoints())
   {
-    appendPoints(blocks[i].surface, points);
-    appendTriangles(blocks[i].surface, points, this->Numbering.firstPointOf(i),
-      this->Numbering.firstCellOf(i), triangles);
+    return nullptr;
   }
-  this->Mesh = meshOf(blocks, identity, points, triangles.corners, team);
-  if (triangles.cells.empty())
+  const bool keepsTriangles = hasSameCells && !held.IsCutByPositions;
+  if (!keepsTriangles && !mesh.isMadeOf(geometry.triangles().corners))
   {
-    return;
+    return nullptr;
   }
-  this->FirstCell = triangles.cells.front();
-  for (Index t = 0; t < triangles.cells.size(); ++t)
+  const auto coincident = coincidentPoints(geometry.blocks(), identity);
+  auto movedMesh = coincident
+    ? mesh.withPositions(geometry.points(), *coincident, team)
+    : mesh.withPositions(
+        geometry.points(), kindsOfPoints(geometry.blocks(), identity, geometry.points()), team);
+  if (!movedMesh)
   {
-    if (triangles.cells[t] != this->FirstCell + t)
+    return nullptr;
+  }
+  const std::shared_ptr<InputSurface> surface(new InputSurface(
+    geometry.numbering(), std::make_shared<const TriangleMesh>(std::move(*movedMesh))));
+  surface->Cells =
+    keepsTriangles ? held.Cells : sourceCellsOf(std::move(geometry.triangles().cells));
+  surface->IsCutByPositions =
+    keepsTriangles ? held.IsCutByPositions : geometry.triangles().areCutByPositions;
+  return surface;
+}
+
+std::shared_ptr<const InputSurface::SourceCells> InputSurface::sourceCellsOf(
+  std::vector<Index> cells)
+{
+  SourceCells source;
+  source.first = cells.empty() ? 0 : cells.front();
+  for (Index t = 0; t < cells.size(); ++t)
+  {
+    if (cells[t] != source.first + t)
     {
-      this->CellOfSource = std::move(triangles.cells);
+      source.cells = std::move(cells);
       break;
     }
   }
+  return std::make_shared<const SourceCells>(std::move(source));
 }
 
 Index InputSurface::cellOfTriangle(Index triangle) const
 {
   const Index source = this->Mesh->sourceOfTriangle(triangle);
-  return this->CellOfSource.empty() ? this->FirstCell + source : this->CellOfSource[source];
-}
-
-const ClosestPointTree& InputSurface::closestPoints() const
-{
-  std::call_once(this->ClosestPointsBuilt,
-    [this] { this->ClosestPoints = std::make_unique<ClosestPointTree>(this->Mesh); });
-  return *this->ClosestPoints;
+  return this->Cells->cells.empty() ? this->Cells->first + source : this->Cells->cells[source];
 }
 
 }

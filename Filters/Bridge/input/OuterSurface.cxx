@@ -206,7 +206,7 @@ std::shared_ptr<vtkPolyData> extracted(vtkDataSet* data)
 std::shared_ptr<vtkPolyData> outerSurfaceOf(vtkDataSet* data)
 {
   static VersionCache<DataVersion, vtkPolyData> known;
-  return known.get(versionOf(data), [&] { return extracted(data); });
+  return known.get(versionOf(data), [&](const auto&, const auto&) { return extracted(data); });
 }
 
 }

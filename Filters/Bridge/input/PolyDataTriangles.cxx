@@ -266,6 +266,7 @@ void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, I
       if (!isHidden(cell))
       {
         triangulator.addPolygon(corners);
+        triangles.areCutByPositions = triangles.areCutByPositions || corners.size() > 3;
       }
       noteCell();
     });

@@ -25,6 +25,9 @@ struct SurfaceTriangles
   std::vector<Triangle> corners;
   /** The cell of each triangle. */
   std::vector<Index> cells;
+  /** Whether there are polygons of more than three corners, whose triangles depend on where the
+   * corners are. */
+  bool areCutByPositions = false;
 };
 
 /**

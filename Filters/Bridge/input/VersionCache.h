@@ -20,21 +20,37 @@ template <class Version, class Made>
 class VersionCache
 {
 public:
-  /** Returns the object that was made for a version, or else the result of @p make. */
+  /** An object that somebody holds, and the version that it was made for. */
+  struct Held
+  {
+    Version version;
+    std::shared_ptr<Made> made;
+  };
+
+  /**
+   * Returns the object that was made for a version, or else the result of @p make.
+   * @param make called as make(version, held) with what was made for other versions, so that it can
+   *             take parts of that; the newest comes first
+   */
   template <class Make>
   std::shared_ptr<Made> get(Version version, const Make& make)
   {
     const std::lock_guard lock(this->Mutex);
     std::erase_if(this->Known, [](const auto& known) { return known.second.expired(); });
-    for (const auto& [knownVersion, kept] : this->Known)
+    std::vector<Held> held;
+    for (auto known = this->Known.rbegin(); known != this->Known.rend(); ++known)
     {
-      const auto made = kept.lock();
-      if (made && knownVersion == version)
+      // Meanwhile another thread may have let go of it.
+      if (std::shared_ptr<Made> made = known->second.lock())
       {
-        return made;
+        if (known->first == version)
+        {
+          return made;
+        }
+        held.push_back({ known->first, std::move(made) });
       }
     }
-    std::shared_ptr<Made> made = make();
+    std::shared_ptr<Made> made = make(std::as_const(version), std::as_const(held));
     this->Known.emplace_back(std::move(version), made);
     return made;
   }

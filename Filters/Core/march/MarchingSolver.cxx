@@ -158,6 +158,16 @@ MarchingSolver::MarchingSolver(
 {
 }
 
+bool MarchingSolver::renewFor(const TriangleMesh& mesh)
+{
+  this->Bounds = std::make_shared<UpdateBounds>(mesh);
+  this->UnitReaches.reset();
+  this->LastCost.reset();
+  this->CostReaches.reset();
+  this->DiscSolver.reset();
+  return true;
+}
+
 bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
   const AgreedMargins margins(*this->Bounds, request.front.labels.size(), request.partition);

@@ -34,6 +34,7 @@ protected:
     std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds);
 
   bool march(const Request& request, StopLimit& limit, DistanceField& field) final;
+  bool renewFor(const TriangleMesh& mesh) final;
 
   /**
    * Marches from start values. The second form is for a cost that varies.

@@ -5,12 +5,30 @@
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace geodesic
 {
 namespace
 {
+
+/** The length of a triangle's longest side, rounded up. */
+float longestSideOf(const Triangle& t, const Vector3* positions)
+{
+  const auto squaredSide = [&](int a, int b)
+  {
+    const Vector3 side = positions[t[a]] - positions[t[b]];
+    return dot(side, side);
+  };
+  const double longest =
+    std::sqrt(largest(squaredSide(0, 1), largest(squaredSide(1, 2), squaredSide(2, 0))));
+  // Adds more than rounding to a float may take away.
+  constexpr double relative = std::numeric_limits<float>::epsilon();
+  constexpr double absolute = std::numeric_limits<float>::denorm_min();
+  return static_cast<float>(longest * (1.0 + relative) + absolute);
+}
 
 /** Measures the triangles round vertices, TriangleNumbers::Most at a time. */
 class RingPass
@@ -68,6 +86,20 @@ private:
   std::array<std::uint32_t, TriangleNumbers::Most> Entries;
 };
 
+}
+
+void measureTriangles(const RingMeasurer* measurer, std::span<const Triangle> triangles,
+  std::span<const Vector3> positions, TriangleNumbers& numbers)
+{
+  if (measurer)
+  {
+    measurer->measure(triangles, positions, numbers);
+    return;
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    numbers.longestSides[i] = longestSideOf(triangles[i], positions.data());
+  }
 }
 
 std::shared_ptr<const RingNumbers> ringNumbers(

@@ -60,6 +60,11 @@ public:
   virtual EntryNumber ofNoTriangle() const = 0;
 };
 
+/** Has a measurer measure up to TriangleNumbers::Most triangles; without one, where @p measurer is
+ * null, only their longest sides. */
+void measureTriangles(const RingMeasurer* measurer, std::span<const Triangle> triangles,
+  std::span<const Vector3> positions, TriangleNumbers& numbers);
+
 /** The numbers of a mesh's ring entries and vertices. */
 struct RingNumbers
 {

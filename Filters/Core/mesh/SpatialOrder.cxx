@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SpatialOrder.h"
 
-#include "base/BoundingBox.h"
 #include "base/Platform.h"
 #include "mesh/MortonCurve.h"
 
@@ -28,10 +27,6 @@ void throwNotFinite(Index point, const Vector3& position)
   throw std::invalid_argument(message.str());
 }
 
-namespace
-{
-
-/** Checks that squares of lengths, and lengths in single precision, can hold the surface. */
 void checkMagnitude(const BoundingBox& box)
 {
   constexpr double least = 1e-30;
@@ -51,6 +46,9 @@ void checkMagnitude(const BoundingBox& box)
     throw std::invalid_argument(message.str());
   }
 }
+
+namespace
+{
 
 constexpr int RadixBits = 11;
 constexpr int RadixPasses = 3;

@@ -3,6 +3,7 @@
 #ifndef geodesic_SpatialOrder_h
 #define geodesic_SpatialOrder_h
 
+#include "base/BoundingBox.h"
 #include "base/BulkVector.h"
 #include "base/Index.h"
 #include "base/ThreadTeam.h"
@@ -25,6 +26,11 @@ inline void checkFinite(Index point, const Vector3& position)
     throwNotFinite(point, position);
   }
 }
+
+/** Checks that squares of lengths, and lengths in single precision, can hold a surface in a box.
+ * @throws std::invalid_argument where the largest coordinate is below 1e-30 (but not 0) or above
+ *         1e30 */
+void checkMagnitude(const BoundingBox& box);
 
 /**
  * Orders points along a Morton (Z) curve through their bounding cube, so that neighbours on the

@@ -4,6 +4,7 @@
 
 #include "base/Mean.h"
 #include "base/Platform.h"
+#include "mesh/MotionTable.h"
 #include "mesh/SpatialOrder.h"
 
 #include <algorithm>
@@ -70,8 +71,8 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
   CoincidentPoints coincident, const ThreadTeam& team, const RingMeasurer* measurer)
 {
   checkNumbers(points.size(), triangles.size());
-  this->numberVertices(points, usedPoints(points.size(), triangles, team), coincident, team);
-  this->build(triangles, team, measurer);
+  const std::vector<std::uint8_t> used = usedPoints(points.size(), triangles, team);
+  this->build(numbered(points, used, coincident, team), triangles, team, measurer);
 }
 
 TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Triangle> triangles,
@@ -93,15 +94,15 @@ TriangleMesh::TriangleMesh(std::span<const Vector3> points, std::span<const Tria
       }
     }
   }
-  this->numberVertices(points, isFirst, CoincidentPoints::Separate, team);
+  Numbering numbering = numbered(points, isFirst, CoincidentPoints::Separate, team);
   for (Index i = 0; i < points.size(); ++i)
   {
     if (used[i])
     {
-      this->VertexOfPoint[i] = this->VertexOfPoint[firstOfKind[kinds[i]]];
+      numbering.vertexOfPoint[i] = numbering.vertexOfPoint[firstOfKind[kinds[i]]];
     }
   }
-  this->build(triangles, team, measurer);
+  this->build(std::move(numbering), triangles, team, measurer);
 }
 
 TriangleMesh TriangleMesh::without(const std::vector<bool>& leftOut, const ThreadTeam& team) const
@@ -110,32 +111,43 @@ TriangleMesh TriangleMesh::without(const std::vector<bool>& leftOut, const Threa
   mesh.Positions = this->Positions;
   mesh.VertexOfPoint = this->VertexOfPoint;
   mesh.PointOfVertex = this->PointOfVertex;
-  mesh.Triangles.reserve(this->numberOfTriangles());
-  mesh.SourceOfTriangle.reserve(this->numberOfTriangles());
+  mesh.BarePoints = this->BarePoints;
+  OrderedTriangles kept;
+  kept.triangles.reserve(this->numberOfTriangles());
+  kept.sources.reserve(this->numberOfTriangles());
   for (Index t = 0; t < this->numberOfTriangles(); ++t)
   {
     if (!leftOut[t])
     {
-      mesh.Triangles.push_back(this->Triangles[t]);
-      mesh.SourceOfTriangle.push_back(this->SourceOfTriangle[t]);
+      kept.triangles.push_back(this->Triangles[t]);
+      kept.sources.push_back(this->SourceOfTriangle[t]);
     }
   }
+  mesh.Triangles = SharedVector(std::move(kept.triangles));
+  mesh.SourceOfTriangle = SharedVector(std::move(kept.sources));
+  mesh.NumberOfSources = this->NumberOfSources;
+  mesh.Motion = std::make_shared<LazyMotionTable>();
   BulkVector<Index> room(VertexRings::RoomOfTriangle * mesh.Triangles.size());
   mesh.makeRings(room, team, this->measurer());
   return mesh;
 }
 
-void TriangleMesh::build(
-  std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer)
+void TriangleMesh::build(Numbering numbering, std::span<const Triangle> triangles,
+  const ThreadTeam& team, const RingMeasurer* measurer)
 {
+  this->Positions = std::move(numbering.positions);
+  this->PointOfVertex = SharedVector(std::move(numbering.pointOfVertex));
+  this->NumberOfSources = triangles.size();
+  this->Motion = std::make_shared<LazyMotionTable>();
   // The first access to memory is the most expensive one, so two steps share this workspace.
   BulkVector<Index> room(VertexRings::RoomOfTriangle * triangles.size());
-  this->orderTriangles(triangles, room, team);
+  this->orderTriangles(numbering.vertexOfPoint, triangles, room, team);
   this->makeRings(room, team, measurer);
   if (this->Triangles.size() < triangles.size())
   {
-    this->forgetBareVertices();
+    this->forgetBareVertices(numbering.vertexOfPoint);
   }
+  this->VertexOfPoint = SharedVector(std::move(numbering.vertexOfPoint));
 }
 
 void TriangleMesh::makeRings(
@@ -151,7 +163,7 @@ void TriangleMesh::makeRings(
   this->measureEdges();
 }
 
-void TriangleMesh::numberVertices(std::span<const Vector3> points,
+TriangleMesh::Numbering TriangleMesh::numbered(std::span<const Vector3> points,
   std::span<const std::uint8_t> used, CoincidentPoints coincident, const ThreadTeam& team)
 {
   const BulkVector<Index> order = spatialOrder(points, used, team);
@@ -170,9 +182,10 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
       starts[range] = count;
     });
   const std::size_t vertices = startsOf(starts);
-  this->VertexOfPoint.assign(points.size(), NoIndex);
-  this->Positions.resize(vertices);
-  this->PointOfVertex.resize(vertices);
+  Numbering numbering;
+  numbering.vertexOfPoint.assign(points.size(), NoIndex);
+  numbering.positions.resize(vertices);
+  numbering.pointOfVertex.resize(vertices);
   team.run(order.size(),
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
@@ -181,16 +194,17 @@ void TriangleMesh::numberVertices(std::span<const Vector3> points,
       {
         if (isFirstOfItsKind(i))
         {
-          this->Positions[next] = points[order[i]];
-          this->PointOfVertex[next] = order[i];
+          numbering.positions[next] = points[order[i]];
+          numbering.pointOfVertex[next] = order[i];
           ++next;
         }
-        this->VertexOfPoint[order[i]] = static_cast<Index>(next - 1);
+        numbering.vertexOfPoint[order[i]] = static_cast<Index>(next - 1);
       }
     });
+  return numbering;
 }
 
-void TriangleMesh::orderTriangles(
+void TriangleMesh::orderTriangles(std::span<const Index> vertexOfPoint,
   std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team)
 {
   // A counting sort: each thread counts and places a range of the triangles. Of equal lowest
@@ -204,7 +218,7 @@ void TriangleMesh::orderTriangles(
     {
       places[range].resize(vertices);
       Index* const counts = places[range].data();
-      const Index* const vertexOf = this->VertexOfPoint.data();
+      const Index* const vertexOf = vertexOfPoint.data();
       Index* to = corners.data() + 3 * first;
       for (const Triangle& input : triangles.subspan(first, last - first))
       {
@@ -236,8 +250,9 @@ void TriangleMesh::orderTriangles(
       }
     });
   const std::size_t total = startsOf(starts);
-  this->Triangles.resize(total);
-  this->SourceOfTriangle.resize(total);
+  OrderedTriangles all;
+  all.triangles.resize(total);
+  all.sources.resize(total);
   std::vector<std::vector<TriangleRange>> toSort(starts.size());
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
@@ -260,8 +275,8 @@ void TriangleMesh::orderTriangles(
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       Index* const next = places[range].data();
-      Triangle* const ordered = this->Triangles.data();
-      Index* const sources = this->SourceOfTriangle.data();
+      Triangle* const ordered = all.triangles.data();
+      Index* const sources = all.sources.data();
       const auto cornersOf = [from = corners.data()](std::size_t t) -> Triangle {
         return { from[3 * t], from[3 * t + 1], from[3 * t + 2] };
       };
@@ -299,12 +314,14 @@ void TriangleMesh::orderTriangles(
     });
   for (const std::vector<TriangleRange>& ranges : toSort)
   {
-    std::for_each(ranges.begin(), ranges.end(),
-      [&](const TriangleRange& range) { this->sortByCorners(range); });
+    std::for_each(
+      ranges.begin(), ranges.end(), [&](const TriangleRange& range) { all.sortByCorners(range); });
   }
+  this->Triangles = SharedVector(std::move(all.triangles));
+  this->SourceOfTriangle = SharedVector(std::move(all.sources));
 }
 
-void TriangleMesh::sortByCorners(const TriangleRange& range)
+void TriangleMesh::OrderedTriangles::sortByCorners(const TriangleRange& range)
 {
   struct Item
   {
@@ -320,24 +337,30 @@ void TriangleMesh::sortByCorners(const TriangleRange& range)
   items.reserve(range.last - range.first);
   for (Index t = range.first; t < range.last; ++t)
   {
-    items.push_back(
-      { sortedCorners(this->Triangles[t]), this->Triangles[t], this->SourceOfTriangle[t] });
+    items.push_back({ sortedCorners(this->triangles[t]), this->triangles[t], this->sources[t] });
   }
   std::sort(items.begin(), items.end());
   for (Index t = range.first; const Item& item : items)
   {
-    this->Triangles[t] = item.corners;
-    this->SourceOfTriangle[t] = item.source;
+    this->triangles[t] = item.corners;
+    this->sources[t] = item.source;
     ++t;
   }
 }
 
-void TriangleMesh::forgetBareVertices()
+void TriangleMesh::forgetBareVertices(std::span<Index> vertexOfPoint)
 {
-  for (Index& vertex : this->VertexOfPoint)
+  std::vector<BarePoint> bare;
+  for (Index point = 0; point < vertexOfPoint.size(); ++point)
   {
-    vertex = vertex != NoIndex && this->ring(vertex).empty() ? NoIndex : vertex;
+    Index& vertex = vertexOfPoint[point];
+    if (vertex != NoIndex && this->ring(vertex).empty())
+    {
+      bare.push_back({ point, vertex });
+      vertex = NoIndex;
+    }
   }
+  this->BarePoints = SharedVector(std::move(bare));
 }
 
 void TriangleMesh::measureEdges()

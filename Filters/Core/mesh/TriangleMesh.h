@@ -6,6 +6,7 @@
 #include "base/BulkVector.h"
 #include "base/Index.h"
 #include "base/Platform.h"
+#include "base/SharedVector.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 #include "mesh/SurfacePoint.h"
@@ -14,11 +15,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace geodesic
 {
+
+struct LazyMotionTable;
 
 /** Whether points of equal coordinates are one vertex of the mesh. */
 enum class CoincidentPoints
@@ -79,6 +83,34 @@ public:
   TriangleMesh without(
     const std::vector<bool>& leftOut, const ThreadTeam& team = ThreadTeam()) const;
 
+  /**
+   * Returns this mesh with its points elsewhere. It shares all that does not depend on positions,
+   * also the order in memory, which suits neighbours wherever they are. Distances on it are those
+   * on a mesh that is built of the points, but for rounding.
+   * @param points      numberOfPoints() of them
+   * @param coincident  as when this mesh was built
+   * @param team        as for the constructor
+   * @return nothing where the points are no longer the same vertices, as some meet or part, or
+   *         where the position of a used point is not finite: then a mesh must be built
+   * @throws std::invalid_argument for coordinates that are too large or small, see the constructor
+   * Time O(n), a third of what it takes to build a mesh; the first time as long. The first motion
+   * adds 28 bytes a vertex, which all moved meshes share.
+   */
+  std::optional<TriangleMesh> withPositions(std::span<const Vector3> points,
+    CoincidentPoints coincident, const ThreadTeam& team = ThreadTeam()) const;
+  /** The same of a mesh that was built with @p kinds. */
+  std::optional<TriangleMesh> withPositions(std::span<const Vector3> points,
+    std::span<const Index> kinds, const ThreadTeam& team = ThreadTeam()) const;
+  /** Whether the other mesh is this one with points elsewhere, or both are the same one so moved.
+   */
+  bool hasStructureOf(const TriangleMesh& other) const
+  {
+    return this->Triangles.isShared(other.Triangles) && this->Rings.areShared(other.Rings);
+  }
+  /** Whether the constructor would make the same of these triangles, of points that are the same
+   * vertices. Time O(n). */
+  bool isMadeOf(std::span<const Triangle> triangles) const;
+
   Index numberOfPoints() const { return static_cast<Index>(this->VertexOfPoint.size()); }
   Index numberOfVertices() const { return static_cast<Index>(this->Positions.size()); }
   Index numberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
@@ -138,33 +170,67 @@ private:
    */
   static constexpr std::ptrdiff_t MostUnsorted = 32;
 
-  void numberVertices(std::span<const Vector3> points, std::span<const std::uint8_t> used,
-    CoincidentPoints coincident, const ThreadTeam& team);
+  /** How points are vertices. */
+  struct Numbering
+  {
+    BulkVector<Vector3> positions;
+    BulkVector<Index> vertexOfPoint;
+    BulkVector<Index> pointOfVertex;
+  };
+  /** The vertex of a point that only left-out triangles use. */
+  struct BarePoint
+  {
+    Index point;
+    Index vertex;
+  };
+  /** Triangles while they are put in order. */
+  struct OrderedTriangles
+  {
+    /** Sorts triangles of one lowest corner by their other corners. */
+    void sortByCorners(const TriangleRange& range);
+
+    BulkVector<Triangle> triangles;
+    BulkVector<Index> sources;
+  };
+  friend class MotionTable;
+
   TriangleMesh() = default;
-  void build(
-    std::span<const Triangle> triangles, const ThreadTeam& team, const RingMeasurer* measurer);
+  static Numbering numbered(std::span<const Vector3> points, std::span<const std::uint8_t> used,
+    CoincidentPoints coincident, const ThreadTeam& team);
+  void build(Numbering numbering, std::span<const Triangle> triangles, const ThreadTeam& team,
+    const RingMeasurer* measurer);
   /** Makes the rings and what is measured along with them. @param room see VertexRings */
   void makeRings(std::span<Index> room, const ThreadTeam& team, const RingMeasurer* measurer);
   /** @param corners workspace, three numbers for each triangle */
-  void orderTriangles(
-    std::span<const Triangle> triangles, std::span<Index> corners, const ThreadTeam& team);
-  /** Sorts triangles of one lowest corner by their other corners. */
-  void sortByCorners(const TriangleRange& range);
+  void orderTriangles(std::span<const Index> vertexOfPoint, std::span<const Triangle> triangles,
+    std::span<Index> corners, const ThreadTeam& team);
   /** The triangles with these three corners, sorted by number. Time O(log n), and the same again
    * for each of them. */
   std::vector<Index> trianglesOf(const Triangle& corners) const;
   /** Sets NoIndex as the vertex of points that only left-out triangles use: they aren't on the
    * surface. */
-  void forgetBareVertices();
+  void forgetBareVertices(std::span<Index> vertexOfPoint);
   void measureEdges();
 
+  /** Where points put the vertices; nothing if one of these is not finite. */
+  std::optional<BulkVector<Vector3>> movedPositions(
+    std::span<const Vector3> points, const ThreadTeam& team) const;
+  TriangleMesh moved(BulkVector<Vector3> positions, const ThreadTeam& team) const;
+  /** The vertices of all points, also of those that only left-out triangles use. */
+  std::vector<Index> verticesOfAllPoints() const;
+  /** Whether these triangles use the points that those of this mesh do. */
+  bool usesPointsOf(std::span<const Triangle> triangles) const;
+
   BulkVector<Vector3> Positions;
-  BulkVector<Triangle> Triangles;
-  BulkVector<Index> SourceOfTriangle;
+  SharedVector<Triangle> Triangles;
+  SharedVector<Index> SourceOfTriangle;
   VertexRings Rings;
   std::shared_ptr<const RingNumbers> Numbers;
-  BulkVector<Index> VertexOfPoint;
-  BulkVector<Index> PointOfVertex;
+  SharedVector<Index> VertexOfPoint;
+  SharedVector<Index> PointOfVertex;
+  SharedVector<BarePoint> BarePoints;
+  std::size_t NumberOfSources = 0;
+  std::shared_ptr<LazyMotionTable> Motion;
   double MeanLongestEdge = 0.0;
   double LongestEdgeLength = 0.0;
 };

@@ -7,7 +7,6 @@
 #include "mesh/RingBuilder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -19,32 +18,6 @@ namespace geodesic
 {
 namespace
 {
-
-/** The length of a triangle's longest side, rounded up. */
-float longestSideOf(const Triangle& t, const Vector3* positions)
-{
-  const auto squaredSide = [&](int a, int b)
-  {
-    const Vector3 side = positions[t[a]] - positions[t[b]];
-    return dot(side, side);
-  };
-  const double longest =
-    std::sqrt(largest(squaredSide(0, 1), largest(squaredSide(1, 2), squaredSide(2, 0))));
-  // Adds more than rounding to a float may take away.
-  constexpr double relative = std::numeric_limits<float>::epsilon();
-  constexpr double absolute = std::numeric_limits<float>::denorm_min();
-  return static_cast<float>(longest * (1.0 + relative) + absolute);
-}
-
-/** Computes the longest sides of triangles where no measurer does. */
-void measureSides(
-  std::span<const Triangle> triangles, const Vector3* positions, TriangleNumbers& numbers)
-{
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    numbers.longestSides[i] = longestSideOf(triangles[i], positions);
-  }
-}
 
 /** Consecutive numbers, from first() to before last(). */
 class IndexRange
@@ -128,18 +101,18 @@ class VertexRings::Filling
 {
 public:
   /**
-   * @param rings      gets the rings; its Starts hold the number of triangles at each vertex
+   * @param rings      gets the rings; its starts hold the number of triangles at each vertex
    * @param start      index of the first entry of the range's first vertex
    * @param room       workspace, a number for each triangle at each vertex
    * @param numbers    to make along with the rings, if @p HasNumbers
    */
-  Filling(VertexRings& rings, const Range& range, std::size_t start,
-    std::span<const Vector3> positions, std::span<Index> room, RingNumbers* numbers)
+  Filling(Parts& rings, const Range& range, std::size_t start, std::span<const Vector3> positions,
+    std::span<Index> room, RingNumbers* numbers)
     : OfRange(range)
     , Positions(positions)
     , Measurer(numbers ? numbers->measurer : nullptr)
     , OfNoTriangle(numbers ? numbers->measurer->ofNoTriangle() : EntryNumber{})
-    , AllRings{ rings.Starts.data(), rings.Entries.data(), room.data(), rings.LongestSides.data(),
+    , AllRings{ rings.starts.data(), rings.entries.data(), room.data(), rings.longestSides.data(),
       numbers ? numbers->ofEntries.data() : nullptr,
       numbers ? numbers->ofVertices.data() : nullptr }
     , NextVertex(range.vertices().first())
@@ -245,7 +218,7 @@ private:
       Interruption::check();
       // Triangles still to come have no lower corner, so the rings of lower vertices are complete.
       this->chainBefore(lowestCorner(some.front()));
-      this->measure(some);
+      measureTriangles(this->Measurer, some, this->Positions, this->Measured);
       // A copy, so that the compiler knows that what is written does not change the pointers.
       const Rings rings = this->AllRings;
       for (std::size_t i = 0; i < some.size(); ++i)
@@ -254,18 +227,6 @@ private:
         rings.prefetch(rest[std::min(i + ahead, rest.size() - 1)], ours);
         rings.put(some[i], this->Measured, i, ours);
       }
-    }
-  }
-
-  void measure(std::span<const Triangle> triangles)
-  {
-    if constexpr (HasNumbers)
-    {
-      this->Measurer->measure(triangles, this->Positions, this->Measured);
-    }
-    else
-    {
-      measureSides(triangles, this->Positions.data(), this->Measured);
     }
   }
 
@@ -352,27 +313,28 @@ void VertexRings::checkNumber(std::size_t triangles)
 
 VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
   std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers)
-  : Starts(positions.size() + 1)
-  , LongestSides(positions.size())
 {
   const std::size_t vertices = positions.size();
   checkNumber(triangles.size());
+  Parts parts;
+  parts.starts.resize(vertices + 1);
+  parts.longestSides.resize(vertices);
   std::vector<std::optional<Range>> ranges(team.numberOfRanges(vertices));
   std::vector<std::size_t> starts(ranges.size());
   team.run(vertices,
     [&](std::size_t range, std::size_t first, std::size_t last)
     {
       ranges[range].emplace(first, last, triangles, ranges.size() == 1);
-      starts[range] = this->countCorners(*ranges[range]);
+      starts[range] = parts.countCorners(*ranges[range]);
     });
   // One fan for each vertex: an entry for each of its triangles and one more.
-  this->Starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
-  this->Entries.resize(this->Starts.back() + Overrun);
-  std::fill(this->Entries.end() - Overrun, this->Entries.end(), RingEntry(0));
+  parts.starts.back() = static_cast<std::uint32_t>(startsOf(starts) + vertices);
+  parts.entries.resize(parts.starts.back() + Overrun);
+  std::fill(parts.entries.end() - Overrun, parts.entries.end(), RingEntry(0));
   if (numbers)
   {
     numbers->ofVertices.resize(vertices);
-    numbers->ofEntries.resize(this->Entries.size());
+    numbers->ofEntries.resize(parts.entries.size());
     std::fill(numbers->ofEntries.end() - Overrun, numbers->ofEntries.end(),
       numbers->measurer->ofNoTriangle());
   }
@@ -383,7 +345,7 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
       const auto fill = [&]<bool HasNumbers>()
       {
         return Filling<HasNumbers>(
-          *this, *ranges[range], starts[range] + first, positions, room, numbers)
+          parts, *ranges[range], starts[range] + first, positions, room, numbers)
           .fill();
       };
       others[range] =
@@ -395,13 +357,25 @@ VertexRings::VertexRings(std::span<const Triangle> triangles, std::span<const Ve
   }
   if (!others[0].empty())
   {
-    this->replace(others[0], numbers);
+    parts.replace(others[0], numbers);
   }
+  this->Starts = SharedVector(std::move(parts.starts));
+  this->Entries = SharedVector(std::move(parts.entries));
+  this->LongestSides = std::move(parts.longestSides);
 }
 
-std::size_t VertexRings::countCorners(const Range& range)
+VertexRings VertexRings::withLongestSides(BulkVector<float> longestSides) const
 {
-  std::uint32_t* const starts = this->Starts.data();
+  VertexRings rings;
+  rings.Starts = this->Starts;
+  rings.Entries = this->Entries;
+  rings.LongestSides = std::move(longestSides);
+  return rings;
+}
+
+std::size_t VertexRings::Parts::countCorners(const Range& range)
+{
+  std::uint32_t* const starts = this->starts.data();
   std::size_t sum = 0;
   range.withVertices(
     [&](const auto& vertices)
@@ -424,30 +398,32 @@ std::size_t VertexRings::countCorners(const Range& range)
   return sum;
 }
 
-void VertexRings::replace(std::span<const Ring> others, RingNumbers* numbers)
+void VertexRings::Parts::replace(std::span<const Ring> others, RingNumbers* numbers)
 {
   BulkVector<RingEntry> entries;
   BulkVector<EntryNumber> ofEntries;
-  entries.reserve(this->Entries.size());
-  ofEntries.reserve(numbers ? this->Entries.size() : 0);
+  entries.reserve(this->entries.size());
+  ofEntries.reserve(numbers ? this->entries.size() : 0);
   auto other = others.begin();
-  for (Index v = 0; v + 1 < this->Starts.size(); ++v)
+  for (Index v = 0; v + 1 < this->starts.size(); ++v)
   {
     const bool isOther = other != others.end() && other->vertex == v;
-    const std::span<const RingEntry> ring = isOther ? other->entries : (*this)[v];
+    const std::span<const RingEntry> ring = isOther
+      ? std::span<const RingEntry>(other->entries)
+      : std::span(this->entries).subspan(this->starts[v], this->starts[v + 1] - this->starts[v]);
     if (numbers)
     {
       const EntryNumber* const ofRing =
-        isOther ? other->numbers.data() : numbers->ofEntries.data() + this->Starts[v];
+        isOther ? other->numbers.data() : numbers->ofEntries.data() + this->starts[v];
       ofEntries.insert(ofEntries.end(), ofRing, ofRing + ring.size());
     }
     other += isOther;
-    this->Starts[v] = static_cast<std::uint32_t>(entries.size());
+    this->starts[v] = static_cast<std::uint32_t>(entries.size());
     entries.insert(entries.end(), ring.begin(), ring.end());
   }
-  this->Starts.back() = static_cast<std::uint32_t>(entries.size());
+  this->starts.back() = static_cast<std::uint32_t>(entries.size());
   entries.insert(entries.end(), Overrun, RingEntry(0));
-  this->Entries = std::move(entries);
+  this->entries = std::move(entries);
   if (numbers)
   {
     ofEntries.insert(ofEntries.end(), Overrun, numbers->measurer->ofNoTriangle());

@@ -6,6 +6,7 @@
 #include "base/BulkVector.h"
 #include "base/Index.h"
 #include "base/Platform.h"
+#include "base/SharedVector.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 #include "mesh/RingNumbers.h"
@@ -65,6 +66,11 @@ public:
   VertexRings(std::span<const Triangle> triangles, std::span<const Vector3> positions,
     std::span<Index> room, const ThreadTeam& team, RingNumbers* numbers = nullptr);
 
+  /** The same rings of vertices that were moved. @param longestSides see longestSides() */
+  VertexRings withLongestSides(BulkVector<float> longestSides) const;
+  /** Whether these are the rings of another object, but for the longest sides. */
+  bool areShared(const VertexRings& other) const { return this->Entries.isShared(other.Entries); }
+
   /** @throws std::length_error where rings can't hold so many triangles: above 715,827,882 */
   static void checkNumber(std::size_t triangles);
 
@@ -115,16 +121,23 @@ private:
   class Range;
   template <bool HasNumbers>
   class Filling;
+  /** What rings are made of, while they are made. */
+  struct Parts
+  {
+    /** Counts the triangles at each vertex of a range in starts; returns the sum of the counts. */
+    std::size_t countCorners(const Range& range);
+    /** Replaces the rings of some vertices by @p others, sorted by vertex, which may be longer, and
+     * the numbers of their entries, if there are any. */
+    void replace(std::span<const Ring> others, RingNumbers* numbers);
 
-  /** Counts the triangles at each vertex of a range in Starts; returns the sum of the counts. */
-  std::size_t countCorners(const Range& range);
-  /** Replaces the rings of some vertices by @p others, sorted by vertex, which may be longer, and
-   * the numbers of their entries, if there are any. */
-  void replace(std::span<const Ring> others, RingNumbers* numbers);
+    std::vector<std::uint32_t> starts;
+    BulkVector<RingEntry> entries;
+    BulkVector<float> longestSides;
+  };
 
-  std::vector<std::uint32_t> Starts;
+  SharedVector<std::uint32_t> Starts;
   /** The entries of all rings, one ring after the other, and Overrun more. */
-  BulkVector<RingEntry> Entries;
+  SharedVector<RingEntry> Entries;
   BulkVector<float> LongestSides;
 };
 

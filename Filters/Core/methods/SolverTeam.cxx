@@ -14,12 +14,19 @@ namespace geodesic
 void SolverTeam::prepare(
   const SolverTraits& method, const std::shared_ptr<const TriangleMesh>& mesh, std::size_t threads)
 {
-  if (this->Method != &method || this->Mesh != mesh)
+  if (this->Method != &method)
   {
     this->Solvers.clear();
-    this->Method = &method;
-    this->Mesh = mesh;
   }
+  for (auto& solver : this->Solvers)
+  {
+    if (solver && &solver->mesh() != mesh.get() && !solver->moveTo(mesh))
+    {
+      solver.reset();
+    }
+  }
+  this->Method = &method;
+  this->Mesh = mesh;
   constexpr double shareOfOthers = 0.25;
   const double bytes = method.bytesPerVertex * std::max<Index>(mesh->numberOfVertices(), 1);
   const auto most =

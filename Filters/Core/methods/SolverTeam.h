@@ -22,7 +22,8 @@ class SolverTeam
 {
 public:
   /**
-   * Prepares for runs; keeps the solvers if method and mesh are those of the last time.
+   * Prepares for runs; keeps the solvers if the method is that of the last time, and the mesh is so
+   * too, or the same with its points elsewhere.
    * @param threads  how many threads are wanted, at least 1. There are fewer if the solvers beside
    *                 the first would hold more than a quarter of the machine's memory
    */

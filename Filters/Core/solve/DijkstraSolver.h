@@ -37,6 +37,8 @@ public:
 
 protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
+  /** Nothing that is kept depends on positions. */
+  bool renewFor(const TriangleMesh& /*mesh*/) override { return true; }
 
 private:
   /** Returns the start values, which leave out the seeds' own values. Collective. */

@@ -7,6 +7,7 @@
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +41,14 @@ public:
    *         reached or that the run is cancelled: see DistanceField::stopReason.
    */
   virtual const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options) = 0;
+
+  /**
+   * Goes over to a mesh that has the structure of the solver's own, TriangleMesh::hasStructureOf(),
+   * and keeps its workspace.
+   * @return false, with nothing done, where the mesh has another structure, or the solver holds too
+   *         much that depends on positions: then another solver must be made
+   */
+  virtual bool moveTo(const std::shared_ptr<const TriangleMesh>& /*mesh*/) { return false; }
 
   /** Whether a run towards targets (SolveOptions::onlyTowardsTargets) goes to all sides until it
    * has reached them, so that it gains by a maximum distance, even if that is only a guess. */

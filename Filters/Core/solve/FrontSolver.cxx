@@ -20,6 +20,17 @@ FrontSolver::FrontSolver(std::shared_ptr<const TriangleMesh> mesh)
 {
 }
 
+bool FrontSolver::moveTo(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+  if (!mesh->hasStructureOf(*this->Mesh) || !this->renewFor(*mesh))
+  {
+    return false;
+  }
+  this->Mesh = mesh;
+  this->Closed.reset();
+  return true;
+}
+
 const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const SolveOptions& options)
 {
   Partition onePiece;

@@ -40,6 +40,8 @@ public:
    */
   const DistanceField& solve(std::span<const Seed> seeds, const SolveOptions& options = {}) final;
 
+  bool moveTo(const std::shared_ptr<const TriangleMesh>& mesh) final;
+
 protected:
   explicit FrontSolver(std::shared_ptr<const TriangleMesh> mesh);
 
@@ -65,6 +67,10 @@ protected:
    * @return false when cancelled
    */
   virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;
+
+  /** Makes what depends on positions anew for a mesh of the same structure. @return false, with
+   * nothing done, where that does not pay */
+  virtual bool renewFor(const TriangleMesh& /*mesh*/) { return false; }
 
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Mesh; }
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "search/PointSearch.h"
+
+#include "base/Interruption.h"
+#include "mesh/TriangleMesh.h"
+#include "search/SearchedTriangle.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/** The squared distance to the nearest vertex that has a triangle. */
+double squaredDistanceToVertices(const TriangleMesh& mesh, const Vector3& query)
+{
+  double nearest = Infinity;
+  const std::span<const Vector3> positions = mesh.positions();
+  for (Index v = 0; v < positions.size(); ++v)
+  {
+    const Vector3 away = query - positions[v];
+    const double squared = dot(away, away);
+    if (squared < nearest && !mesh.ring(v).empty())
+    {
+      nearest = squared;
+    }
+  }
+  return nearest;
+}
+
+std::array<Vector3, 3> cornersOf(const TriangleMesh& mesh, const Triangle& t)
+{
+  return { mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]) };
+}
+
+}
+
+PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3& query)
+{
+  if (mesh.numberOfTriangles() == 0)
+  {
+    throw std::invalid_argument("The surface has no triangle that a point could lie on.");
+  }
+  // A corner of the nearest triangle is farther than the nearest point by at most its longest side.
+  constexpr double rounding = 1.0 + 1e-9;
+  const double reach = std::sqrt(squaredDistanceToVertices(mesh, query)) * rounding;
+  Triangle nearest{ NoIndex, NoIndex, NoIndex };
+  double best = Infinity;
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    const Vector3 away = query - mesh.position(v);
+    const double most = reach + rounding * mesh.longestEdgeAround(v);
+    if (dot(away, away) > most * most)
+    {
+      continue;
+    }
+    Interruption::checkAt(v);
+    const std::span<const RingEntry> ring = mesh.ring(v);
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    {
+      const Triangle t{ v, ring[i].neighbour(), ring[i + 1].neighbour() };
+      if (!ring[i].opensTriangle() || lowestCorner(t) != v)
+      {
+        continue;
+      }
+      const std::array<Vector3, 3> corners = cornersOf(mesh, t);
+      const SearchedTriangle triangle(corners, query);
+      const double squared =
+        triangle.isBeyond(best) ? Infinity : triangle.nearest().squaredDistance;
+      if (squared < best)
+      {
+        best = squared;
+        nearest = t;
+      }
+    }
+  }
+  if (nearest[0] == NoIndex)
+  {
+    throw std::invalid_argument("A point is too far from the surface to measure its distance.");
+  }
+  PointSearch::Result result;
+  const Index number = mesh.trianglesWith(nearest).front();
+  const std::array<Vector3, 3> corners = cornersOf(mesh, mesh.triangle(number));
+  result.point = snapped({ number, SearchedTriangle(corners, query).nearest().weights });
+  result.position = mesh.positionOf(result.point);
+  result.distance = norm(query - result.position);
+  return result;
+}
+
+PointSearch::PointSearch(std::shared_ptr<const TriangleMesh> mesh)
+  : Mesh(std::move(mesh))
+{
+}
+
+PointSearch::Result PointSearch::closestPoint(const Vector3& query) const
+{
+  if (!this->ReadyTree.load(std::memory_order_acquire) &&
+    this->Scans.fetch_add(1, std::memory_order_relaxed) < MostScans)
+  {
+    return scannedClosestPoint(*this->Mesh, query);
+  }
+  return this->tree().closestPoint(query);
+}
+
+const ClosestPointTree& PointSearch::tree() const
+{
+  std::call_once(this->IsTreeMade,
+    [this]
+    {
+      this->Tree = std::make_unique<const ClosestPointTree>(this->Mesh);
+      this->ReadyTree.store(this->Tree.get(), std::memory_order_release);
+    });
+  return *this->Tree;
+}
+
+}
