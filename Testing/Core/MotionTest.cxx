@@ -331,15 +331,43 @@ TEST(Motion, KnowsTheTrianglesOfAMesh)
   std::vector<Triangle> fewer = triangles;
   fewer.pop_back();
   EXPECT_FALSE(isMadeOf(surface, fewer));
+  std::vector<Triangle> more = triangles;
+  more.push_back({ 0, twin, 7 });
+  EXPECT_FALSE(isMadeOf(surface, more));
   // The same vertices, but the twin is no longer used.
   std::vector<Triangle> withoutTwin = triangles;
   withoutTwin[triangles.size() - 2][0] = 0;
   withoutTwin.back()[1] = 0;
   EXPECT_FALSE(isMadeOf(surface, withoutTwin));
+  // The same where no triangle is left out.
+  Surface whole = surface;
+  whole.triangles.pop_back();
+  withoutTwin.pop_back();
+  EXPECT_TRUE(isMadeOf(whole, whole.triangles));
+  EXPECT_FALSE(isMadeOf(whole, withoutTwin));
   // The left-out triangle opens.
   std::vector<Triangle> open = triangles;
   open.back()[1] = 4;
   EXPECT_FALSE(isMadeOf(surface, open));
+}
+
+// Points that only a left-out triangle uses count as used.
+TEST(Motion, KnowsTheTrianglesOfAMeshWithBarePoints)
+{
+  Surface surface = planeGrid(3, 3, 1.0, 1.0);
+  const Index first = static_cast<Index>(surface.points.size());
+  surface.points.insert(surface.points.end(), 4, { 5.0, 5.0, 5.0 });
+  surface.triangles.push_back({ first, first + 1, first + 2 });
+  const auto mesh = meshOf(surface, CoincidentPoints::Merge);
+  const auto moved = movedTo(*mesh, bent(surface), CoincidentPoints::Merge);
+  ASSERT_TRUE(moved);
+  std::vector<Triangle> others = surface.triangles;
+  others.back()[2] = first + 3;
+  for (const auto& of : { mesh, moved })
+  {
+    EXPECT_TRUE(of->isMadeOf(surface.triangles));
+    EXPECT_FALSE(of->isMadeOf(others));
+  }
 }
 
 // Solvers that go over to a moved mesh keep nothing of the old one: after a run with the same

@@ -13,7 +13,7 @@ InputGeometry::InputGeometry(const InputBlocks& blocks, std::optional<int> rank)
 {
 }
 
-const std::vector<Vector3>& InputGeometry::points()
+std::span<const Vector3> InputGeometry::points()
 {
   if (!this->Points)
   {

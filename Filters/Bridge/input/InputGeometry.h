@@ -3,13 +3,14 @@
 #ifndef geodesic_bridge_InputGeometry_h
 #define geodesic_bridge_InputGeometry_h
 
+#include "base/BulkVector.h"
 #include "base/Vector3.h"
 #include "input/BlockNumbering.h"
 #include "input/InputBlocks.h"
 #include "input/PolyDataTriangles.h"
 
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace geodesic::bridge
 {
@@ -24,13 +25,13 @@ public:
 
   const InputBlocks& blocks() const { return this->Blocks; }
   const BlockNumbering& numbering() const { return this->Numbering; }
-  const std::vector<Vector3>& points();
+  std::span<const Vector3> points();
   SurfaceTriangles& triangles();
 
 private:
   const InputBlocks& Blocks;
   BlockNumbering Numbering;
-  std::optional<std::vector<Vector3>> Points;
+  std::optional<BulkVector<Vector3>> Points;
   std::optional<SurfaceTriangles> Triangles;
 };
 

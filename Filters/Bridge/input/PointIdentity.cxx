@@ -39,7 +39,7 @@ void joinEqual(std::vector<Index> group, IsBefore&& isBefore, std::vector<Index>
  * coordinates.
  */
 void checkDistances(const std::vector<vtkIdType>& ids, const std::vector<Index>& kinds,
-  const std::vector<Vector3>& points)
+  std::span<const Vector3> points)
 {
   double size = 0.0;
   for (const Vector3& p : points)
@@ -106,7 +106,7 @@ std::vector<vtkIdType> globalPointIdsOf(const InputBlocks& blocks)
 }
 
 std::vector<Index> kindsOfPoints(
-  const InputBlocks& blocks, const PointIdentity& identity, const std::vector<Vector3>& points)
+  const InputBlocks& blocks, const PointIdentity& identity, std::span<const Vector3> points)
 {
   std::vector<Index> kinds(points.size());
   std::iota(kinds.begin(), kinds.end(), Index{ 0 });

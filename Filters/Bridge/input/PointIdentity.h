@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace geodesic::bridge
@@ -61,7 +62,7 @@ std::vector<vtkIdType> globalPointIdsOf(const InputBlocks& blocks);
  * rounding
  */
 std::vector<Index> kindsOfPoints(
-  const InputBlocks& blocks, const PointIdentity& identity, const std::vector<Vector3>& points);
+  const InputBlocks& blocks, const PointIdentity& identity, std::span<const Vector3> points);
 
 }
 

@@ -45,7 +45,7 @@ struct CopyCoordinates
 class Triangulator
 {
 public:
-  Triangulator(const std::vector<Vector3>& points, std::vector<Triangle>& triangles)
+  Triangulator(std::span<const Vector3> points, std::vector<Triangle>& triangles)
     : Points(points)
     , Triangles(triangles)
   {
@@ -174,7 +174,7 @@ private:
     }
   }
 
-  const std::vector<Vector3>& Points;
+  std::span<const Vector3> Points;
   std::vector<Triangle>& Triangles;
   std::vector<Index> Corners;
   vtkNew<vtkPolygon> Polygon;
@@ -204,18 +204,19 @@ void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoin
     for (vtkIdType cell = 0; cell < count; ++cell)
     {
       Interruption::checkAt(static_cast<std::size_t>(cell));
-      corners.clear();
-      const auto end = static_cast<vtkIdType>(offsets[cell + 1]);
-      checkSize(cell, end - static_cast<vtkIdType>(offsets[cell]));
-      for (auto i = static_cast<vtkIdType>(offsets[cell]); i < end; ++i)
+      const auto begin = static_cast<vtkIdType>(offsets[cell]);
+      const auto size = static_cast<vtkIdType>(offsets[cell + 1]) - begin;
+      checkSize(cell, size);
+      corners.resize(static_cast<std::size_t>(size));
+      for (vtkIdType i = 0; i < size; ++i)
       {
-        const auto id = static_cast<vtkIdType>(connectivity[i]);
+        const auto id = static_cast<vtkIdType>(connectivity[begin + i]);
         if (id < 0 || static_cast<std::size_t>(id) >= numberOfPoints)
         {
           throw std::invalid_argument("A cell of the input uses point " + std::to_string(id) +
             ", but the input has " + std::to_string(numberOfPoints) + " points. Clean the input.");
         }
-        corners.push_back(firstPoint + static_cast<Index>(id));
+        corners[static_cast<std::size_t>(i)] = firstPoint + static_cast<Index>(id);
       }
       add(std::span<const Index>(corners));
     }
@@ -225,7 +226,7 @@ void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoin
 
 }
 
-void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points)
+void appendPoints(vtkPolyData* surface, BulkVector<Vector3>& points)
 {
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   const std::size_t first = points.size();
@@ -248,7 +249,7 @@ void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points)
   }
 }
 
-void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, Index firstPoint,
+void appendTriangles(vtkPolyData* surface, std::span<const Vector3> points, Index firstPoint,
   Index firstCell, SurfaceTriangles& triangles)
 {
   vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray();
@@ -258,7 +259,14 @@ void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, I
   // A vtkPolyData numbers its vertices first, then its lines, polygons and strips.
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   const auto noteCell = [&]
-  { triangles.cells.resize(triangles.corners.size(), firstCell + static_cast<Index>(cell++)); };
+  {
+    // Nearly always one, for which resize() would take much longer.
+    while (triangles.cells.size() < triangles.corners.size())
+    {
+      triangles.cells.push_back(firstCell + static_cast<Index>(cell));
+    }
+    ++cell;
+  };
   const auto numberOfPoints = static_cast<std::size_t>(surface->GetNumberOfPoints());
   visitCells(surface->GetPolys(), numberOfPoints, firstPoint,
     [&](std::span<const Index> corners)

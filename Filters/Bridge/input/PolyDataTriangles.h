@@ -3,9 +3,11 @@
 #ifndef geodesic_bridge_PolyDataTriangles_h
 #define geodesic_bridge_PolyDataTriangles_h
 
+#include "base/BulkVector.h"
 #include "base/Index.h"
 #include "base/Vector3.h"
 
+#include <span>
 #include <vector>
 
 class vtkPolyData;
@@ -17,7 +19,7 @@ namespace geodesic::bridge
  * Appends the coordinates of all points, which may have any value type.
  * @throws std::length_error if there are more points than an Index can number
  */
-void appendPoints(vtkPolyData* surface, std::vector<Vector3>& points);
+void appendPoints(vtkPolyData* surface, BulkVector<Vector3>& points);
 
 /** Triangles and the cells that they are cut from. */
 struct SurfaceTriangles
@@ -40,7 +42,7 @@ struct SurfaceTriangles
  * @param firstCell   the number of the surface's cell 0 in @p triangles
  * @throws std::invalid_argument if a cell uses a point that does not exist
  */
-void appendTriangles(vtkPolyData* surface, const std::vector<Vector3>& points, Index firstPoint,
+void appendTriangles(vtkPolyData* surface, std::span<const Vector3> points, Index firstPoint,
   Index firstCell, SurfaceTriangles& triangles);
 
 }

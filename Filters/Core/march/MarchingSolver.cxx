@@ -162,8 +162,6 @@ bool MarchingSolver::renewFor(const TriangleMesh& mesh)
 {
   this->Bounds = std::make_shared<UpdateBounds>(mesh);
   this->UnitReaches.reset();
-  this->LastCost.reset();
-  this->CostReaches.reset();
   this->DiscSolver.reset();
   return true;
 }

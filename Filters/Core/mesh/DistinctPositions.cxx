@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/DistinctPositions.h"
 
+#include "base/BulkVector.h"
+#include "base/Index.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -14,79 +17,78 @@ namespace geodesic
 namespace
 {
 
-std::uint64_t hashOf(const Vector3& position)
+struct Hashed
 {
-  // 0 and -0 are equal coordinates; their sum with 0 is 0.
-  const auto bitsOf = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };
-  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15u;
-  std::uint64_t hash = bitsOf(position.x) * odd;
-  hash = (std::rotl(hash, 32) ^ bitsOf(position.y)) * odd;
-  hash = (std::rotl(hash, 32) ^ bitsOf(position.z)) * odd;
-  return hash;
-}
-
-/** One bit for each of so many hashes that few positions share one by chance. */
-class HashBits
-{
-public:
-  explicit HashBits(std::size_t positions)
-    : Shift(64 - std::bit_width(BitsOfPosition * positions + BitsOfWord))
-    , Words((std::size_t{ 1 } << (64 - this->Shift)) / BitsOfWord)
-  {
-  }
-
-  bool has(std::uint64_t hash) const
-  {
-    return (this->Words[this->wordOf(hash)] & this->bitOf(hash)) != 0;
-  }
-  void add(std::uint64_t hash) { this->Words[this->wordOf(hash)] |= this->bitOf(hash); }
-
-private:
-  static constexpr std::size_t BitsOfPosition = 32;
-  static constexpr std::size_t BitsOfWord = 64;
-  std::size_t wordOf(std::uint64_t hash) const { return (hash >> this->Shift) / BitsOfWord; }
-  std::uint64_t bitOf(std::uint64_t hash) const
-  {
-    return std::uint64_t{ 1 } << ((hash >> this->Shift) % BitsOfWord);
-  }
-
-  int Shift;
-  std::vector<std::uint64_t> Words;
+  std::uint32_t hash;
+  Index position;
 };
 
+std::uint32_t hashOf(const Vector3& position)
+{
+  // 0 and -0 are equal coordinates; their sum with 0 is 0. Few of the lower bits of a coordinate
+  // differ, so the higher ones are mixed in.
+  const auto mixed = [](double x, std::uint64_t odd)
+  {
+    const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
+    return (bits ^ bits >> 32) * odd;
+  };
+  const std::uint64_t hash = mixed(position.x, 0x9e3779b97f4a7c15u) +
+    mixed(position.y, 0xc2b2ae3d27d4eb4fu) + mixed(position.z, 0x165667b19e3779f9u);
+  return static_cast<std::uint32_t>(hash >> 32);
 }
 
-bool areDistinct(std::span<const Vector3> positions)
+/** Drops hashes that have a place of their own among eight or more times as many: about seven of
+ * eight, unless there are equal ones. */
+void dropSingle(BulkVector<Hashed>& hashes, std::uint32_t odd)
 {
-  // Of equal positions, all but the first find the bit of their hash set.
-  HashBits seen(positions.size());
-  std::vector<std::uint64_t> again;
-  for (const Vector3& position : positions)
+  constexpr std::size_t places = 8;
+  constexpr std::size_t bitsOfWord = 64;
+  const int bits = std::clamp(static_cast<int>(std::bit_width(places * hashes.size())), 6, 32);
+  std::vector<std::uint64_t> once((std::size_t{ 1 } << bits) / bitsOfWord);
+  std::vector<std::uint64_t> twice(once.size());
+  const auto placeOf = [&](const Hashed& h) { return (h.hash * odd) >> (32 - bits); };
+  for (const Hashed& h : hashes)
   {
-    const std::uint64_t hash = hashOf(position);
-    if (seen.has(hash))
+    const std::uint32_t place = placeOf(h);
+    const std::uint64_t bit = std::uint64_t{ 1 } << place % bitsOfWord;
+    twice[place / bitsOfWord] |= once[place / bitsOfWord] & bit;
+    once[place / bitsOfWord] |= bit;
+  }
+  std::erase_if(hashes,
+    [&](const Hashed& h)
     {
-      again.push_back(hash);
-    }
-    seen.add(hash);
-  }
-  HashBits suspicious(again.size());
-  for (const std::uint64_t hash : again)
-  {
-    suspicious.add(hash);
-  }
-  std::vector<Vector3> suspects;
-  for (const Vector3& position : positions)
-  {
-    if (suspicious.has(hashOf(position)))
+      const std::uint32_t place = placeOf(h);
+      return (twice[place / bitsOfWord] >> place % bitsOfWord & 1) == 0;
+    });
+}
+
+}
+
+bool areDistinct(std::span<const Vector3> positions, const ThreadTeam& team)
+{
+  BulkVector<Hashed> hashes(positions.size());
+  team.run(positions.size(),
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      suspects.push_back(position);
-    }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        hashes[i] = { hashOf(positions[i]), static_cast<Index>(i) };
+      }
+    });
+  // Equal positions share their places in each round.
+  for (const std::uint32_t odd : { 1u, 0x9e3779b1u, 0x85ebca77u })
+  {
+    dropSingle(hashes, odd);
   }
-  std::sort(suspects.begin(), suspects.end(),
+  std::vector<Vector3> left;
+  for (const Hashed& h : hashes)
+  {
+    left.push_back(positions[h.position]);
+  }
+  std::sort(left.begin(), left.end(),
     [](const Vector3& p, const Vector3& q)
     { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
-  return std::adjacent_find(suspects.begin(), suspects.end()) == suspects.end();
+  return std::adjacent_find(left.begin(), left.end()) == left.end();
 }
 
 }

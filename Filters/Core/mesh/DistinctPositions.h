@@ -3,6 +3,7 @@
 #ifndef geodesic_DistinctPositions_h
 #define geodesic_DistinctPositions_h
 
+#include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 
 #include <span>
@@ -11,12 +12,12 @@ namespace geodesic
 {
 
 /**
- * Whether no two positions are equal. A table of bits, by a hash of the coordinates, rules out
- * nearly all of them, so that few are compared.
- * Time O(n) for finite positions, memory 8 bytes a position while it runs.
- * B. H. Bloom, Space/time trade-offs in hash coding with allowable errors, CACM 13 (1970).
+ * Whether no two positions are equal. Hashes of the coordinates rule out nearly all of them, so
+ * that few are compared. Time O(n) where few are equal, memory 12 bytes a position while it runs.
+ * @param positions  finite
+ * @param team       threads that do a part of the work
  */
-bool areDistinct(std::span<const Vector3> positions);
+bool areDistinct(std::span<const Vector3> positions, const ThreadTeam& team = ThreadTeam());
 
 }
 

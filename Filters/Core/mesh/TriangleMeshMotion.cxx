@@ -22,7 +22,8 @@ std::optional<TriangleMesh> TriangleMesh::withPositions(
   auto positions = this->movedPositions(points, team);
   const bool areSame = positions &&
     (coincident == CoincidentPoints::Separate ||
-      (this->Motion->of(*this).areMergedTogether(points, *positions) && areDistinct(*positions)));
+      (this->Motion->of(*this).areMergedTogether(points, *positions) &&
+        areDistinct(*positions, team)));
   if (!areSame)
   {
     return {};
@@ -117,9 +118,10 @@ bool TriangleMesh::isMadeOf(std::span<const Triangle> triangles) const
   }
   for (Index t = 0; t < this->numberOfTriangles(); ++t)
   {
-    const auto [a, b, c] = triangles[this->SourceOfTriangle[t]];
-    if (this->Triangles[t] !=
-      Triangle{ this->VertexOfPoint[a], this->VertexOfPoint[b], this->VertexOfPoint[c] })
+    const Triangle& input = triangles[this->SourceOfTriangle[t]];
+    const auto [a, b, c] = this->Triangles[t];
+    if (this->VertexOfPoint[input[0]] != a || this->VertexOfPoint[input[1]] != b ||
+      this->VertexOfPoint[input[2]] != c)
     {
       return false;
     }

@@ -27,6 +27,7 @@ bool FrontSolver::moveTo(const std::shared_ptr<const TriangleMesh>& mesh)
     return false;
   }
   this->Mesh = mesh;
+  // So that the next run keeps nothing of the last one's surface.
   this->Closed.reset();
   return true;
 }
