@@ -41,30 +41,44 @@ struct CornerOfRing
   Index number;
 };
 
-/** The numbers of one triangle, side by side, as each ring entry reads all of them. */
-struct OfTriangle
+/** Numbers of one triangle of which each vertex takes the largest. */
+struct VertexNumbers
 {
+  void takeLargest(const VertexNumbers& other)
+  {
+    this->longestSide = std::max(this->longestSide, other.longestSide);
+    this->ofVertex = std::max(this->ofVertex, other.ofVertex);
+  }
+
   float longestSide = 0.0f;
   float ofVertex = 0.0f;
-  EntryNumber ofEntry = 0;
 };
 
-void measureAll(const RingMeasurer* measurer, std::span<const Triangle> triangles,
-  std::span<const Vector3> positions, std::span<OfTriangle> measured)
+/** The numbers of all triangles, and at the end those of none. */
+struct NumbersOfTriangles
 {
-  TriangleNumbers numbers;
-  for (std::size_t first = 0; first < triangles.size(); first += TriangleNumbers::Most)
+  /** Measures the triangles from @p first to before @p last. */
+  void measure(const TriangleMesh& mesh, std::span<const Vector3> positions, std::size_t first,
+    std::size_t last)
   {
-    Interruption::check();
-    const std::size_t count = std::min(TriangleNumbers::Most, triangles.size() - first);
-    measureTriangles(measurer, triangles.subspan(first, count), positions, numbers);
-    for (std::size_t i = 0; i < count; ++i)
+    TriangleNumbers numbers;
+    while (first < last)
     {
-      measured[first + i] = { numbers.longestSides[i], numbers.ofVertices[i],
-        numbers.ofEntries[i] };
+      Interruption::check();
+      const std::size_t count = std::min(TriangleNumbers::Most, last - first);
+      measureTriangles(mesh.measurer(), mesh.triangles().subspan(first, count), positions, numbers);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        this->ofVertices[first + i] = { numbers.longestSides[i], numbers.ofVertices[i] };
+        this->ofEntries[first + i] = numbers.ofEntries[i];
+      }
+      first += count;
     }
   }
-}
+
+  BulkVector<VertexNumbers> ofVertices;
+  BulkVector<EntryNumber> ofEntries;
+};
 
 }
 
@@ -164,14 +178,14 @@ MotionTable::Measured MotionTable::measure(
 {
   const RingMeasurer* const measurer = mesh.measurer();
   const std::size_t triangles = mesh.numberOfTriangles();
-  BulkVector<OfTriangle> ofTriangles(triangles + 1);
-  ofTriangles.back() = { 0.0f, 0.0f, measurer ? measurer->ofNoTriangle() : EntryNumber{} };
+  NumbersOfTriangles ofTriangles;
+  ofTriangles.ofVertices.resize(triangles + 1);
+  ofTriangles.ofVertices.back() = {};
+  ofTriangles.ofEntries.resize(triangles + 1);
+  ofTriangles.ofEntries.back() = measurer ? measurer->ofNoTriangle() : EntryNumber{};
   team.run(triangles,
     [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      measureAll(measurer, mesh.triangles().subspan(first, last - first), positions,
-        std::span(ofTriangles).subspan(first, last - first));
-    });
+    { ofTriangles.measure(mesh, positions, first, last); });
   Measured measured;
   measured.longestSides.resize(positions.size());
   const auto numbers = measurer ? std::make_shared<RingNumbers>() : nullptr;
@@ -186,28 +200,23 @@ MotionTable::Measured MotionTable::measure(
   team.run(positions.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const OfTriangle* const from = ofTriangles.data();
+      const VertexNumbers* const ofVertices = ofTriangles.ofVertices.data();
       const Index* const triangleOf = this->TriangleOfEntry.data();
-      EntryNumber* const ofEntries = numbers ? numbers->ofEntries.data() : nullptr;
       for (std::size_t v = first; v < last; ++v)
       {
         const std::size_t begin = mesh.rings().firstEntry(static_cast<Index>(v));
         const std::size_t end = begin + mesh.ring(static_cast<Index>(v)).size();
-        OfTriangle largest;
+        VertexNumbers largest;
         for (std::size_t i = begin; i < end; ++i)
         {
-          const OfTriangle& own = from[triangleOf[i]];
-          largest.longestSide = std::max(largest.longestSide, own.longestSide);
-          largest.ofVertex = std::max(largest.ofVertex, own.ofVertex);
-          if (ofEntries)
-          {
-            ofEntries[i] = own.ofEntry;
-          }
+          largest.takeLargest(ofVertices[triangleOf[i]]);
         }
         measured.longestSides[v] = largest.longestSide;
         if (numbers)
         {
           numbers->ofVertices[v] = largest.ofVertex;
+          std::transform(triangleOf + begin, triangleOf + end, numbers->ofEntries.data() + begin,
+            [from = ofTriangles.ofEntries.data()](Index t) { return from[t]; });
         }
       }
     });

@@ -3,12 +3,15 @@
 #include "search/PointSearch.h"
 
 #include "base/Interruption.h"
+#include "base/WorkCount.h"
 #include "mesh/TriangleMesh.h"
 #include "search/SearchedTriangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -41,6 +44,25 @@ std::array<Vector3, 3> cornersOf(const TriangleMesh& mesh, const Triangle& t)
   return { mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]) };
 }
 
+/** The first of the triangles from number @p start on whose lowest corner is @p vertex or above. */
+Index firstFrom(std::span<const Triangle> triangles, Index start, Index vertex)
+{
+  // Often it is near.
+  constexpr Index near = 8;
+  const Index end = static_cast<Index>(triangles.size());
+  for (const Index last = std::min(start + near, end); start < last; ++start)
+  {
+    if (lowestCorner(triangles[start]) >= vertex)
+    {
+      return start;
+    }
+  }
+  return static_cast<Index>(
+    std::lower_bound(triangles.begin() + start, triangles.end(), vertex,
+      [](const Triangle& t, Index lowest) { return lowestCorner(t) < lowest; }) -
+    triangles.begin());
+}
+
 }
 
 PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3& query)
@@ -52,8 +74,10 @@ PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3&
   // A corner of the nearest triangle is farther than the nearest point by at most its longest side.
   constexpr double rounding = 1.0 + 1e-9;
   const double reach = std::sqrt(squaredDistanceToVertices(mesh, query)) * rounding;
-  Triangle nearest{ NoIndex, NoIndex, NoIndex };
-  double best = Infinity;
+  const std::span<const Triangle> triangles = mesh.triangles();
+  Index nearest = NoIndex;
+  OnTriangle best{ {}, Infinity };
+  Index next = 0;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
     const Vector3 away = query - mesh.position(v);
@@ -63,33 +87,30 @@ PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3&
       continue;
     }
     Interruption::checkAt(v);
-    const std::span<const RingEntry> ring = mesh.ring(v);
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    next = firstFrom(triangles, next, v);
+    for (; next < triangles.size() && lowestCorner(triangles[next]) == v; ++next)
     {
-      const Triangle t{ v, ring[i].neighbour(), ring[i + 1].neighbour() };
-      if (!ring[i].opensTriangle() || lowestCorner(t) != v)
+      const std::array<Vector3, 3> corners = cornersOf(mesh, triangles[next]);
+      const SearchedTriangle triangle(corners, query);
+      if (triangle.isBeyond(best.squaredDistance))
       {
         continue;
       }
-      const std::array<Vector3, 3> corners = cornersOf(mesh, t);
-      const SearchedTriangle triangle(corners, query);
-      const double squared =
-        triangle.isBeyond(best) ? Infinity : triangle.nearest().squaredDistance;
-      if (squared < best)
+      const OnTriangle candidate = triangle.nearest();
+      if (candidate.squaredDistance < best.squaredDistance)
       {
-        best = squared;
-        nearest = t;
+        best = candidate;
+        nearest = next;
       }
     }
   }
-  if (nearest[0] == NoIndex)
+  WorkCount::add(mesh.numberOfVertices());
+  if (nearest == NoIndex)
   {
     throw std::invalid_argument("A point is too far from the surface to measure its distance.");
   }
   PointSearch::Result result;
-  const Index number = mesh.trianglesWith(nearest).front();
-  const std::array<Vector3, 3> corners = cornersOf(mesh, mesh.triangle(number));
-  result.point = snapped({ number, SearchedTriangle(corners, query).nearest().weights });
+  result.point = snapped({ nearest, best.weights });
   result.position = mesh.positionOf(result.point);
   result.distance = norm(query - result.position);
   return result;

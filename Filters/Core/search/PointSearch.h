@@ -16,10 +16,10 @@ namespace geodesic
 class TriangleMesh;
 
 /**
- * Finds points of a surface as ClosestPointTree does, which it makes when that pays: the first few
- * nearest points are found by a scan of all vertices, each in a thirtieth of the time that the tree
- * takes to be made. So a surface that is asked once, as each step of a time series, needs no tree.
- * Safe to use from several threads.
+ * Finds the same points of a surface as ClosestPointTree, which it makes when that pays: the first
+ * few nearest points are found by a scan of all vertices, each in a thirtieth of the time that the
+ * tree takes to be made. So a surface that is asked once, as each step of a time series, needs no
+ * tree. Safe to use from several threads.
  */
 class PointSearch
 {
