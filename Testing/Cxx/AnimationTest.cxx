@@ -220,6 +220,42 @@ TEST(Animation, OtherCellsAreOtherSurfaces)
   expectFresh(filter, step(surface, 0.7));
 }
 
+// A cell that repeats a corner is no triangle of the mesh, and shifts the numbers of those behind
+// it.
+TEST(Animation, CellsWithoutAnAreaComeAndGo)
+{
+  const auto surface = square(Side);
+  const auto withCell = [&](vtkIdType place)
+  {
+    const auto changed = step(surface, 0.3);
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+    {
+      if (cell == place)
+      {
+        const vtkIdType repeated[] = { 5, 5, 7 };
+        cells->InsertNextCell(3, repeated);
+      }
+      vtkNew<vtkIdList> ids;
+      surface->GetPolys()->GetCellAtId(cell, ids);
+      cells->InsertNextCell(ids);
+    }
+    changed->SetPolys(cells);
+    return changed;
+  };
+  for (const vtkIdType place : { 0, 31 })
+  {
+    const auto more = withCell(place);
+    const auto held = surfaceOf(more);
+    const auto fewer = surfaceOf(step(surface, 0.6, NewIn::PointsAndCells));
+    EXPECT_FALSE(sharesStructure(*fewer, *held));
+    EXPECT_FALSE(sharesStructure(*surfaceOf(withCell(place + 1)), *held));
+    const auto again = surfaceOf(withCell(place));
+    EXPECT_TRUE(sharesStructure(*again, *held));
+    EXPECT_EQ(again->cellOfTriangle(100), held->cellOfTriangle(100));
+  }
+}
+
 // Cells without faces come first in the numbers of cells.
 TEST(Animation, LinesBeforeTheFacesShiftTheCells)
 {

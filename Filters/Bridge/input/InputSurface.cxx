@@ -161,7 +161,9 @@ std::shared_ptr<const InputSurface> InputSurface::moved(const InputSurface& held
   {
     return nullptr;
   }
-  const bool keepsTriangles = hasSameCells && !held.IsCutByPositions;
+  const bool keepsTriangles = hasSameCells ? !held.IsCutByPositions
+                                           : geometry.blocks().size() == 1 &&
+      held.Cells->cells.empty() && areTrianglesOf(geometry.blocks()[0].surface, mesh, team);
   if (!keepsTriangles && !mesh.isMadeOf(geometry.triangles().corners))
   {
     return nullptr;

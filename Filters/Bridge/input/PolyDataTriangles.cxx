@@ -4,6 +4,7 @@
 
 #include "base/Interruption.h"
 #include "filter/VtkVersions.h"
+#include "mesh/TriangleMesh.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -17,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -224,6 +226,46 @@ void visitCells(vtkCellArray* cells, std::size_t numberOfPoints, Index firstPoin
   withOffsetsAndConnectivity(*cells, visit);
 }
 
+}
+
+bool areTrianglesOf(vtkPolyData* surface, const TriangleMesh& mesh, const ThreadTeam& team)
+{
+  vtkCellArray* cells = surface->GetPolys();
+  const Index count = mesh.numberOfTriangles();
+  if (cells->GetNumberOfCells() != count ||
+    cells->GetNumberOfConnectivityIds() != 3 * vtkIdType{ count } ||
+    surface->GetNumberOfStrips() > 0 || surface->GetCellGhostArray() ||
+    surface->GetNumberOfPoints() != mesh.numberOfVertices() ||
+    mesh.numberOfPoints() != mesh.numberOfVertices())
+  {
+    return false;
+  }
+  std::vector<std::uint8_t> areSame(team.numberOfRanges(count), 0);
+  const auto compare = [&](const auto& offsets, const auto& connectivity)
+  {
+    const auto isCorner = [&](vtkIdType place, Index vertex)
+    { return static_cast<vtkIdType>(connectivity[place]) == mesh.pointOfVertex(vertex); };
+    const auto isSame = [&](Index t)
+    {
+      const Index source = mesh.sourceOfTriangle(t);
+      const vtkIdType first = 3 * vtkIdType{ source };
+      const auto [a, b, c] = mesh.triangle(t);
+      return source < count && static_cast<vtkIdType>(offsets[t]) == 3 * vtkIdType{ t } &&
+        isCorner(first, a) && isCorner(first + 1, b) && isCorner(first + 2, c);
+    };
+    team.run(count,
+      [&](std::size_t range, std::size_t first, std::size_t last)
+      {
+        auto t = static_cast<Index>(first);
+        while (t < last && isSame(t))
+        {
+          ++t;
+        }
+        areSame[range] = t == last ? 1 : 0;
+      });
+  };
+  withOffsetsAndConnectivity(*cells, compare);
+  return std::find(areSame.begin(), areSame.end(), 0) == areSame.end();
 }
 
 void appendPoints(vtkPolyData* surface, BulkVector<Vector3>& points)

@@ -5,12 +5,18 @@
 
 #include "base/BulkVector.h"
 #include "base/Index.h"
+#include "base/ThreadTeam.h"
 #include "base/Vector3.h"
 
 #include <span>
 #include <vector>
 
 class vtkPolyData;
+
+namespace geodesic
+{
+class TriangleMesh;
+}
 
 namespace geodesic::bridge
 {
@@ -44,6 +50,14 @@ struct SurfaceTriangles
  */
 void appendTriangles(vtkPolyData* surface, std::span<const Vector3> points, Index firstPoint,
   Index firstCell, SurfaceTriangles& triangles);
+
+/**
+ * Whether the surface's cells with faces are the triangles that a mesh was made of, one for one.
+ * This compares the cells where they are. False does not mean that they are others: where the
+ * surface has other cells than triangles, or the mesh leaves out triangles or points or merges
+ * these, appendTriangles() and TriangleMesh::isMadeOf() tell.
+ */
+bool areTrianglesOf(vtkPolyData* surface, const TriangleMesh& mesh, const ThreadTeam& team);
 
 }
 
