@@ -6,12 +6,10 @@
 #include "base/Platform.h"
 #include "mesh/TriangleMesh.h"
 #include "search/BvhSplit.h"
-#include "search/NearestOrder.h"
-#include "search/SearchedTriangle.h"
+#include "search/NearestPoint.h"
 #include "search/ShearedRay.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -159,17 +157,13 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
   const auto farther = [](const Pending& a, const Pending& b) { return a.toCentre > b.toCentre; };
 
   const Vector3 fromOrigin = query - this->Origin;
-  const NearestOrder order(query);
-  NearestOrder::Candidate best;
-  SurfacePoint nearest{ NoIndex, {} };
-  // The square of the distance up to which a point may come before the best one.
-  double reach = std::numeric_limits<double>::max();
+  NearestPoint nearest(*this->Mesh, query);
   std::vector<Pending> pending{ { 0.0, 0.0, { 0, 0 } } };
   while (!pending.empty())
   {
     const Pending next = pending.back();
     pending.pop_back();
-    if (next.squaredDistance > reach)
+    if (next.squaredDistance > nearest.reach())
     {
       continue;
     }
@@ -178,26 +172,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     {
       for (Index t = first; t < first + triangles; ++t)
       {
-        const std::array<Vector3, 3> corners = this->cornersOf(t);
-        const SearchedTriangle triangle(corners, query);
-        if (triangle.isBeyond(reach))
-        {
-          continue;
-        }
-        const OnTriangle found = triangle.nearest();
-        if (!(found.squaredDistance <= reach))
-        {
-          continue;
-        }
-        const SurfacePoint point{ t, found.weights };
-        const NearestOrder::Candidate candidate{ std::sqrt(found.squaredDistance),
-          this->Mesh->positionOf(point) };
-        if (order.isBefore(candidate, best))
-        {
-          best = candidate;
-          nearest = point;
-          reach = std::pow(best.distance + order.blur(best), 2);
-        }
+        nearest.tryTriangle(t);
       }
       continue;
     }
@@ -209,7 +184,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     const std::size_t start = pending.size();
     for (std::size_t i = 0; i < FourBvhBounds::Runs && node.runs[i].first != NoIndex; ++i)
     {
-      if (least[i] <= reach)
+      if (least[i] <= nearest.reach())
       {
         this->prefetch(node.runs[i]);
         pending.push_back({ least[i], toCentre[i], node.runs[i] });
@@ -218,15 +193,7 @@ ClosestPointTree::Result ClosestPointTree::closestPoint(const Vector3& query) co
     std::sort(pending.begin() + start, pending.end(), farther);
   }
 
-  if (nearest.triangle == NoIndex)
-  {
-    throw std::invalid_argument("A point is too far from the surface to measure its distance.");
-  }
-  Result result;
-  result.point = snapped(nearest);
-  result.position = this->Mesh->positionOf(result.point);
-  result.distance = norm(query - result.position);
-  return result;
+  return nearest.result();
 }
 
 std::optional<ClosestPointTree::Result> ClosestPointTree::firstOnRay(

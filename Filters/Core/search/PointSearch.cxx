@@ -5,10 +5,9 @@
 #include "base/Interruption.h"
 #include "base/WorkCount.h"
 #include "mesh/TriangleMesh.h"
-#include "search/SearchedTriangle.h"
+#include "search/NearestPoint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -20,12 +19,10 @@ namespace geodesic
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /** The squared distance to the nearest vertex that has a triangle. */
 double squaredDistanceToVertices(const TriangleMesh& mesh, const Vector3& query)
 {
-  double nearest = Infinity;
+  double nearest = std::numeric_limits<double>::infinity();
   const std::span<const Vector3> positions = mesh.positions();
   for (Index v = 0; v < positions.size(); ++v)
   {
@@ -37,11 +34,6 @@ double squaredDistanceToVertices(const TriangleMesh& mesh, const Vector3& query)
     }
   }
   return nearest;
-}
-
-std::array<Vector3, 3> cornersOf(const TriangleMesh& mesh, const Triangle& t)
-{
-  return { mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]) };
 }
 
 /** The first of the triangles from number @p start on whose lowest corner is @p vertex or above. */
@@ -73,10 +65,10 @@ PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3&
   }
   // A corner of the nearest triangle is farther than the nearest point by at most its longest side.
   constexpr double rounding = 1.0 + 1e-9;
-  const double reach = std::sqrt(squaredDistanceToVertices(mesh, query)) * rounding;
+  const double toVertex = std::sqrt(squaredDistanceToVertices(mesh, query));
+  const double reach = rounding * toVertex + 2.0 * NearestOrder(query).blur({ toVertex, {} });
   const std::span<const Triangle> triangles = mesh.triangles();
-  Index nearest = NoIndex;
-  OnTriangle best{ {}, Infinity };
+  NearestPoint nearest(mesh, query);
   Index next = 0;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
@@ -90,30 +82,11 @@ PointSearch::Result scannedClosestPoint(const TriangleMesh& mesh, const Vector3&
     next = firstFrom(triangles, next, v);
     for (; next < triangles.size() && lowestCorner(triangles[next]) == v; ++next)
     {
-      const std::array<Vector3, 3> corners = cornersOf(mesh, triangles[next]);
-      const SearchedTriangle triangle(corners, query);
-      if (triangle.isBeyond(best.squaredDistance))
-      {
-        continue;
-      }
-      const OnTriangle candidate = triangle.nearest();
-      if (candidate.squaredDistance < best.squaredDistance)
-      {
-        best = candidate;
-        nearest = next;
-      }
+      nearest.tryTriangle(next);
     }
   }
   WorkCount::add(mesh.numberOfVertices());
-  if (nearest == NoIndex)
-  {
-    throw std::invalid_argument("A point is too far from the surface to measure its distance.");
-  }
-  PointSearch::Result result;
-  result.point = snapped({ nearest, best.weights });
-  result.position = mesh.positionOf(result.point);
-  result.distance = norm(query - result.position);
-  return result;
+  return nearest.result();
 }
 
 PointSearch::PointSearch(std::shared_ptr<const TriangleMesh> mesh)
