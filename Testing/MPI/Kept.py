@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What several ranks keep from run to run, as one rank does: segments of paths, and lines with their cuts.
+"""What several ranks keep from run to run, as one rank does: segments of paths, lines with their cuts, and the structure
+of a surface whose points move.
 
 usage: mpiexec -n N pvbatch --sym Kept.py OUR_PLUGIN        (N > 1)
 The plugin must be built with SURFACEGEODESICS_INJECT_FAULTS.
@@ -12,6 +13,8 @@ import sys
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 sys.path.append(os.path.dirname(__file__))
 import cases
@@ -121,9 +124,49 @@ def check_lines():
         assert fails_in_phase(algorithm, few), name
 
 
+def check_motion():
+    """A surface that turns and grows keeps its structure, on each rank if its cells there are the same: distances grow
+    along."""
+    surface = source_of("torus")
+    first = surface.GetClientSideObject().GetOutputDataObject(0)
+    seed = np.array([-1, -0.9, 0.2])
+    distance = simple.GeodesicDistance(Input=surface, SeedPositions=seed.tolist())
+    distance.UpdateVTKObjects()
+    assert harness.messages_of(distance.GetClientSideObject().Update) == ""
+    still = field_of(distance).copy()
+    for step in range(1, 5):
+        turn = 0.3 * step
+        size = 1 + 0.2 * step
+        matrix = size * np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
+        moved = vtkPolyData()
+        moved.ShallowCopy(first)
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(vtk_to_numpy(first.GetPoints().GetData()).astype(float) @ matrix.T, deep=True))
+        moved.SetPoints(points)
+        if RANK == step % harness.RANKS:
+            # Cells in another order are another structure.
+            cells = vtkCellArray()
+            ids = vtkIdList()
+            count = first.GetNumberOfPolys()
+            for cell in range(count):
+                first.GetPolys().GetCellAtId((cell + step) % count, ids)
+                cells.InsertNextCell(ids)
+            moved.SetPolys(cells)
+        elif RANK == (step + 1) % harness.RANKS:
+            cells = vtkCellArray()
+            cells.DeepCopy(first.GetPolys())
+            moved.SetPolys(cells)
+        surface.GetClientSideObject().SetOutput(moved)
+        distance.SeedPositions = (matrix @ seed).tolist()
+        distance.UpdateVTKObjects()
+        assert harness.messages_of(distance.GetClientSideObject().Update) == ""
+        assert np.allclose(field_of(distance), size * still, rtol=0, atol=1e-6), np.abs(field_of(distance) - size * still).max()
+
+
 check_segments()
 check_segments(BarrierSource=simple.PolyLineSource(Points=np.reshape(cases.points_on("bunny", 9), (-1, 3))[7:].ravel().tolist()))
 check_normals()
 check_lines()
+check_motion()
 if harness.IS_FIRST:
-    print("segments and lines are kept")
+    print("segments, lines and the structure of moved surfaces are kept")
