@@ -71,6 +71,14 @@ test_under_sanitizers()
   ctest --preset core-sanitized --label-regex '^fuzz$' --parallel "$(nproc)" --output-on-failure
 }
 
+# What works on several threads in the core, under the thread sanitizer.
+test_threads()
+{
+  cmake --preset core-tsan
+  cmake --build --preset core-tsan --target CoreTests
+  ctest --preset core-tsan --tests-regex 'Thread|SharedJobs|ASearchGoesOver' --parallel "$(nproc)"
+}
+
 check_labels()
 {
   local label
@@ -108,6 +116,7 @@ check_labels
 if [[ " ${labels[*]} " == *" core "* ]]; then
   test_other_cores
   test_under_sanitizers
+  test_threads
 fi
 # Side by side but for those with ranks or windows, which ask for the whole machine.
 run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
