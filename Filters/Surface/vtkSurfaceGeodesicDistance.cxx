@@ -24,6 +24,7 @@
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
 #include "lines/SidesOfSeeds.h"
+#include "mesh/ThinTriangles.h"
 #include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
@@ -68,6 +69,9 @@ struct vtkSurfaceGeodesicDistance::Internals
   geodesic::distributed::DealtField Dealt;
   /** With Signed. */
   geodesic::distributed::SidesOfSeeds Sides;
+  /** The surface whose thin triangles were counted, and their number on this rank. */
+  std::shared_ptr<const geodesic::distributed::DistributedSurface> Counted;
+  std::size_t ThinTriangles = 0;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -227,6 +231,8 @@ void vtkSurfaceGeodesicDistance::Compute(geodesic::distributed::RankGroup& ranks
 {
   this->MaximumDistanceReached = 0.0;
   this->NumberOfVisitedPoints = 0;
+  this->ThinTriangles = 0;
+  this->NoticeText.clear();
   this->Solve({ ranks, blocks, inputVector });
   this->CheckUnreachedValue();
   ranks.together(
@@ -286,6 +292,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
   this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
+  this->LookForThinTriangles(ranks, !cost.empty());
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
@@ -407,6 +414,41 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   const geodesic::DistanceField none(0);
   this->ReportWork(run, partition, field ? *field : none,
     internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::LookForThinTriangles(
+  geodesic::distributed::RankGroup& ranks, bool hasCost)
+{
+  Internals& internal = *this->Internal;
+  if (this->Method != FAST_MARCHING)
+  {
+    return;
+  }
+  const geodesic::TriangleMesh& mesh = internal.Surface->mesh();
+  if (internal.Counted != internal.Surface)
+  {
+    internal.ThinTriangles = geodesic::numberOfThinTriangles(mesh);
+    internal.Counted = internal.Surface;
+  }
+  const double thin = ranks.sum(static_cast<double>(internal.ThinTriangles));
+  const double all = ranks.sum(mesh.numberOfTriangles());
+  const bool mayNotChange = ranks.sum(hasCost ? 1.0 : 0.0) > 0.0;
+  this->ThinTriangles = static_cast<vtkIdType>(thin);
+  if (thin > 0.0 && thin >= geodesic::ManyThinTriangles * all)
+  {
+    this->NoticeText = std::to_string(this->ThinTriangles) + " of " +
+      std::to_string(static_cast<vtkIdType>(all)) +
+      " triangles are thin; distances of FastMarching can be far off there. " +
+      (mayNotChange ? "Remesh the surface."
+                    : "Use the method Exact, Bounded or VirtualSources, or remesh the surface.");
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceGeodesicDistance::GetNoticeText()
+{
+  return this->NoticeText.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -589,6 +631,8 @@ void vtkSurfaceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GatherForExact: " << this->GatherForExact << "\n";
   os << indent << "MaximumDistanceReached: " << this->MaximumDistanceReached << "\n";
   os << indent << "NumberOfVisitedPoints: " << this->NumberOfVisitedPoints << "\n";
+  os << indent << "ThinTriangles: " << this->ThinTriangles << "\n";
+  os << indent << "NoticeText: " << this->NoticeText << "\n";
   os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
   os << indent << "NumberOfUpdates: " << this->NumberOfUpdates << "\n";
   os << indent << "LongestChainOfUpdates: " << this->LongestChainOfUpdates << "\n";

@@ -243,6 +243,18 @@ public:
    */
   vtkGetMacro(NumberOfVisitedPoints, vtkIdType);
 
+  /**
+   * How many triangles of the surface are thin: their height over the longest side is less than a
+   * tenth of it. 0 before the first run, and with methods other than FAST_MARCHING, which measure
+   * as well there as elsewhere.
+   */
+  vtkGetMacro(ThinTriangles, vtkIdType);
+  /**
+   * What to know about the last run's distances, in full sentences: that a hundredth or more of the
+   * triangles are thin, and what to do about it. Empty if there is nothing.
+   */
+  const char* GetNoticeText();
+
   ///@{
   /**
    * The work of the last run over all ranks: how often the ranks marched and exchanged values (once
@@ -285,6 +297,8 @@ protected:
   bool GatherForExact = false;
   double MaximumDistanceReached = 0.0;
   vtkIdType NumberOfVisitedPoints = 0;
+  vtkIdType ThinTriangles = 0;
+  std::string NoticeText;
   vtkIdType NumberOfRounds = 0;
   vtkIdType NumberOfUpdates = 0;
   vtkIdType LongestChainOfUpdates = 0;
@@ -313,6 +327,8 @@ private:
   void SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
     const geodesic::SolveOptions& options,
     const std::vector<std::vector<geodesic::SurfacePoint>>& destinations);
+  /** Counts thin triangles, and notes what to do about them. Collective. */
+  void LookForThinTriangles(geodesic::distributed::RankGroup& ranks, bool hasCost);
   /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,
     const geodesic::DistanceField& solved, vtkIdType numberOfPoints);

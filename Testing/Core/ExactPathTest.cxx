@@ -13,9 +13,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace geodesic;
@@ -173,4 +176,50 @@ TEST(ExactPath, GoesRoundBarriers)
   const double way =
     std::hypot(0.4 - from.x, low - from.y) + 0.2 + std::hypot(to.x - 0.6, low - to.y);
   EXPECT_NEAR(lengthOf(*mesh, *path), way, 1e-9);
+}
+
+// Of two triangles with the same corners one is closed, and so the other is: from neither end of a
+// path does anything pass it.
+TEST(ExactPath, ATriangleIsClosedWhereOneWithTheSameCornersIs)
+{
+  const Surface surface{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { -1, 1, 0 }, { 0.5, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 3, 2 }, { 1, 0, 4 }, { 0, 2, 1 } } };
+  const auto mesh = meshOf(surface);
+  const auto vertex = [&](Index point) { return mesh->vertexOfPoint(point); };
+  const std::array sameCorners{ vertex(0), vertex(1), vertex(2) };
+  const std::vector<Index> same = mesh->trianglesWith(sameCorners);
+  ASSERT_EQ(same.size(), 2);
+  const std::array side{ vertex(0), vertex(1), vertex(4) };
+  SurfacePoint middle{ mesh->trianglesWith(side).at(0), {} };
+  for (int i = 0; i < 3; ++i)
+  {
+    middle.weights[i] = mesh->triangle(middle.triangle)[i] == vertex(4) ? 0.0 : 0.5;
+  }
+  const SurfacePoint apex = mesh->pointAtVertex(vertex(2));
+  const double way = 0.5 + std::hypot(0.5, 1.0);
+  for (const Index one : same)
+  {
+    std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+    closed[one] = 1;
+    SolveOptions options;
+    options.closedTriangles = closed;
+    ExactSolver solver(mesh);
+    for (const auto& [from, to] : { std::pair(middle, apex), std::pair(apex, middle) })
+    {
+      PathFinder finder(solver, { &to, 1 }, options, Straight);
+      ASSERT_TRUE(finder.march({ &from, 1 }));
+      const auto path = finder.pathFrom(from);
+      ASSERT_TRUE(path && finder.isProvenShortest());
+      EXPECT_NEAR(lengthOf(*mesh, *path), way, 1e-12);
+    }
+    const auto field = distances<FastMarchingSolver>(mesh, { Seed::atPoint(middle) }, options);
+    EXPECT_NEAR(field[2], way, 1e-12);
+    const Seed inside = Seed::atPoint({ same[0] + same[1] - one, { 0.3, 0.3, 0.4 } });
+    EXPECT_NE(errorOf(
+                [&] {
+                  solver.solve({ &inside, 1 }, options);
+                })
+                .find("barrier"),
+      std::string::npos);
+  }
 }

@@ -7,30 +7,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <string>
 
 using namespace geodesic::testing;
-
-namespace
-{
-
-/** Cases that break a promise, which are not understood yet: from 20 and from 10,000 seeds on
- * triangles without area, distances of fast marching are up to 9 % of the largest too large. */
-constexpr std::array Open{ 822u, 1206u };
-
-}
 
 TEST(Promises, HoldOnNastyMeshes)
 {
   PromiseReport report;
   for (unsigned number = 0; number < 2000; ++number)
   {
-    if (std::count(Open.begin(), Open.end(), number) > 0)
-    {
-      continue;
-    }
     const NastyCase test = nastyCase(number);
     checkPromises(test, report);
     for (const std::string& broken : report.broken)
@@ -41,7 +26,7 @@ TEST(Promises, HoldOnNastyMeshes)
   }
   RecordProperty("fields", static_cast<int>(report.solves));
   // The cases are what they are meant to be.
-  EXPECT_EQ(report.cases, 2000 - Open.size());
+  EXPECT_EQ(report.cases, 2000);
   EXPECT_GT(report.solves, 8000);
   EXPECT_GT(report.paths, 3000);
   EXPECT_GT(report.comparisons, 80000);

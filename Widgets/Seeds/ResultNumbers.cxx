@@ -43,6 +43,11 @@ ResultNumbers ResultNumbers::of(vtkSMProxy* filter, vtkSMPropertyGroup* group)
     filter->UpdatePropertyInformation(error);
     result.error = vtkSMPropertyHelper(error).GetAsString();
   }
+  if (vtkSMProperty* notice = group->GetProperty("Notice"))
+  {
+    filter->UpdatePropertyInformation(notice);
+    result.notice = vtkSMPropertyHelper(notice).GetAsString();
+  }
   const std::vector<double> runTimes = valuesOf(filter, group->GetProperty("RunTime"));
   result.runTime = runTimes.empty() ? 0.0 : runTimes[0];
   vtkSMProperty* property = group->GetProperty("Result");

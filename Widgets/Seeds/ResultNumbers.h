@@ -20,6 +20,8 @@ struct ResultNumbers
   /** The name and value of the number that sums it up, and the number of segments if there are any.
    */
   QString summary;
+  /** What to know about the numbers; empty if there is nothing. */
+  QString notice;
   /** That number; 0 where there is none. */
   double value = 0.0;
   /** The length of each segment from a row to the next; negative where no path joins them. */
@@ -37,8 +39,8 @@ struct ResultNumbers
 
   /**
    * Asks the server for the information properties of a group with the functions Result (one
-   * number), Lengths (one for each segment), Middles (three for each), Error (a text) and RunTime.
-   * Each may be left out.
+   * number), Lengths (one for each segment), Middles (three for each), Error and Notice (texts) and
+   * RunTime. Each may be left out.
    */
   static ResultNumbers of(vtkSMProxy* filter, vtkSMPropertyGroup* group);
 };

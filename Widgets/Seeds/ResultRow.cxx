@@ -35,7 +35,9 @@ ResultRow::ResultRow(QWidget* parent)
 void ResultRow::setResult(const ResultNumbers& result)
 {
   this->Result = result;
-  this->Text->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()));
+  const QString notice =
+    result.notice.isEmpty() ? QString() : "<br>" + result.notice.toHtmlEscaped();
+  this->Text->setText(QString("<b>%1</b>").arg(result.summary.toHtmlEscaped()) + notice);
   const bool hasResult = !result.summary.isEmpty();
   if (hasResult)
   {

@@ -152,13 +152,21 @@ protected:
     return { held, held, true };
   }
 
+  /** Whether updates that come on a way leave a value as it is because it is final. */
+  template <Way way>
+  static bool isFixed(const VertexState& state)
+  {
+    return !(Cost::isUnit && way == Way::Along) && state.isFinal();
+  }
+
   /** Gives a vertex a value if that counts, and queues it. @pre the vertex has no value or a best
    * one of the same label
    * @return what the vertex then has */
+  template <Way way>
   NeighbourValue offer(const SourceFront& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
-    if (!this->state(vertex).isFinal() && !this->isExcluded(vertex) &&
+    if (!isFixed<way>(this->state(vertex)) && !this->isExcluded(vertex) &&
       value < this->ceiling(label, vertex, old))
     {
       this->set(label, vertex, value);

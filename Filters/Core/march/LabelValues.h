@@ -146,6 +146,7 @@ public:
 
   /** Gives a vertex a value of a label, and queues it, if the value counts. @return what the vertex
    * then has of the label */
+  template <Way way>
   NeighbourValue propose(const SourceFront& label, Index vertex, double value)
   {
     value = label.leastOf.raised(value, this->position(vertex));
@@ -155,14 +156,14 @@ public:
     }
     if (this->state(vertex).hasOtherLabel(label.labelBits)) [[unlikely]]
     {
-      return this->proposeSecondary(label, vertex, value);
+      return this->proposeSecondary<way>(label, vertex, value);
     }
     if (this->Bounds && value > this->boundOf(label, vertex))
     {
       const double known = this->value(label, vertex);
       return { known, known, this->state(vertex).isQueued() };
     }
-    return this->offer(label, vertex, value);
+    return this->template offer<way>(label, vertex, value);
   }
 
   /** Gives a vertex a start value of a label. */
@@ -305,6 +306,7 @@ private:
     return { secondary.value, std::min(secondary.value, keptUpTo), secondary.state.isQueued() };
   }
 
+  template <Way way>
   NeighbourValue proposeSecondary(const SourceFront& label, Index vertex, double value)
   {
     Index number = this->Sets.find(vertex, label.number());
@@ -317,7 +319,7 @@ private:
     {
       number = this->Sets.add(vertex, label.number());
     }
-    else if (this->Sets.secondary(number).state.isFinal())
+    else if (LabelValues::template isFixed<way>(this->Sets.secondary(number).state))
     {
       return known;
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/MarchingSolver.h"
 
+#include "march/EdgeLowering.h"
 #include "march/LabelDensity.h"
 #include "march/LabelReach.h"
 #include "march/StopReach.h"
@@ -274,6 +275,8 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
       second, &this->LabelsWithin, limit, field);
     takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
+    finished = finished &&
+      lowerAlongEdges(this->mesh(), request.closed, cost, options, request.partition, limit, field);
     learnTargets(limit, request.partition);
   }
   this->LabelsWithin.clear();

@@ -56,8 +56,8 @@ namespace geodesic
  *                 - prefetch(Index): to be called some time before pop();
  *                 - reader(SourceFront): an object whose look<Real>(const Indices<Real>&) reads
  *                   vertices -> BestValues<Real>;
- *                 - propose(SourceFront, Index, double) -> NeighbourValue: gives a vertex the value
- *                   and queues it, if the value counts; returns what the vertex then has;
+ *                 - propose<Way>(SourceFront, Index, double) -> NeighbourValue: gives a vertex the
+ * value and queues it, if the value counts; returns what the vertex then has;
  *                 - hasOtherLabels: whether there are several labels;
  *                 - if so, others<Real>(...) -> NeighbourValues<Real> (see LabelValues), and
  *                   prefetchOther(Index), to be called some time before it;
@@ -313,7 +313,7 @@ private:
         count += value < this->ceilings()[slot] ? 1 : 0;
       }
       this->NumberOfProposals = count;
-      this->propose();
+      this->template propose<Way::Along>();
     }
     else
     {
@@ -332,7 +332,7 @@ private:
     if (value < this->ceilings()[slot])
     {
       const std::size_t row = UpdateBatch::rowOf(slot);
-      const NeighbourValue held = this->FrontValues.propose(
+      const NeighbourValue held = this->FrontValues.template propose<Way::Along>(
         *this->Batch.Rows[row].label, this->Batch.Neighbours[slot], value);
       this->Batch.Values[slot] = held.value;
       this->Batch.isQueued[row] |=
@@ -394,7 +394,7 @@ private:
   {
     this->updateAcrossEdges<Real, FrontShape::Round>();
     this->updateAcrossEdges<Real, FrontShape::Straight>();
-    this->propose();
+    this->template propose<Way::Across>();
   }
 
   /** Computes the crossings of fronts of a shape; their values become proposals. */
@@ -448,13 +448,15 @@ private:
   }
 
   /** Proposes the values in Proposals to their vertices, and empties it. */
+  template <Way way>
   [[gnu::flatten, gnu::noinline]] void propose()
   {
     for (std::size_t i = 0; i < this->NumberOfProposals; ++i)
     {
       const Proposal& proposal = this->Proposals[i];
-      const NeighbourValue held = this->FrontValues.propose(*this->Batch.at(proposal.target).label,
-        this->Batch.Neighbours[proposal.target], proposal.value);
+      const NeighbourValue held =
+        this->FrontValues.template propose<way>(*this->Batch.at(proposal.target).label,
+          this->Batch.Neighbours[proposal.target], proposal.value);
       if constexpr (Values::hasOtherLabels)
       {
         this->Batch.Ceilings[proposal.target] = held.ceiling;

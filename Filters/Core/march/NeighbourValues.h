@@ -11,6 +11,13 @@
 namespace geodesic
 {
 
+/** How an update comes to a vertex: along an edge, or across the one opposite to the vertex. */
+enum class Way
+{
+  Along,
+  Across
+};
+
 /** The value of one label at a vertex, as an update of the vertex needs it. */
 struct NeighbourValue
 {

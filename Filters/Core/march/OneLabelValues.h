@@ -49,11 +49,13 @@ public:
   };
   Reader reader(const SourceFront&) const { return Reader(this->fieldReader(this->Only)); }
 
+  template <Way way>
   NeighbourValue propose(const SourceFront&, Index vertex, double value)
   {
     value = this->Only.leastOf.raised(value, this->position(vertex));
-    return this->state(vertex).isQueuedFor(0) ? this->lower(this->Only, vertex, value)
-                                              : this->offer(this->Only, vertex, value);
+    return this->state(vertex).isQueuedFor(0)
+      ? this->lower(this->Only, vertex, value)
+      : this->template offer<way>(this->Only, vertex, value);
   }
 
   void start(const SourceFront&, const StartValue& first) { this->setFirst(this->Only, first); }

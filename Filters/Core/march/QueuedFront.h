@@ -61,7 +61,8 @@ public:
   {
     const SourceFront& front = this->FrontValues.enter(label, vertex);
     this->Queues.goBackTo(*front.group, front.distance(value) - this->FirstDistance);
-    this->FrontValues.propose(front, vertex, value);
+    // A final value is the same on all pieces, and has fallen there only along an edge.
+    this->FrontValues.template propose<Way::Along>(front, vertex, value);
   }
 
 private:

@@ -160,7 +160,7 @@ private:
     double value = from.value + cost * norm(side);
     // The update divides by the edge's length. If that is 0, the edge is one point, and the side is
     // the only line from it.
-    if (triangle.squaredEdge > 0.0)
+    if (triangle.squaredEdge > 0.0 && !this->isFinal(third, from.label))
     {
       value = std::min(value,
         label.shape == FrontShape::Round
@@ -174,7 +174,7 @@ private:
   /**
    * Gives a vertex a value of a label if that counts: if it is lower than the label's value there,
    * by more than the tolerance of MarchControl, within the margin above the best value, and not
-   * beyond the limit; unless the vertex is excluded or its value final.
+   * beyond the limit; unless the vertex is excluded. A final value falls at cost 1 alone.
    * @param value without the value of the label's seed
    */
   void propose(Index vertex, Index label, double value)
@@ -190,10 +190,17 @@ private:
       return;
     }
     const Index number = this->Values.findOrAdd(vertex, label);
-    if (!this->Values[number].isFinal)
+    if (Cost::isUnit || !this->Values[number].isFinal)
     {
       this->set(number, value);
     }
+  }
+
+  /** Whether the value of a label at a vertex is final. */
+  bool isFinal(Index vertex, Index label) const
+  {
+    const Index number = this->Values.find(vertex, label);
+    return number != NoIndex && this->Values[number].isFinal;
   }
 
   /** Whether a value without that of the seed is above the bounds of its vertex or its label. */

@@ -46,7 +46,7 @@ public:
   bool isQueuedFor(Index labelBits) const { return this->Bits == (Queued | labelBits); }
   /** Does setQueued(true) and stores the label of @p labelBits. @pre no other label is stored */
   void queueFor(Index labelBits) { this->Bits |= Queued | labelBits; }
-  /** Whether the value is final: no update changes it. */
+  /** Whether the value is final, see StartValue. */
   bool isFinal() const { return (this->Bits & Final) != 0; }
   void setFinal(bool isFinal) { this->Bits = isFinal ? this->Bits | Final : this->Bits & ~Final; }
 

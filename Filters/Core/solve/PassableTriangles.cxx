@@ -18,17 +18,28 @@ PassableTriangles::PassableTriangles(
   {
     return;
   }
+  this->Closed.assign(options.closedTriangles.begin(), options.closedTriangles.end());
+  for (const auto& [repeated, first] : edges.repetitions())
+  {
+    if (this->isClosed(repeated))
+    {
+      this->Closed[first] = true;
+    }
+  }
+  for (const auto& [repeated, first] : edges.repetitions())
+  {
+    if (this->isClosed(first))
+    {
+      this->Closed[repeated] = true;
+    }
+  }
   this->Passable.resize(mesh.numberOfTriangles());
   for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
   {
     const Triangle& corners = mesh.triangle(t);
-    this->Passable[t] = !options.isClosed(t) &&
+    this->Passable[t] = !this->isClosed(t) &&
       std::none_of(
         corners.begin(), corners.end(), [&](Index corner) { return options.isExcluded(corner); });
-  }
-  for (const auto& [repeated, first] : edges.repetitions())
-  {
-    this->Passable[first] = this->Passable[first] && this->Passable[repeated];
   }
 }
 

@@ -104,9 +104,26 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
   return open;
 }
 
+/** Whether the triangle of three corners is closed, or another one with the same corners. */
+bool isClosed(const TriangleMesh& mesh, const ClosedTriangles& closed, const Triangle& corners)
+{
+  const std::span<const RingEntry> ring = mesh.ring(corners[0]);
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+  {
+    const Index a = ring[i].neighbour();
+    const Index b = ring[i + 1].neighbour();
+    if (ring[i].opensTriangle() && !closed.isOpen(corners[0], i) &&
+      ((a == corners[1] && b == corners[2]) || (a == corners[2] && b == corners[1])))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /** Throws where a front can't leave the point. @param open see openCarriers() */
 void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
-  const SolveOptions& options, const std::set<Index>& open)
+  const SolveOptions& options, const ClosedTriangles& closed, const std::set<Index>& open)
 {
   const Carriers carriers = carriersOf(mesh, point);
   const auto excluded = std::find_if(
@@ -119,7 +136,8 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
       std::to_string(mesh.pointOfVertex(*excluded)) +
       ", where no front may be; move it off the barrier.");
   }
-  const bool isInside = carriers.size() == 3 && options.isClosed(point.triangle);
+  const bool isInside =
+    carriers.size() == 3 && isClosed(mesh, closed, mesh.triangle(point.triangle));
   const bool isSurrounded = std::none_of(
     carriers.begin(), carriers.end(), [&](Index vertex) { return open.contains(vertex); });
   if (isInside || isSurrounded)
@@ -183,7 +201,7 @@ void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
     {
       visitPoints(mesh, seeds,
         [&](const SurfacePoint& point, std::size_t s)
-        { checkPointIsOpen(mesh, point, "Seed " + std::to_string(s), options, open); });
+        { checkPointIsOpen(mesh, point, "Seed " + std::to_string(s), options, closed, open); });
     });
 }
 

@@ -19,7 +19,9 @@ struct StartValue
   Index label;
   /** In the mesh's length unit times the cost. */
   double value;
-  /** Whether the march must never change this value. */
+  /** Whether the march must not change this value by a crossing. At cost 1 a way along edges lowers
+   * it all the same: from a line, or from several seeds together, that can be the shorter one where
+   * triangles are thin or folded. */
   bool isFinal;
   /** Whether no update from the vertex can count, so that it need not be queued. */
   bool isIdle = false;

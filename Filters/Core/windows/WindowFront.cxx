@@ -136,7 +136,7 @@ void WindowFront::sendFrom(Index vertex)
   }
   for (const Index t : this->Edges.trianglesAt(vertex))
   {
-    if (!this->Options.isClosed(t))
+    if (!this->Passable.isClosed(t))
     {
       this->Work.starts.visitIn(t,
         [&](PathStarts::Start& start)

@@ -58,7 +58,7 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
   const Vector3 position = this->Mesh.positionOf(point);
   for (const Index t : this->Mesh.trianglesWith({ carriers.begin(), carriers.end() }))
   {
-    if (this->Options.isClosed(t))
+    if (this->Passable.isClosed(t))
     {
       continue;
     }
@@ -87,7 +87,7 @@ void WindowFront::startAlong(
 {
   const Vector3 a = this->Mesh.positionOf(from);
   const Vector3 b = this->Mesh.positionOf(to);
-  if (this->Options.isClosed(triangle) || a == b)
+  if (this->Passable.isClosed(triangle) || a == b)
   {
     return;
   }

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/ThinTriangles.h"
+
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+std::size_t numberOfThinTriangles(const TriangleMesh& mesh)
+{
+  constexpr double mostHeight = 0.1;
+  const auto isThin = [&](const Triangle& t)
+  {
+    const Vector3& a = mesh.position(t[0]);
+    const Vector3 ab = mesh.position(t[1]) - a;
+    const Vector3 ac = mesh.position(t[2]) - a;
+    const Vector3 bc = ac - ab;
+    const double square = std::max({ dot(ab, ab), dot(ac, ac), dot(bc, bc) });
+    const Vector3 area = cross(ab, ac);
+    // Twice the area is the longest side times the height.
+    return dot(area, area) < mostHeight * mostHeight * square * square;
+  };
+  return static_cast<std::size_t>(
+    std::count_if(mesh.triangles().begin(), mesh.triangles().end(), isThin));
+}
+
+}
