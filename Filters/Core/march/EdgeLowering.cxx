@@ -38,9 +38,20 @@ public:
     , Control(options, limit)
     , Field(field)
   {
-    for (std::size_t i = 0, count = field.reached().size(); i < count; ++i)
+  }
+
+  /** Looks at the vertices that are nearly as far as the end of a label. */
+  void begin(std::span<const double> ends)
+  {
+    for (std::size_t i = 0, count = this->Field.reached().size(); i < count; ++i)
     {
-      this->lowerNeighbours(field.reached()[i]);
+      const Index vertex = this->Field.reached()[i];
+      const double farthest = this->Field.distance(vertex) + this->TriangleCost.reach(vertex);
+      const Index seed = this->Field.nearestSeed(vertex);
+      if (seed == NoIndex || farthest > ends[seed])
+      {
+        this->lowerNeighbours(vertex);
+      }
     }
   }
 
@@ -95,26 +106,16 @@ private:
   void lowerNeighbours(Index vertex)
   {
     const double own = this->Field.distance(vertex);
-    const Vector3& centre = this->Mesh.position(vertex);
     const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Index neighbour = ring[i].neighbour();
-      const double rise = this->ceiling(neighbour) - own;
-      if (!(rise > 0.0) || this->Options.isExcluded(neighbour))
+      const double length = norm(this->Mesh.position(neighbour) - this->Mesh.position(vertex));
+      const double distance = own + this->priceOfEdge(vertex, i) * length;
+      if (distance < this->ceiling(neighbour) && distance <= this->Limit.exactly(neighbour) &&
+        !this->Options.isExcluded(neighbour))
       {
-        continue;
-      }
-      const double price = this->priceOfEdge(vertex, i);
-      const Vector3 edge = this->Mesh.position(neighbour) - centre;
-      // Hardly any passes, so that roots are few.
-      if (price * price * dot(edge, edge) < rise * rise)
-      {
-        const double distance = own + price * norm(edge);
-        if (distance <= this->Limit.exactly(neighbour))
-        {
-          this->set(neighbour, this->Field.nearestSeed(vertex), distance);
-        }
+        this->set(neighbour, this->Field.nearestSeed(vertex), distance);
       }
     }
   }
@@ -162,25 +163,28 @@ private:
 
 template <class Cost>
 bool lower(const TriangleMesh& mesh, const ClosedTriangles& closed, const Cost& cost,
-  const SolveOptions& options, Partition& partition, StopLimit& limit, DistanceField& field)
+  const SolveOptions& options, std::span<const double> ends, Partition& partition, StopLimit& limit,
+  DistanceField& field)
 {
   EdgeLowering<Cost> front(mesh, closed, cost, options, limit, field);
+  front.begin(ends);
   return partition.march(front, limit);
 }
 
 }
 
 bool lowerAlongEdges(const TriangleMesh& mesh, const ClosedTriangles& closed, const UnitCost& cost,
-  const SolveOptions& options, Partition& partition, StopLimit& limit, DistanceField& field)
+  const SolveOptions& options, std::span<const double> ends, Partition& partition, StopLimit& limit,
+  DistanceField& field)
 {
-  return lower(mesh, closed, cost, options, partition, limit, field);
+  return lower(mesh, closed, cost, options, ends, partition, limit, field);
 }
 
 bool lowerAlongEdges(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  const VertexCost& cost, const SolveOptions& options, Partition& partition, StopLimit& limit,
-  DistanceField& field)
+  const VertexCost& cost, const SolveOptions& options, std::span<const double> ends,
+  Partition& partition, StopLimit& limit, DistanceField& field)
 {
-  return lower(mesh, closed, cost, options, partition, limit, field);
+  return lower(mesh, closed, cost, options, ends, partition, limit, field);
 }
 
 }

@@ -75,8 +75,14 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   this->AreInside.resize(mesh.numberOfVertices());
   for (StartValue& start : this->Starts)
   {
+    // A final value falls by a way along an edge alone.
     start.isIdle = allRound(mesh, start.vertex,
-      [&](Index vertex) { return finalValue(vertex) > -DistanceField::Unreached; });
+      [&](Index vertex)
+      {
+        const double rise = std::max(finalValue(vertex) - start.value, 0.0);
+        const Vector3 edge = mesh.position(vertex) - mesh.position(start.vertex);
+        return finalValue(vertex) > -DistanceField::Unreached && rise * rise <= dot(edge, edge);
+      });
     const bool isInside = start.isFinal &&
       allRound(mesh, start.vertex, [&](Index vertex) { return start.value <= finalValue(vertex); });
     this->AreInside[start.vertex] = isInside ? 1 : 0;

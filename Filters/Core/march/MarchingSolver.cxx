@@ -55,6 +55,19 @@ void learnTargets(StopLimit& limit, Partition& partition)
   limit.learn(least);
 }
 
+/** For each seed the least distance at which one of its labels ends. */
+std::vector<double> endsOfSeeds(const std::vector<Label>& labels, const LabelBounds& bounds)
+{
+  std::vector<double> ends;
+  for (Index number = 0; number < labels.size(); ++number)
+  {
+    const Label& label = labels[number];
+    ends.resize(std::max<std::size_t>(ends.size(), label.seed + 1), DistanceField::Unreached);
+    ends[label.seed] = std::min(ends[label.seed], label.value + bounds.ofLabel(number));
+  }
+  return ends;
+}
+
 /** The seed of the neighbour through which a vertex is nearest, with the length through it; without
  * a seed if no neighbour has one. */
 StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
@@ -275,8 +288,11 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
       second, &this->LabelsWithin, limit, field);
     takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
-    finished = finished &&
-      lowerAlongEdges(this->mesh(), request.closed, cost, options, request.partition, limit, field);
+    if (finished && areDense)
+    {
+      finished = lowerAlongEdges(this->mesh(), request.closed, cost, options,
+        endsOfSeeds(labels, this->LabelsWithin), request.partition, limit, field);
+    }
     learnTargets(limit, request.partition);
   }
   this->LabelsWithin.clear();
