@@ -124,3 +124,25 @@ TEST(EdgeLowering, ALineIsAsNearAlongAnEdgeAsThroughATriangle)
   EXPECT_NEAR(distances<FastMarchingSolver>(mesh, { seed })[4], 0.1, 1e-12);
   EXPECT_NEAR(distances<ReferenceSolver>(mesh, { seed })[4], 0.1, 1e-12);
 }
+
+// The march within bounds and the lowering go on from the steps before.
+TEST(EdgeLowering, ProgressNeverFalls)
+{
+  std::mt19937 random(5);
+  const auto mesh = meshOf(foldedNeedles(random));
+  const auto seeds = randomSeeds(*mesh, 30, random);
+  std::size_t last = 0;
+  SolveOptions options;
+  options.progressInterval = 1;
+  options.onProgress = [&](std::size_t taken)
+  {
+    EXPECT_GE(taken, last);
+    last = taken;
+    return true;
+  };
+  FastMarchingSolver(mesh).solve(seeds, options);
+  ReferenceSolver reference(mesh);
+  last = 0;
+  reference.solve(seeds, options);
+  EXPECT_GT(last, mesh->numberOfVertices());
+}

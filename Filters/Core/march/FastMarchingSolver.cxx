@@ -75,20 +75,20 @@ std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
 }
 
 bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 template <class Cost>
 bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   const double edge = this->mesh().meanLongestEdge();
   const double height = heightOfMargin(edge, this->bounds()->meanMargin());

@@ -83,15 +83,15 @@ public:
 
 protected:
   bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost, const Request& request,
-    const LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
+    LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost, const Request& request,
-    const LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
+    LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   std::unique_ptr<FrontSolver> another() const override;
 
 private:
   template <class Cost>
   bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
-    const LabelBounds* bounds, StopLimit& limit, DistanceField& field);
+    LabelBounds* bounds, StopLimit& limit, DistanceField& field);
   template <class Cost, class Values>
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);

@@ -79,9 +79,13 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
     start.isIdle = allRound(mesh, start.vertex,
       [&](Index vertex)
       {
-        const double rise = std::max(finalValue(vertex) - start.value, 0.0);
+        const double rise = finalValue(vertex) - start.value;
+        if (!(rise > 0.0))
+        {
+          return rise > -DistanceField::Unreached;
+        }
         const Vector3 edge = mesh.position(vertex) - mesh.position(start.vertex);
-        return finalValue(vertex) > -DistanceField::Unreached && rise * rise <= dot(edge, edge);
+        return rise * rise <= dot(edge, edge);
       });
     const bool isInside = start.isFinal &&
       allRound(mesh, start.vertex, [&](Index vertex) { return start.value <= finalValue(vertex); });
@@ -205,6 +209,7 @@ void LabelBounds::clear()
     this->PlaceOfStart[start.vertex] = NoIndex;
   }
   this->Reached.clear();
+  this->AtEnds.clear();
   this->Starts.clear();
 }
 

@@ -88,6 +88,18 @@ public:
   std::vector<StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
     std::span<const StartValue> starts) const;
 
+  /** Tells what the nearest label of a vertex is after the march within the bounds.
+   * @param farthest  the value that the label may have at a neighbour */
+  void noteNearest(Index vertex, Index label, double farthest)
+  {
+    if (farthest > this->ofLabel(label))
+    {
+      this->AtEnds.push_back(vertex);
+    }
+  }
+  /** The vertices whose nearest label may end before a neighbour. */
+  std::span<const Index> atEnds() const { return this->AtEnds; }
+
   /** Removes all bounds, in a time that depends on how many vertices were reached. */
   void clear();
 
@@ -116,6 +128,7 @@ private:
   std::vector<double> First;
   std::vector<double> OfVertices;
   std::vector<double> OfLabels;
+  std::vector<Index> AtEnds;
 };
 
 }

@@ -34,7 +34,7 @@ public:
   /** @param sets, fronts  workspace
    * @param bounds of the values that count; null if there are none */
   LabelValues(const MarchContext<Cost>& context, std::span<const Label> labels,
-    SecondaryValues& sets, std::vector<SourceFront>& fronts, const LabelBounds* bounds)
+    SecondaryValues& sets, std::vector<SourceFront>& fronts, LabelBounds* bounds)
     : FieldValues<Cost>(context, leastSeedValue(labels))
     , Labels(labels)
     , Sets(sets)
@@ -242,7 +242,13 @@ public:
     for (Index vertex : field.reached())
     {
       VertexState& state = this->state(vertex);
-      field.setNearestSeed(vertex, this->Labels[state.label()].seed);
+      const Label& nearest = this->Labels[state.label()];
+      field.setNearestSeed(vertex, nearest.seed);
+      if (this->Bounds)
+      {
+        this->Bounds->noteNearest(vertex, state.label(),
+          field.distance(vertex) - nearest.value + this->context().cost.reach(vertex));
+      }
       if (this->Sets.hasSecondary(vertex))
       {
         field.setNearestSeed(vertex, this->nearestOfSecondary(vertex, field.nearestSeed(vertex)));
@@ -398,7 +404,7 @@ private:
 
   std::span<const Label> Labels;
   SecondaryValues& Sets;
-  const LabelBounds* Bounds;
+  LabelBounds* Bounds;
   Index NumberOfVertices;
   /** By the number of the label. */
   std::vector<SourceFront>& Fronts;

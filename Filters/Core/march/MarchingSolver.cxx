@@ -55,19 +55,6 @@ void learnTargets(StopLimit& limit, Partition& partition)
   limit.learn(least);
 }
 
-/** For each seed the least distance at which one of its labels ends. */
-std::vector<double> endsOfSeeds(const std::vector<Label>& labels, const LabelBounds& bounds)
-{
-  std::vector<double> ends;
-  for (Index number = 0; number < labels.size(); ++number)
-  {
-    const Label& label = labels[number];
-    ends.resize(std::max<std::size_t>(ends.size(), label.seed + 1), DistanceField::Unreached);
-    ends[label.seed] = std::min(ends[label.seed], label.value + bounds.ofLabel(number));
-  }
-  return ends;
-}
-
 /** The seed of the neighbour through which a vertex is nearest, with the length through it; without
  * a seed if no neighbour has one. */
 StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
@@ -243,15 +230,16 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   {
     return this->marchFrom(starts, cost, request, nullptr, limit, field);
   }
-  // The second march counts its steps on from those of the first one.
+  // Each march counts its steps on from those of the one before.
+  std::size_t before = 0;
   std::size_t steps = 0;
   SolveOptions options = request.options;
   if (options.onProgress)
   {
     options.onProgress = [&](std::size_t taken)
     {
-      steps = taken;
-      return request.options.onProgress(taken);
+      steps = before + taken;
+      return request.options.onProgress(steps);
     };
   }
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
@@ -278,20 +266,17 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
         [&](Index vertex) { return cost.margin(vertex); });
     }
     field.reset();
-    if (options.onProgress)
-    {
-      options.onProgress = [&](std::size_t taken)
-      { return request.options.onProgress(steps + taken); };
-    }
+    before = steps;
     const Request second{ request.front, request.closed, options, request.partition,
       request.hasCost };
     finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
       second, &this->LabelsWithin, limit, field);
     takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
-    if (finished && areDense)
+    if (Cost::isUnit && areDense && finished)
     {
-      finished = lowerAlongEdges(this->mesh(), request.closed, cost, options,
-        endsOfSeeds(labels, this->LabelsWithin), request.partition, limit, field);
+      before = steps;
+      finished = lowerAlongEdges(this->mesh(), request.closed, options, this->LabelsWithin.atEnds(),
+        request.partition, limit, field);
     }
     learnTargets(limit, request.partition);
   }

@@ -44,9 +44,9 @@ protected:
    * @return false when cancelled
    */
   virtual bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-    const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
+    const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   virtual bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-    const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
+    const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   /** Another solver of the same tier on the same mesh, with its own workspace. */
   virtual std::unique_ptr<FrontSolver> another() const = 0;
 

@@ -30,7 +30,7 @@ class ReferenceFront final : public MarchingFront
 {
 public:
   ReferenceFront(const TriangleMesh& mesh, const Cost& cost, std::span<const Label> labels,
-    const LabelBounds* bounds, const ClosedTriangles& closed, const SolveOptions& options,
+    LabelBounds* bounds, const ClosedTriangles& closed, const SolveOptions& options,
     StopLimit& limit, DistanceField& field)
     : Mesh(mesh)
     , TriangleCost(cost)
@@ -120,15 +120,25 @@ public:
     for (const Index vertex : this->Field.reached())
     {
       Index nearest = NoIndex;
+      const ReferenceValue* least = nullptr;
       this->visitKept(vertex,
         [&](const ReferenceValue& kept)
         {
+          if (!least || this->distance(kept) < this->distance(*least))
+          {
+            least = &kept;
+          }
           if (this->distance(kept) <= this->Field.distance(vertex) * rounding)
           {
             nearest = std::min(nearest, this->Labels[kept.label].seed);
           }
         });
       this->Field.setNearestSeed(vertex, nearest);
+      if (this->Bounds)
+      {
+        this->Bounds->noteNearest(
+          vertex, least->label, least->value + this->TriangleCost.reach(vertex));
+      }
     }
   }
 
@@ -262,7 +272,7 @@ private:
   const TriangleMesh& Mesh;
   const Cost& TriangleCost;
   std::span<const Label> Labels;
-  const LabelBounds* Bounds;
+  LabelBounds* Bounds;
   const ClosedTriangles& Closed;
   const SolveOptions& Options;
   const StopLimit& Limit;
@@ -290,7 +300,7 @@ ReferenceSolver::ReferenceSolver(
 
 template <class Cost>
 bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   ReferenceFront<Cost> front(this->mesh(), cost, request.front.labels, bounds, request.closed,
     request.options, limit, field);
@@ -302,13 +312,13 @@ bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost
 }
 
 bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const UnitCost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
 bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
-  const Request& request, const LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
