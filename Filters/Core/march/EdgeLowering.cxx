@@ -45,13 +45,17 @@ public:
     }
   }
 
-  void advance(double limit) override
+  void advance(double limit, std::vector<Index>* taken) override
   {
     while (this->nextDistance() < limit && this->Control.mayGoOn(this->Field.reached().size()))
     {
       std::pop_heap(this->Heap.begin(), this->Heap.end(), std::greater<>());
       const auto [distance, vertex] = this->Heap.back();
       this->Heap.pop_back();
+      if (taken)
+      {
+        taken->push_back(vertex);
+      }
       if (distance == this->Field.distance(vertex))
       {
         this->lowerNeighbours(vertex);
