@@ -85,7 +85,8 @@ def check(folder, case, source, options):
     distance = simple.GeodesicDistance(Input=source, **options)
     parts = harness.run(distance, os.path.join(folder, f"{case}.{harness.RANKS}".replace("/", ".")))
     numbers = [harness.informed(distance, name) for name in (
-        "NumberOfRounds", "NumberOfUpdates", "BytesExchanged", "MostPointsOnARank", "NumberOfVisitedPoints")]
+        "NumberOfRounds", "NumberOfUpdates", "BytesExchanged", "MostPointsOnARank", "NumberOfVisitedPoints",
+        "ThinTriangles")]
     reached = harness.informed(distance, "MaximumDistanceReached")
     simple.Delete(distance)
     if not harness.IS_FIRST:
@@ -98,6 +99,7 @@ def check(folder, case, source, options):
         reference = dict(file)
     error = compare(case, parts, reference)
     assert numbers[4] == reference["numbers"][4], (case, "visited", numbers[4], reference["numbers"][4])
+    assert numbers[5] == reference["numbers"][5], (case, "thin", numbers[5], reference["numbers"][5])
     assert abs(reached - reference["reached"]) <= tolerance_of(case) * reached, (case, reached, reference["reached"])
     largest = max(int(part["points"]) for part in parts)
     # What is round lines is on the first rank as well.

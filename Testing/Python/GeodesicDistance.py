@@ -46,6 +46,25 @@ distance.SeedPositions = [*first[:2], 3.0, *second]
 expect(distance, truth(first, second))
 assert abs(testing.informed(distance, "MaximumDistanceReached") - truth(first, second).max()) < 1e-6
 assert testing.informed(distance, "NumberOfVisitedPoints") == len(points)
+assert testing.informed(distance, "ThinTriangles") == 0
+assert testing.informed(distance, "NoticeText") == ""
+
+# On thin triangles fast marching is far off, and says so; the other methods are not.
+needles = simple.Plane(Origin=[0, 0, 0], Point1=[1, 0, 0], Point2=[0, 0.01, 0], XResolution=20, YResolution=20)
+priced = simple.Calculator(Input=needles, ResultArrayName="price", Function="1 + coordsX")
+for surface, remedy in ((needles, "Use the method Exact, Bounded or VirtualSources, or remesh"), (priced, "Remesh")):
+    thin = simple.GeodesicDistance(Input=surface, SeedPositions=first)
+    if surface is priced:
+        thin.CostArray = ["POINTS", "price"]
+    thin.UpdatePipeline()
+    assert testing.informed(thin, "ThinTriangles") == 800, testing.informed(thin, "ThinTriangles")
+    notice = testing.informed(thin, "NoticeText")
+    assert notice.startswith("800 of 800 triangles are thin") and remedy in notice, notice
+    if surface is needles:
+        thin.Method = "Exact"
+        thin.UpdatePipeline()
+        assert testing.informed(thin, "ThinTriangles") == 0
+        assert testing.informed(thin, "NoticeText") == ""
 
 # Coloured at once.
 assert testing.output_of(distance).GetPointData().GetScalars().GetName() == "GeodesicDistance"

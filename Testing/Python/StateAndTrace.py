@@ -86,6 +86,7 @@ surface = make_sources()
 plain = simple.GeodesicDistance(Input=surface)
 others = {"Input", "MaximumDistanceReached", "NumberOfVisitedPoints", "NumberOfRounds", "NumberOfUpdates",
           "LongestChainOfUpdates", "BytesExchanged", "MostPointsOnARank", "ErrorText", "RunTime",
+          "ThinTriangles", "NoticeText",
           # Point seeds have no sides; see SignedDistance.py.
           "Signed"}
 assert set(plain.ListProperties()) == {*SETTINGS, *others}, plain.ListProperties()
