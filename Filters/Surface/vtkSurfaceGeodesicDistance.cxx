@@ -70,7 +70,7 @@ struct vtkSurfaceGeodesicDistance::Internals
   /** With Signed. */
   geodesic::distributed::SidesOfSeeds Sides;
   /** The surface whose thin triangles were counted, and their number on this rank. */
-  std::shared_ptr<const geodesic::distributed::DistributedSurface> Counted;
+  std::weak_ptr<const geodesic::distributed::DistributedSurface> Counted;
   std::size_t ThinTriangles = 0;
 };
 
@@ -426,7 +426,7 @@ void vtkSurfaceGeodesicDistance::LookForThinTriangles(
     return;
   }
   const geodesic::TriangleMesh& mesh = internal.Surface->mesh();
-  if (internal.Counted != internal.Surface)
+  if (internal.Counted.lock() != internal.Surface)
   {
     internal.ThinTriangles = geodesic::numberOfThinTriangles(mesh);
     internal.Counted = internal.Surface;
