@@ -285,6 +285,49 @@ void across(benchmark::State& state, const std::string& name)
   }
 }
 
+/** The lengths between all pairs of landmarks, anywhere in faces, in the time of the whole field. */
+void matrix(benchmark::State& state, const std::string& name)
+{
+  const std::size_t count = areSubjectsTiny() ? 5 : 100;
+  Subject& s = subject(name);
+  for (auto _ : state)
+  {
+    std::vector<SurfacePoint> landmarks;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      landmarks.push_back(s.pointAt(s.randomPosition()));
+    }
+    std::vector<double> solves;
+    for (const SurfacePoint& landmark : std::span(landmarks).first(5))
+    {
+      const Seed seed = Seed::atPoint(landmark);
+      solves.push_back(seconds([&] { s.solver.solve({ &seed, 1 }, {}); }));
+    }
+    const double solve = quantile(solves, 0.5);
+    double marches = 0.0;
+    double paths = 0.0;
+    const SolveOptions options;
+    for (std::size_t i = 0; i + 1 < count; ++i)
+    {
+      PathFinder finder(s.solver, { &landmarks[i], 1 }, options, Straight);
+      const auto others = std::span(landmarks).subspan(i + 1);
+      marches += seconds([&] { finder.march(others); });
+      paths += seconds(
+        [&]
+        {
+          for (const SurfacePoint& other : others)
+          {
+            benchmark::DoNotOptimize(lengthOf(*s.mesh, *finder.pathFrom(other)));
+          }
+        });
+    }
+    state.counters["solve_ms"] = 1e3 * solve;
+    state.counters["marches"] = marches / solve;
+    state.counters["ratio"] = (marches + paths) / solve;
+    state.SetIterationTime(marches + paths);
+  }
+}
+
 /** CGAL's exact paths, and ours between the same points. */
 void exactPath(benchmark::State& state, const std::string& name)
 {
@@ -424,6 +467,10 @@ void addAll()
     add("Query1", query, name, 0.01)->Repetitions(7);
     add("Query5", query, name, 0.05)->Repetitions(7);
     add("Across", across, name)->Repetitions(7);
+  }
+  for (const char* name : { "icosphere 160k", "Delaunay plane 160k", "Bunny 35k" })
+  {
+    add("Matrix", matrix, name)->Repetitions(3);
   }
 }
 

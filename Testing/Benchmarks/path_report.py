@@ -86,6 +86,13 @@ def rows_of_times(core, peers):
                   core("Across", mesh, "ratio"), 1.0, 0.5)
         yield row_without_bounds(f"Warm query, {mesh}, to a random point, in such solves",
                                  core("Across", mesh, "random_ratio"))
+    for mesh in core.meshes("Matrix"):
+        # Asked of surfaces of 160k points.
+        bounds = (250, 130) if mesh.endswith("160k") else None
+        words = f"Matrix of 100 x 100 landmarks, {mesh}, in solves of the whole field"
+        note = f" (the marches alone: {number(core('Matrix', mesh, 'marches'))})"
+        measured = core("Matrix", mesh)
+        yield row(words, measured, *bounds, note=note) if bounds else row_without_bounds(words, measured)
     for mesh in core.large():
         warm = peers["ours"][mesh]
         yield row(f"The whole filter in pvpython, warm, {mesh}, 5 %", 1e3 * median(warm["whole"][1:]), 30,

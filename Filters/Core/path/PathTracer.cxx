@@ -178,6 +178,11 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
 
 std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
 {
+  if (this->Aim != NoIndex && unionOf(point, this->Seeds[this->Aim]).size() > 3)
+  {
+    // No face has room for both, which is told sooner than the faces are found.
+    return std::nullopt;
+  }
   const TriangleMesh& mesh = this->Surface.mesh();
   std::optional<Step> best;
   const auto tryEnd = [&](Index seed, const Triangle& face)
