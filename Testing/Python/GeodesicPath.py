@@ -210,7 +210,33 @@ nearest = simple.GeodesicPath(Input=bunny, WaypointPositions=ends[:6], StartPosi
 field = simple.GeodesicDistance(Input=bunny, SeedPositions=ends[:6], Method="Exact")
 expect_near([length(line) for line in polylines(nearest)], testing.array_of(field)[[15000, 30000]], 1e-9)
 assert testing.informed(nearest, "ProvenShortest") == 2
-for proxy in (shortest, fast, nearest, field):
+
+# What Straighten, Interpolation Order and Path Mode do with the methods whose values have a promise.
+least = cell_array(shortest, "Length")
+edges = simple.GeodesicPath(Input=bunny, WaypointPositions=ends, Closed=1, Method="Dijkstra", InterpolationOrder=0)
+along = cell_array(edges, "Length")
+for method in ("Exact", "Bounded", "VirtualSources"):
+    other = simple.GeodesicPath(Input=bunny, WaypointPositions=ends, Closed=1, Method=method)
+    straight, proven = cell_array(other, "Length"), testing.informed(other, "ProvenShortest")
+    other.Straighten = "Off"
+    traced = cell_array(other, "Length")
+    assert np.all(straight >= least * (1 - 1e-9)) and np.all(straight <= traced * (1 + 1e-12)), (method, straight, traced)
+    assert np.all(traced < least * (1 + (1e-9 if method == "Exact" else 0.02))), (method, traced / least - 1)
+    assert proven == (4 if method == "Exact" else 0), (method, proven)
+    # Along edges no path is shorter than that of Dijkstra, and none is proven to be the shortest of all.
+    other.InterpolationOrder = 0
+    expect_near(cell_array(other, "Length"), along, 1e-9)
+    assert testing.informed(other, "ProvenShortest") == 0
+    to_nearest = simple.GeodesicPath(Input=bunny, WaypointPositions=ends[:6], StartPositions=ends[6:],
+                                     PathMode="ToNearestSeed", Method=method)
+    for straighten, order in (("Auto", 1), ("Off", 1), ("Auto", 0)):
+        to_nearest.Straighten, to_nearest.InterpolationOrder = straighten, order
+        assert list(cell_array(to_nearest, "NearestSeed")) == list(cell_array(nearest, "NearestSeed")), method
+        beyond = cell_array(to_nearest, "Length") / cell_array(nearest, "Length") - 1
+        assert np.all(beyond > -1e-9) and np.all(beyond < (0.02 if order else 0.2)), (method, straighten, order, beyond)
+    simple.Delete(other)
+    simple.Delete(to_nearest)
+for proxy in (shortest, fast, nearest, field, edges):
     simple.Delete(proxy)
 
 # A state file brings all of it back.

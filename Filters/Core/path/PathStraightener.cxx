@@ -41,17 +41,6 @@ bool passesVertex(const SurfacePath& path, std::size_t i)
     !isSameVertex(path[i], path[i + 1]);
 }
 
-/** Lets a path through the last face of a strip enter it at a vertex, if that is an end of the
- * edge. */
-void enterAt(Strip& strip, Index vertex)
-{
-  StripFace& face = strip.back();
-  if (face.left == vertex || face.right == vertex)
-  {
-    face.crossing = face.left == vertex ? 0.0 : 1.0;
-  }
-}
-
 }
 
 SurfacePath PathStraightener::straightened(const SurfacePath& path)
@@ -86,9 +75,13 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path)
   for (const auto& [piece, joint, turn] : pieces)
   {
     this->Surface.countSteps(piece.strip.size() + 1);
-    for (std::size_t i = 1; i < piece.strip.size(); ++i)
+    for (const Index vertex : piece.through)
     {
-      append(piece.strip[i].crossingPoint());
+      append(PathPoint::atVertex(vertex));
+    }
+    for (std::size_t i = 1; i < piece.strip.size() && piece.through.empty(); ++i)
+    {
+      append(piece.crossing(piece.strip[i]));
     }
     append(piece.end);
   }
@@ -110,7 +103,8 @@ PathStraightener::Pieces PathStraightener::tautPieces(const SurfacePath& path)
     }
     else
     {
-      appendFace(row.strip, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
+      appendFace(
+        this->Surface.mesh(), row.strip, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
     }
     row.isOfEdges = row.isOfEdges && alongEdge;
     const bool isLast = i + 1 == path.size();
@@ -153,10 +147,10 @@ bool PathStraightener::leadRound(
     return false;
   }
   row.bend += std::abs(*angle - std::numbers::pi);
+  row.through.push_back(vertex);
   for (const Triangle& face : this->Turn)
   {
-    appendFace(row.strip, face);
-    enterAt(row.strip, vertex);
+    appendFace(this->Surface.mesh(), row.strip, face);
   }
   return true;
 }
@@ -165,7 +159,8 @@ void PathStraightener::addRow(Pieces& pieces, Row& row, const PathPoint& end) co
 {
   if (row.isStraight())
   {
-    pieces.push_back({ { row.start, end, std::move(row.strip), row.length } });
+    pieces.push_back(
+      { { row.start, end, std::move(row.strip), row.length, {}, {}, std::move(row.through) } });
     return;
   }
   if (!pieces.empty())
@@ -252,13 +247,13 @@ Strip PathStraightener::stripRound(Place first, Place last) const
     { return size + joined.piece.strip.size() + joined.turn.size(); }));
   for (Place place = first; place != last; ++place)
   {
-    appendStrip(strip, place->piece.strip);
+    appendStrip(this->Surface.mesh(), strip, place->piece.strip);
     for (const Triangle& face : place->turn)
     {
-      appendFace(strip, face);
+      appendFace(this->Surface.mesh(), strip, face);
     }
   }
-  appendStrip(strip, last->piece.strip);
+  appendStrip(this->Surface.mesh(), strip, last->piece.strip);
   this->provideFace(strip, first->piece.start, last->piece.end);
   return strip;
 }
@@ -267,7 +262,7 @@ void PathStraightener::provideFace(Strip& strip, const PathPoint& start, const P
 {
   if (strip.empty())
   {
-    appendFace(strip, faceOf(this->Surface.mesh(), start, end));
+    appendFace(this->Surface.mesh(), strip, faceOf(this->Surface.mesh(), start, end));
   }
 }
 

@@ -79,6 +79,8 @@ private:
 
     PathPoint start;
     Strip strip{};
+    /** The vertices that it is led round. */
+    std::vector<Index> through{};
     bool isOfEdges = true;
     /** Of its edges. */
     double length = 0.0;

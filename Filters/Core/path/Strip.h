@@ -4,13 +4,22 @@
 #define geodesic_Strip_h
 
 #include "base/Index.h"
+#include "base/PlanePoint.h"
 #include "mesh/TriangleMesh.h"
 #include "path/PathPoint.h"
 
+#include <span>
 #include <vector>
 
 namespace geodesic
 {
+
+/** The edge by which a face of a strip is entered, laid flat. */
+struct Portal
+{
+  PlanePoint left;
+  PlanePoint right;
+};
 
 /** A face of a strip: the edge by which it is entered, as seen on a walk along the strip, and the
  * corner beyond that edge. The first face of a strip is not entered, so that its order means
@@ -20,8 +29,8 @@ struct StripFace
   Index left;
   Index right;
   Index apex;
-  /** Where a straight piece enters, as a fraction of the edge from left to right. */
-  double crossing = 0.0;
+  /** All faces of a strip lie in one plane. */
+  Portal entry{};
 
   constexpr bool hasCorner(Index vertex) const
   {
@@ -32,18 +41,25 @@ struct StripFace
     return (a == this->left && b == this->right) || (a == this->right && b == this->left);
   }
   Triangle corners() const { return { this->left, this->right, this->apex }; }
-  PathPoint crossingPoint() const;
 };
 
 /** Consecutive faces share an edge. No face is left by the edge by which it was entered. */
 using Strip = std::vector<StripFace>;
 
-/** Appends a face that shares an edge with the last one, or is the last one. Where the strip would
- * turn back on itself, it becomes shorter instead. */
-void appendFace(Strip& strip, const Triangle& face);
+/** Appends a face that shares an edge with the last one, or is the last one, and lays it flat.
+ * Where the strip would turn back on itself, it becomes shorter instead. */
+void appendFace(const TriangleMesh& mesh, Strip& strip, const Triangle& face);
 
-/** Appends all faces of a strip, as appendFace(). Time O(number of its faces). */
-void appendStrip(Strip& strip, const Strip& other);
+/** Appends all faces of a strip, as appendFace(). What is flat is moved as a whole. Time O(number
+ * of its faces). */
+void appendStrip(const TriangleMesh& mesh, Strip& strip, const Strip& other);
+
+/** The place in the plane of a point of the first or of the last of some faces. @pre two faces at
+ * least */
+PlanePoint flatInFirst(
+  const TriangleMesh& mesh, std::span<const StripFace> strip, const PathPoint& point);
+PlanePoint flatInLast(
+  const TriangleMesh& mesh, std::span<const StripFace> strip, const PathPoint& point);
 
 }
 

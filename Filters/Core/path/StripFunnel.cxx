@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/StripFunnel.h"
 
-#include "base/PlanePoint.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,105 +24,8 @@ double dot(const PlanePoint& a, const PlanePoint& b)
   return a.x * b.x + a.y * b.y;
 }
 
-/** Lays a strip of at least two faces flat, face by face. */
-class Unfolding
-{
-public:
-  Unfolding(const WeightedMesh& surface, std::span<const StripFace> strip)
-    : Mesh(surface.mesh())
-    , Faces(strip)
-  {
-    surface.countSteps(strip.size());
-    this->Portals.reserve(strip.size() - 1);
-    const auto& [left, right, apex, crossing] = strip[1];
-    const double length = norm(this->Mesh.position(right) - this->Mesh.position(left));
-    this->Portals.push_back({ { 0.0, 0.0 }, { length, 0.0 } });
-    for (const Index corner : strip[0].corners())
-    {
-      this->FirstApex = strip[1].isEnteredBy(corner, left) || strip[1].isEnteredBy(corner, right)
-        ? this->FirstApex
-        : corner;
-    }
-    this->First = this->beyond(strip[1], this->FirstApex, -1.0);
-    for (std::size_t i = 2; i < strip.size(); ++i)
-    {
-      // One end of the edge stays, the other one becomes the corner of the last face.
-      const PlanePoint corner = this->beyond(strip[i - 1], strip[i - 1].apex, 1.0);
-      const Portal& last = this->Portals.back();
-      this->Portals.push_back(strip[i].left == strip[i - 1].left ? Portal{ last.left, corner }
-                                                                 : Portal{ corner, last.right });
-    }
-    this->Last = this->beyond(strip.back(), strip.back().apex, 1.0);
-  }
-
-  PlanePoint start(const PathPoint& point) const
-  {
-    return place(point, this->Faces[1], this->Portals.front(), this->FirstApex, this->First);
-  }
-  PlanePoint end(const PathPoint& point) const
-  {
-    const StripFace& face = this->Faces.back();
-    return place(point, face, this->Portals.back(), face.apex, this->Last);
-  }
-  /** The edges by which the second and all later faces are entered. */
-  std::vector<Portal> takePortals() { return std::move(this->Portals); }
-
-private:
-  /** The place of a corner opposite to the last edge laid flat. @param side 1 for the face beyond
-   * the edge, -1 for the face before it */
-  PlanePoint beyond(const StripFace& face, Index corner, double side) const
-  {
-    const Portal& flat = this->Portals.back();
-    const Vector3& left = this->Mesh.position(face.left);
-    const Vector3 edge = this->Mesh.position(face.right) - left;
-    const Vector3 toCorner = this->Mesh.position(corner) - left;
-    const PlanePoint flatEdge = flat.right - flat.left;
-    const double square = dot(edge, edge);
-    const double inverse = 1.0 / square;
-    const double stretch = geodesic::dot(flatEdge, flatEdge) * inverse;
-    if (!(stretch > 0.0))
-    {
-      // Both ends are one point, through which every path goes. So any direction will do.
-      return { flat.left.x, flat.left.y + side * norm(toCorner) };
-    }
-    const double shrink = inverseRoot(stretch);
-    const double x = dot(toCorner, edge) * inverse * shrink;
-    const double h = side * norm(cross(toCorner, edge)) * inverse * shrink;
-    return { flat.left.x + x * flatEdge.x - h * flatEdge.y,
-      flat.left.y + x * flatEdge.y + h * flatEdge.x };
-  }
-
-  /** 1 / sqrt(x). What is laid flat has its own length but for rounding, which takes no root: each
-   * face waits for the one before. */
-  static double inverseRoot(double x)
-  {
-    const double over = x - 1.0;
-    constexpr double rounding = 1e-9;
-    return std::abs(over) < rounding ? 1.0 - 0.5 * over : 1.0 / std::sqrt(x);
-  }
-
-  static PlanePoint place(const PathPoint& point, const StripFace& face, const Portal& portal,
-    Index apex, const PlanePoint& flatApex)
-  {
-    PlanePoint flat{ 0.0, 0.0 };
-    for (int i = 0; i < 3; ++i)
-    {
-      const PlanePoint& corner = point.corners[i] == apex ? flatApex
-        : point.corners[i] == face.left                   ? portal.left
-                                                          : portal.right;
-      flat.x += point.weights[i] * corner.x;
-      flat.y += point.weights[i] * corner.y;
-    }
-    return flat;
-  }
-
-  const TriangleMesh& Mesh;
-  std::span<const StripFace> Faces;
-  std::vector<Portal> Portals;
-  Index FirstApex = NoIndex;
-  PlanePoint First{};
-  PlanePoint Last{};
-};
+/** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
+constexpr double VertexFraction = 1e-12;
 
 /** Whether a point lies on the edge by which a face is entered. */
 bool liesOnEntry(const PathPoint& point, const StripFace& face)
@@ -153,13 +54,6 @@ std::span<const StripFace> trimmed(
     strip = strip.first(strip.size() - 1);
   }
   return strip;
-}
-
-double crossingOf(const Portal& portal, const PlanePoint& start, const PlanePoint& end)
-{
-  const double left = orientation(start, end, portal.left);
-  const double right = orientation(start, end, portal.right);
-  return left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
 }
 
 double distanceBetween(const PlanePoint& a, const PlanePoint& b)
@@ -266,33 +160,94 @@ StripFunnel::StripFunnel(
   , End(end)
   , Faces(trimmed(strip, start, end))
 {
+  // A funnel finds more bends than a few sooner.
+  constexpr std::size_t looksAtAll = 8;
+  surface.countSteps(this->Faces.size());
   if (this->Faces.size() > 1)
   {
-    Unfolding unfolding(surface, this->Faces);
-    this->FlatStart = unfolding.start(start);
-    this->FlatEnd = unfolding.end(end);
-    this->Portals = unfolding.takePortals();
-    this->findBends();
+    this->FlatStart = flatInFirst(surface.mesh(), this->Faces, start);
+    this->FlatEnd = flatInLast(surface.mesh(), this->Faces, end);
+    std::size_t looks = looksAtAll * this->Faces.size();
+    this->findBends({ this->FlatStart, this->FlatEnd, 1, this->Faces.size() }, looks);
   }
 }
 
-void StripFunnel::findBends()
+void StripFunnel::findBends(const Range& range, std::size_t& looks)
 {
-  Funnel funnel(this->FlatStart, this->Faces.size());
-  for (std::size_t i = 1; i < this->Faces.size(); ++i)
+  const auto& [from, to, first, last] = range;
+  if (looks < last - first)
+  {
+    this->findBendsByFunnel(range);
+    return;
+  }
+  looks -= last - first;
+  double most = -1.0;
+  std::size_t face = first;
+  bool isLeft = false;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const Portal& entry = this->Faces[i].entry;
+    const double left = orientation(from, to, entry.left);
+    const double right = orientation(from, to, entry.right);
+    if (left > 0.0 && right < 0.0)
+    {
+      continue;
+    }
+    if (!(left > right))
+    {
+      // Seen from behind: the end that the line misses most may be no bend.
+      this->findBendsByFunnel(range);
+      return;
+    }
+    if (std::max(-left, right) > most)
+    {
+      most = std::max(-left, right);
+      face = i;
+      isLeft = -left > right;
+    }
+  }
+  if (most < 0.0)
+  {
+    return;
+  }
+  const auto endOf = [&](std::size_t i)
+  { return isLeft ? this->Faces[i].left : this->Faces[i].right; };
+  const Index vertex = endOf(face);
+  const Portal& entry = this->Faces[face].entry;
+  const PlanePoint flat = isLeft ? entry.left : entry.right;
+  std::size_t firstAtVertex = face;
+  while (firstAtVertex > first && endOf(firstAtVertex - 1) == vertex)
+  {
+    --firstAtVertex;
+  }
+  std::size_t lastAtVertex = face + 1;
+  while (lastAtVertex < last && endOf(lastAtVertex) == vertex)
+  {
+    ++lastAtVertex;
+  }
+  this->findBends({ from, flat, first, firstAtVertex }, looks);
+  this->Bends.push_back({ vertex, flat, firstAtVertex });
+  this->findBends({ flat, to, lastAtVertex, last }, looks);
+}
+
+void StripFunnel::findBendsByFunnel(const Range& range)
+{
+  Funnel funnel(range.from, range.last - range.first);
+  for (std::size_t i = range.first; i < range.last; ++i)
   {
     const StripFace& face = this->Faces[i];
-    const bool isFirst = i == 1;
+    const bool isFirst = i == range.first;
     if (isFirst || face.left != this->Faces[i - 1].left)
     {
-      funnel.add(Funnel::Left, { face.left, this->Portals[i - 1].left, i });
+      funnel.add(Funnel::Left, { face.left, face.entry.left, i });
     }
     if (isFirst || face.right != this->Faces[i - 1].right)
     {
-      funnel.add(Funnel::Right, { face.right, this->Portals[i - 1].right, i });
+      funnel.add(Funnel::Right, { face.right, face.entry.right, i });
     }
   }
-  this->Bends = funnel.bendsTo(this->FlatEnd);
+  const std::vector<Bend> bends = funnel.bendsTo(range.to);
+  this->Bends.insert(this->Bends.end(), bends.begin(), bends.end());
 }
 
 template <class Visit>
@@ -345,15 +300,43 @@ std::vector<StraightPiece> StripFunnel::pieces() const
       const auto& [from, to, flatFrom, flatTo, strip] = part;
       const bool isAlongEdge = strip.size() == 1 && unionOf(from, to).size() <= 2;
       pieces.push_back({ from, to, isAlongEdge ? Strip{} : Strip(strip.begin(), strip.end()),
-        this->lengthOf(part) });
-      Strip& crossed = pieces.back().strip;
-      const std::size_t first = strip.data() - this->Faces.data();
-      for (std::size_t i = 1; i < crossed.size(); ++i)
-      {
-        crossed[i].crossing = crossingOf(this->Portals[first + i - 1], flatFrom, flatTo);
-      }
+        this->lengthOf(part), flatFrom, flatTo });
     });
   return pieces;
+}
+
+PathPoint StraightPiece::crossing(const StripFace& face) const
+{
+  const double left = orientation(this->flatStart, this->flatEnd, face.entry.left);
+  const double right = orientation(this->flatStart, this->flatEnd, face.entry.right);
+  const double fraction = left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
+  if (fraction < VertexFraction)
+  {
+    return PathPoint::atVertex(face.left);
+  }
+  if (fraction > 1.0 - VertexFraction)
+  {
+    return PathPoint::atVertex(face.right);
+  }
+  return PathPoint::onEdge(face.left, face.right, fraction);
+}
+
+PathPoint StraightPiece::second() const
+{
+  if (!this->through.empty())
+  {
+    return PathPoint::atVertex(this->through.front());
+  }
+  return this->strip.size() < 2 ? this->end : this->crossing(this->strip[1]);
+}
+
+PathPoint StraightPiece::lastButOne() const
+{
+  if (!this->through.empty())
+  {
+    return PathPoint::atVertex(this->through.back());
+  }
+  return this->strip.size() < 2 ? this->start : this->crossing(this->strip.back());
 }
 
 }

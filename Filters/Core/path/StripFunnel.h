@@ -20,33 +20,29 @@ struct StraightPiece
 {
   PathPoint start;
   PathPoint end;
-  /** The faces that the piece crosses, with the crossings; none if it runs along one edge. */
+  /** The faces that the piece crosses; none if it runs along one edge. */
   Strip strip;
   /** In mesh length units. */
   double length = 0.0;
+  /** Where start and end lie in the plane of the strip, if it has two faces or more. */
+  PlanePoint flatStart{};
+  PlanePoint flatEnd{};
+  /** The vertices between the ends of a row of edges, which the piece goes along instead of
+   * straight through its strip. */
+  std::vector<Index> through{};
 
+  /** Where the piece enters a face of its strip, the second or a later one. */
+  PathPoint crossing(const StripFace& face) const;
   /** The point of the path after start, and the one before end. */
-  PathPoint second() const
-  {
-    return this->strip.size() < 2 ? this->end : this->strip[1].crossingPoint();
-  }
-  PathPoint lastButOne() const
-  {
-    return this->strip.size() < 2 ? this->start : this->strip.back().crossingPoint();
-  }
-};
-
-/** The edge by which a face of a strip is entered, laid flat. */
-struct Portal
-{
-  PlanePoint left;
-  PlanePoint right;
+  PathPoint second() const;
+  PathPoint lastButOne() const;
 };
 
 /**
- * The shortest path between two points inside a strip of faces. The strip is laid flat and searched
- * by a funnel: D. T. Lee, F. P. Preparata, Euclidean shortest paths in the presence of rectilinear
- * barriers, Networks 14 (1984).
+ * The shortest path between two points inside a strip of faces. Where a straight line leaves the
+ * strip, the path bends at the vertex by which the line misses it most. Where that is not enough,
+ * it is found by a funnel: D. T. Lee, F. P. Preparata, Euclidean shortest paths in the presence of
+ * rectilinear barriers, Networks 14 (1984).
  */
 class StripFunnel
 {
@@ -85,9 +81,19 @@ private:
     std::span<const StripFace> strip;
   };
   class Funnel;
-
-  /** Finds the bends. */
-  void findBends();
+  /** The entries of the faces @p first to @p last - 1, between two points in the plane. */
+  struct Range
+  {
+    PlanePoint from;
+    PlanePoint to;
+    std::size_t first;
+    std::size_t last;
+  };
+  /** Finds the bends within a range. @param looks  how many entries may still be looked at before a
+   * funnel takes over */
+  void findBends(const Range& range, std::size_t& looks);
+  /** The same by a funnel. */
+  void findBendsByFunnel(const Range& range);
   /** Calls @p visit with each part that has a length. */
   template <class Visit>
   void visitParts(const Visit& visit) const;
@@ -100,8 +106,6 @@ private:
   PlanePoint FlatEnd;
   /** Without the faces at both ends in which the path has no length. */
   std::span<const StripFace> Faces;
-  /** Those by which the second and all later faces are entered. */
-  std::vector<Portal> Portals;
   std::vector<Bend> Bends;
 };
 
