@@ -223,9 +223,10 @@ for method in ("Exact", "Bounded", "VirtualSources"):
     assert np.all(straight >= least * (1 - 1e-9)) and np.all(straight <= traced * (1 + 1e-12)), (method, straight, traced)
     assert np.all(traced < least * (1 + (1e-9 if method == "Exact" else 0.02))), (method, traced / least - 1)
     assert proven == (4 if method == "Exact" else 0), (method, proven)
-    # Along edges no path is shorter than that of Dijkstra, and none is proven to be the shortest of all.
+    # Along edges no path is shorter than that of Dijkstra, and none is proven to be the shortest of all. Distances of
+    # Bounded, by which the path is searched for, are not a lower bound.
     other.InterpolationOrder = 0
-    expect_near(cell_array(other, "Length"), along, 1e-9)
+    expect_near(cell_array(other, "Length"), along, 1e-3 if method == "Bounded" else 1e-9)
     assert testing.informed(other, "ProvenShortest") == 0
     to_nearest = simple.GeodesicPath(Input=bunny, WaypointPositions=ends[:6], StartPositions=ends[6:],
                                      PathMode="ToNearestSeed", Method=method)
