@@ -285,7 +285,8 @@ void across(benchmark::State& state, const std::string& name)
   }
 }
 
-/** The lengths between all pairs of landmarks, anywhere in faces, in the time of the whole field. */
+/** The lengths between all pairs of landmarks, anywhere in faces, in the time of the whole field.
+ */
 void matrix(benchmark::State& state, const std::string& name)
 {
   const std::size_t count = areSubjectsTiny() ? 5 : 100;
