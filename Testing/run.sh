@@ -75,8 +75,8 @@ test_under_sanitizers()
 test_threads()
 {
   cmake --preset core-tsan
-  cmake --build --preset core-tsan --target CoreTests
-  ctest --preset core-tsan --tests-regex 'Thread|SharedJobs|ASearchGoesOver' --parallel "$(nproc)"
+  cmake --build --preset core-tsan --target ThreadTests
+  build/core-tsan/bin/ThreadTests --gtest_brief=1 --gtest_filter='*Thread*:SharedJobs.*:*.ASearchGoesOver*'
 }
 
 check_labels()
