@@ -81,9 +81,26 @@ Vector3 normalOf(const TriangleMesh& mesh, Triangle corners)
   return side * cross(mesh.position(corners[1]) - a, mesh.position(corners[2]) - a);
 }
 
+/** Whether a ring goes round its vertex once at most. Where triangles are there twice it goes on,
+ * and then the other way. */
+bool goesRoundOnce(std::span<const RingEntry> ring)
+{
+  std::vector<Index> neighbours;
+  for (const RingEntry& entry : ring.first(ring.size() - 1))
+  {
+    if (!entry.opensTriangle())
+    {
+      return false;
+    }
+    neighbours.push_back(entry.neighbour());
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  return std::adjacent_find(neighbours.begin(), neighbours.end()) == neighbours.end();
+}
+
 /** Sets @p normals to those of this piece's triangles at a point: those of which it is a corner, or
- * on an edge, or that it lies in. Each triangle is in one piece, so that all pieces together have
- * those of the whole surface. */
+ * on an edge, or that it lies in. All pieces together have those of the whole surface, some of them
+ * several times: ghost triangles are in several pieces. */
 void findNormalsAt(
   const TriangleMesh& mesh, const SurfacePoint& point, std::vector<Vector3>& normals)
 {
@@ -101,6 +118,14 @@ void findNormalsAt(
     std::swap(centre, other);
   }
   const std::span<const RingEntry> ring = mesh.ring(centre);
+  if (!goesRoundOnce(ring))
+  {
+    for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
+    {
+      normals.push_back(normalOf(mesh, mesh.triangle(triangle)));
+    }
+    return;
+  }
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (ring[i].opensTriangle())
@@ -114,14 +139,17 @@ void findNormalsAt(
   }
 }
 
-/** The sum of normals, each turned to the side of those before it. They are sorted first: where
- * they differ by right angles the order decides, and it must not be that of triangles and pieces.
- */
+/** The sum of different normals, each turned to the side of those before it. They are sorted first:
+ * where they differ by right angles the order decides, and it must not be that of triangles and
+ * pieces. */
 Vector3 alignedSum(std::vector<Vector3>& normals)
 {
+  const auto placeOf = [](const Vector3& v) { return std::tie(v.x, v.y, v.z); };
   std::sort(normals.begin(), normals.end(),
-    [](const Vector3& a, const Vector3& b)
-    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+    [&](const Vector3& a, const Vector3& b) { return placeOf(a) < placeOf(b); });
+  normals.erase(std::unique(normals.begin(), normals.end(),
+                  [&](const Vector3& a, const Vector3& b) { return placeOf(a) == placeOf(b); }),
+    normals.end());
   Vector3 sum{ 0.0, 0.0, 0.0 };
   for (const Vector3& normal : normals)
   {
