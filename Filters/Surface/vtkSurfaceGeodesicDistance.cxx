@@ -71,7 +71,7 @@ struct vtkSurfaceGeodesicDistance::Internals
   geodesic::distributed::SidesOfSeeds Sides;
   /** The surface whose thin triangles were counted, and their number on this rank. */
   std::weak_ptr<const geodesic::distributed::DistributedSurface> Counted;
-  std::size_t ThinTriangles = 0;
+  geodesic::ThinTriangles Thin;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -292,7 +292,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
   this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
-  this->LookForThinTriangles(ranks, !cost.empty());
+  this->LookForThinTriangles(run, !cost.empty());
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
@@ -417,22 +417,25 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::LookForThinTriangles(
-  geodesic::distributed::RankGroup& ranks, bool hasCost)
+void vtkSurfaceGeodesicDistance::LookForThinTriangles(const Run& run, bool hasCost)
 {
   Internals& internal = *this->Internal;
   if (this->Method != FAST_MARCHING)
   {
     return;
   }
-  const geodesic::TriangleMesh& mesh = internal.Surface->mesh();
+  geodesic::distributed::RankGroup& ranks = run.ranks;
   if (internal.Counted.lock() != internal.Surface)
   {
-    internal.ThinTriangles = geodesic::numberOfThinTriangles(mesh);
+    const std::vector<bool> areGhosts = run.blocks.areGhosts();
+    const geodesic::bridge::InputSurface& piece = internal.Surface->piece();
+    internal.Thin = geodesic::countThinTriangles(internal.Surface->mesh(),
+      [&](geodesic::Index triangle)
+      { return areGhosts.empty() || !areGhosts[piece.cellOfTriangle(triangle)]; });
     internal.Counted = internal.Surface;
   }
-  const double thin = ranks.sum(static_cast<double>(internal.ThinTriangles));
-  const double all = ranks.sum(mesh.numberOfTriangles());
+  const double thin = ranks.sum(static_cast<double>(internal.Thin.thin));
+  const double all = ranks.sum(static_cast<double>(internal.Thin.all));
   const bool mayNotChange = ranks.sum(hasCost ? 1.0 : 0.0) > 0.0;
   this->ThinTriangles = static_cast<vtkIdType>(thin);
   if (thin > 0.0 && thin >= geodesic::ManyThinTriangles * all)

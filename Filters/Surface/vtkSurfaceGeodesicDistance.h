@@ -328,7 +328,7 @@ private:
     const geodesic::SolveOptions& options,
     const std::vector<std::vector<geodesic::SurfacePoint>>& destinations);
   /** Counts thin triangles, and notes what to do about them. Collective. */
-  void LookForThinTriangles(geodesic::distributed::RankGroup& ranks, bool hasCost);
+  void LookForThinTriangles(const Run& run, bool hasCost);
   /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,
     const geodesic::DistanceField& solved, vtkIdType numberOfPoints);

@@ -85,6 +85,26 @@ void InputBlocks::hideGhosts()
   }
 }
 
+std::vector<bool> InputBlocks::areGhosts() const
+{
+  std::vector<bool> areGhosts;
+  if (std::none_of(this->begin(), this->end(),
+        [](const InputBlock& block) { return block.surface->HasAnyGhostCells(); }))
+  {
+    return areGhosts;
+  }
+  for (const InputBlock& block : this->Blocks)
+  {
+    vtkUnsignedCharArray* flags = block.surface->GetCellGhostArray();
+    for (vtkIdType cell = 0; cell < block.surface->GetNumberOfCells(); ++cell)
+    {
+      areGhosts.push_back(
+        flags && (flags->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0);
+    }
+  }
+  return areGhosts;
+}
+
 std::size_t InputBlocks::numberWithFaces() const
 {
   return static_cast<std::size_t>(std::count_if(

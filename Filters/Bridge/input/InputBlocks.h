@@ -57,6 +57,8 @@ public:
 
   /** Hides the ghost cells, which are other ranks' cells. */
   void hideGhosts();
+  /** For each cell of all blocks whether it is a ghost cell; empty if none is. */
+  std::vector<bool> areGhosts() const;
 
   /** The number of blocks with faces. */
   std::size_t numberWithFaces() const;

@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-std::size_t numberOfThinTriangles(const TriangleMesh& mesh)
+ThinTriangles countThinTriangles(const TriangleMesh& mesh, const std::function<bool(Index)>& counts)
 {
   constexpr double mostHeight = 0.1;
   const auto isThin = [&](const Triangle& t)
@@ -23,8 +23,16 @@ std::size_t numberOfThinTriangles(const TriangleMesh& mesh)
     // Twice the area is the longest side times the height.
     return dot(area, area) < mostHeight * mostHeight * square * square;
   };
-  return static_cast<std::size_t>(
-    std::count_if(mesh.triangles().begin(), mesh.triangles().end(), isThin));
+  ThinTriangles count;
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    if (counts(t))
+    {
+      ++count.all;
+      count.thin += isThin(mesh.triangle(t)) ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 }
