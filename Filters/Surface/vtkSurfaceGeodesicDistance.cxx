@@ -24,13 +24,13 @@
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
 #include "lines/SidesOfSeeds.h"
-#include "mesh/ThinTriangles.h"
 #include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
 #include "output/PathAttributes.h"
 #include "pieces/DistributedSurface.h"
+#include "pieces/ThinTriangleNotice.h"
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
 #include "request/SeedResolver.h"
@@ -69,9 +69,8 @@ struct vtkSurfaceGeodesicDistance::Internals
   geodesic::distributed::DealtField Dealt;
   /** With Signed. */
   geodesic::distributed::SidesOfSeeds Sides;
-  /** The surface whose thin triangles were counted, and their number on this rank. */
-  std::weak_ptr<const geodesic::distributed::DistributedSurface> Counted;
-  geodesic::ThinTriangles Thin;
+  /** With fast marching. */
+  geodesic::distributed::ThinTriangleNotice Thin;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -292,7 +291,12 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
   this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
-  this->LookForThinTriangles(run, !cost.empty());
+  if (this->Method == FAST_MARCHING)
+  {
+    internal.Thin.update(ranks, internal.Surface, run.blocks);
+    this->ThinTriangles = static_cast<vtkIdType>(internal.Thin.thin());
+    this->NoticeText = internal.Thin.text(ranks.isAny(!cost.empty()));
+  }
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
@@ -414,38 +418,6 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   const geodesic::DistanceField none(0);
   this->ReportWork(run, partition, field ? *field : none,
     internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceGeodesicDistance::LookForThinTriangles(const Run& run, bool hasCost)
-{
-  Internals& internal = *this->Internal;
-  if (this->Method != FAST_MARCHING)
-  {
-    return;
-  }
-  geodesic::distributed::RankGroup& ranks = run.ranks;
-  if (internal.Counted.lock() != internal.Surface)
-  {
-    const std::vector<bool> areGhosts = run.blocks.areGhosts();
-    const geodesic::bridge::InputSurface& piece = internal.Surface->piece();
-    internal.Thin = geodesic::countThinTriangles(internal.Surface->mesh(),
-      [&](geodesic::Index triangle)
-      { return areGhosts.empty() || !areGhosts[piece.cellOfTriangle(triangle)]; });
-    internal.Counted = internal.Surface;
-  }
-  const double thin = ranks.sum(static_cast<double>(internal.Thin.thin));
-  const double all = ranks.sum(static_cast<double>(internal.Thin.all));
-  const bool mayNotChange = ranks.sum(hasCost ? 1.0 : 0.0) > 0.0;
-  this->ThinTriangles = static_cast<vtkIdType>(thin);
-  if (thin > 0.0 && thin >= geodesic::ManyThinTriangles * all)
-  {
-    this->NoticeText = std::to_string(this->ThinTriangles) + " of " +
-      std::to_string(static_cast<vtkIdType>(all)) +
-      " triangles are thin; distances of FastMarching can be far off there. " +
-      (mayNotChange ? "Remesh the surface."
-                    : "Use the method Exact, Bounded or VirtualSources, or remesh the surface.");
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -327,8 +327,6 @@ private:
   void SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
     const geodesic::SolveOptions& options,
     const std::vector<std::vector<geodesic::SurfacePoint>>& destinations);
-  /** Counts thin triangles, and notes what to do about them. Collective. */
-  void LookForThinTriangles(const Run& run, bool hasCost);
   /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,
     const geodesic::DistanceField& solved, vtkIdType numberOfPoints);

@@ -11,6 +11,7 @@
 #include "path/PathFinder.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
+#include "solve/RequestCheck.h"
 #include "solve/SeedFront.h"
 #include "windows/ExactSolver.h"
 
@@ -154,6 +155,28 @@ TEST(Growth, SeedsOnEdgesOfADisc)
       makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, onePiece, front);
       // An edge has two faces with four corners.
       EXPECT_EQ(front.starts.size(), 4 * around);
+    });
+}
+
+// A seed in each face of a disc with a barrier: whether it lies in a closed triangle is not asked
+// round the centre.
+TEST(Growth, SeedsInFacesOfADiscWithABarrier)
+{
+  expectLinear(200,
+    [](Index around)
+    {
+      const auto mesh = meshOf(disc(around));
+      std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+      closed[0] = 1;
+      std::vector<Seed> seeds;
+      for (Index t = 1; t < mesh->numberOfTriangles(); ++t)
+      {
+        seeds.push_back(Seed::atPoint({ t, { 0.25, 0.25, 0.5 } }));
+      }
+      SolveOptions options;
+      options.closedTriangles = closed;
+      Partition onePiece;
+      checkSeedsAreOpen(*mesh, seeds, options, ClosedTriangles(*mesh, closed), onePiece);
     });
 }
 

@@ -3,6 +3,7 @@
 #ifndef geodesic_DijkstraSolver_h
 #define geodesic_DijkstraSolver_h
 
+#include "solve/EdgeFront.h"
 #include "solve/FrontSolver.h"
 #include "solve/StartValue.h"
 
@@ -11,16 +12,6 @@
 
 namespace geodesic
 {
-
-/** A distance proposed for a vertex, and the seed that it is from; waits in the heap. */
-struct EdgeTrial
-{
-  /** The distance, and what is left to the goal at least. */
-  double bound;
-  double distance;
-  Index vertex;
-  Index seed;
-};
 
 /**
  * Computes the shortest distance along the edges of the mesh: an upper bound of the geodesic

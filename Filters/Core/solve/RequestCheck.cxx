@@ -3,6 +3,7 @@
 #include "solve/RequestCheck.h"
 
 #include "base/NumberText.h"
+#include "base/WorkCount.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
@@ -11,9 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -79,18 +82,16 @@ void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& 
 std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
   const ClosedTriangles& closed, Partition& partition)
 {
-  std::set<Index> open;
+  std::set<Index> carriers;
   visitPoints(mesh, seeds,
     [&](const SurfacePoint& point, std::size_t)
     {
-      for (Index vertex : carriersOf(mesh, point))
-      {
-        if (closed.hasOpenTriangle(vertex))
-        {
-          open.insert(vertex);
-        }
-      }
+      const Carriers ofPoint = carriersOf(mesh, point);
+      carriers.insert(ofPoint.begin(), ofPoint.end());
     });
+  std::set<Index> open;
+  std::copy_if(carriers.begin(), carriers.end(), std::inserter(open, open.end()),
+    [&](Index vertex) { return closed.hasOpenTriangle(vertex); });
   std::vector<StartValue> own;
   own.reserve(open.size());
   for (Index vertex : open)
@@ -105,9 +106,14 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
 }
 
 /** Whether the triangle of three corners is closed, or another one with the same corners. */
-bool isClosed(const TriangleMesh& mesh, const ClosedTriangles& closed, const Triangle& corners)
+bool isClosed(const TriangleMesh& mesh, const ClosedTriangles& closed, Triangle corners)
 {
+  // Round the vertex of the fewest triangles: fans can be large, and seeds many.
+  const auto fewest = std::min_element(corners.begin(), corners.end(),
+    [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
+  std::swap(corners[0], *fewest);
   const std::span<const RingEntry> ring = mesh.ring(corners[0]);
+  WorkCount::add(ring.size());
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)
   {
     const Index a = ring[i].neighbour();

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pieces/ThinTriangleNotice.h"
+
+#include "input/InputBlocks.h"
+#include "input/InputSurface.h"
+#include "pieces/DistributedSurface.h"
+
+#include <vector>
+
+namespace geodesic::distributed
+{
+
+void ThinTriangleNotice::update(RankGroup& ranks,
+  const std::shared_ptr<const DistributedSurface>& surface, const bridge::InputBlocks& blocks)
+{
+  if (this->Counted.lock() != surface)
+  {
+    const std::vector<bool> areGhosts = blocks.areGhosts();
+    const bridge::InputSurface& piece = surface->piece();
+    this->OfThisRank = countThinTriangles(surface->mesh(),
+      [&](Index triangle)
+      { return areGhosts.empty() || !areGhosts[piece.cellOfTriangle(triangle)]; });
+    this->Counted = surface;
+  }
+  const auto ofAll = [&](std::size_t count)
+  { return static_cast<std::size_t>(ranks.sum(static_cast<double>(count))); };
+  this->OfAll.thin = ofAll(this->OfThisRank.thin);
+  this->OfAll.all = ofAll(this->OfThisRank.all);
+}
+
+std::string ThinTriangleNotice::text(bool hasCost) const
+{
+  const auto [thin, all] = this->OfAll;
+  if (thin == 0 || static_cast<double>(thin) < ManyThinTriangles * static_cast<double>(all))
+  {
+    return {};
+  }
+  return std::to_string(thin) + " of " + std::to_string(all) +
+    " triangles are thin; distances of FastMarching can be far off there. " +
+    (hasCost ? "Remesh the surface."
+             : "Use the method Exact, Bounded or VirtualSources, or remesh the surface.");
+}
+
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_ThinTriangleNotice_h
+#define geodesic_distributed_ThinTriangleNotice_h
+
+#include "mesh/ThinTriangles.h"
+#include "ranks/RankGroup.h"
+
+#include <memory>
+#include <string>
+
+namespace geodesic::bridge
+{
+
+class InputBlocks;
+
+}
+
+namespace geodesic::distributed
+{
+
+class DistributedSurface;
+
+/** Tells users of fast marching where many triangles are thin, see countThinTriangles(). */
+class ThinTriangleNotice
+{
+public:
+  /** Counts the thin triangles of all ranks; those of a surface are counted once. Ghost cells do
+   * not count. Collective. */
+  void update(RankGroup& ranks, const std::shared_ptr<const DistributedSurface>& surface,
+    const bridge::InputBlocks& blocks);
+
+  std::size_t thin() const { return this->OfAll.thin; }
+  /** What the user should know; empty if there is nothing.
+   * @param hasCost  with costs no other method serves */
+  std::string text(bool hasCost) const;
+
+private:
+  /** The surface whose triangles were counted, which this does not keep alive. */
+  std::weak_ptr<const DistributedSurface> Counted;
+  ThinTriangles OfThisRank;
+  ThinTriangles OfAll;
+};
+
+}
+
+#endif
