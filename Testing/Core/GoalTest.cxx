@@ -115,6 +115,7 @@ public:
     toAllSides.onlyTowardsTargets = false;
     return this->Solver.solve(seeds, toAllSides);
   }
+  bool crossesFaces() const override { return this->Solver.crossesFaces(); }
   bool findsPaths() const override { return this->Solver.findsPaths(); }
   std::optional<FoundPath> pathFrom(const SurfacePoint& start) const override
   {
@@ -261,6 +262,14 @@ TEST(Goal, MakesNoPathOfFastMarchingLonger)
     EXPECT_EQ(paths.longer, 0) << "of " << paths.paths << ", worst " << paths.most;
     EXPECT_LE(paths.sumDirected, paths.sumToAllSides * (1.0 + 1e-12));
   }
+}
+
+// The tracer needs more of Dijkstra's field than what lies on shortest paths along edges.
+TEST(Goal, LeavesAPathAcrossFacesInDijkstrasFieldAsItIs)
+{
+  const Comparison paths = compare<DijkstraSolver>(480, WithAll, Traced);
+  EXPECT_GT(paths.paths, 1000);
+  EXPECT_EQ(paths.longer, 0) << "of " << paths.paths << ", worst " << paths.most;
 }
 
 TEST(Goal, MakesNoPathAlongEdgesLonger)

@@ -130,7 +130,7 @@ void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> t
 bool PathFinder::goesTowardsStart() const
 {
   return this->Starts.size() == 1 && this->Style.order == PathOrder::Edges &&
-    this->Options.targets.empty();
+    this->Solver.crossesFaces() && this->Options.targets.empty();
 }
 
 double PathFinder::guessedDistance() const

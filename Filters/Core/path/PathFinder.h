@@ -92,8 +92,9 @@ private:
    * cancelled */
   bool solve(std::span<const Triangle> targets);
   void solveWithin(double maximumDistance, std::span<const Triangle> targets);
-  /** Whether marches leave out what lies elsewhere than towards the only start. A path along edges
-   * needs the field beside it as well, and a caller with targets that of these. */
+  /** Whether marches leave out what lies elsewhere than towards the only start. A path along edges,
+   * and one across faces in a field along edges, can need the field anywhere beside it, and a
+   * caller with targets that of these. */
   bool goesTowardsStart() const;
   /** A distance within which the only start mostly lies, where a march gains by that; infinity
    * where it does not. */

@@ -26,6 +26,8 @@ class DijkstraSolver : public FrontSolver
 public:
   explicit DijkstraSolver(std::shared_ptr<const TriangleMesh> mesh);
 
+  bool crossesFaces() const override { return false; }
+
 protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
   /** Nothing that is kept depends on positions. */

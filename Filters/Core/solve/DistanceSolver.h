@@ -50,6 +50,9 @@ public:
    */
   virtual bool moveTo(const std::shared_ptr<const TriangleMesh>& /*mesh*/) { return false; }
 
+  /** Whether distances are those of paths across faces; if not, of paths along edges. */
+  virtual bool crossesFaces() const { return true; }
+
   /** Whether a run towards targets (SolveOptions::onlyTowardsTargets) goes to all sides until it
    * has reached them, so that it gains by a maximum distance, even if that is only a guess. */
   virtual bool gainsByMaximumDistance() const { return false; }

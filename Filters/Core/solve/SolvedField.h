@@ -49,6 +49,7 @@ public:
     return this->Field;
   }
 
+  bool crossesFaces() const override { return this->Solver.crossesFaces(); }
   bool findsPaths() const override { return this->Solver.findsPaths(); }
   std::optional<FoundPath> pathFrom(const SurfacePoint& start) const override
   {

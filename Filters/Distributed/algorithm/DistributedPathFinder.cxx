@@ -104,8 +104,7 @@ DistributedPathFinder::DistributedPathFinder(
     return;
   }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
-  const bool crossesFaces = dynamic_cast<const DijkstraSolver*>(&request.solver) == nullptr;
-  if (request.style.order == PathOrder::Vertices && !this->HasCost && crossesFaces)
+  if (request.style.order == PathOrder::Vertices && !this->HasCost && request.solver.crossesFaces())
   {
     this->EdgeSolver = std::make_unique<DijkstraSolver>(request.mesh.sharedMesh());
   }
