@@ -32,9 +32,9 @@ expect_well()
 distance.SeedPositions = []
 expect_error("SeedPositions")
 distance.SeedPositions = [0, 0]
-expect_error("2 numbers, which is no multiple of 3")
+expect_error("2 numbers, which is not a multiple of 3")
 distance.SeedPositions = [0, 0, 1, 2]
-expect_error("4 numbers, which is no multiple of 3")
+expect_error("4 numbers, which is not a multiple of 3")
 distance.SeedPositions = [0, 0, 0.5, 0, float("nan"), 0]
 expect_error("Point 1 of SeedPositions")
 distance.SeedPositions = [0, 0, 0.5]
