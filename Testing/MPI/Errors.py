@@ -50,7 +50,7 @@ expect("no seed", torus)
 # One point, which is on one rank only; a piece's point ids say nothing without the rank, global ids do.
 expect(("BadCost", "-1", "on rank"), torus, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
 expect(("BadCost", "-1", "point 10810"), with_ids, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
-expect("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
+expect("not a point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
        CostArray=["POINTS", "Cost"])
 expect("barrier", torus, SeedPositions=[0, 1, 0.4], BarrierArray=["POINTS", "PointNumber"])
 expect(harness.GLOBAL_IDS_FILTER, torus, SeedPointIds=[7])
@@ -155,7 +155,7 @@ ENDS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
 expect_no_path("the number of waypoints is 1", torus, WaypointPositions=ENDS[:3])
 expect_no_path("multiple of 3", torus, WaypointPositions=ENDS[:5])
 expect_no_path(("BadCost", "-1"), torus, WaypointPositions=ENDS, CostArray=["POINTS", "BadCost"])
-expect_no_path("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
+expect_no_path("not a point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
                CostArray=["POINTS", "Cost"])
 expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPositions=ENDS,
                BarrierArray=["POINTS", "PointNumber"])

@@ -95,9 +95,9 @@ distance.SeedPositions = [0, 0, 0]
 POSITIVE = "must be positive and finite"
 MISTAKES = [
     # Arrays that there are not, or not of the kind.
-    (dict(CostArray=["POINTS", "lost"]), "CostArray", "lost", "no point array", "or None"),
-    (dict(SeedArray=["CELLS", "lost"]), "SeedArray", "lost", "no cell array", "or None"),
-    (dict(BarrierArray=["POINTS", "lost"]), "BarrierArray", "lost", "no point array", "or None"),
+    (dict(CostArray=["POINTS", "lost"]), "CostArray", "lost", "not a point array", "or None"),
+    (dict(SeedArray=["CELLS", "lost"]), "SeedArray", "lost", "not a cell array", "or None"),
+    (dict(BarrierArray=["POINTS", "lost"]), "BarrierArray", "lost", "not a point array", "or None"),
     (dict(CostArray=["CELLS", "cells"]), "CostArray", "cells", "cell array", "Cell Data to Point Data"),
     (dict(CostArray=["POINTS", "pairs"]), "CostArray", "pairs", "2 components", "one component"),
     (dict(SeedArray=["POINTS", "pairs"]), "SeedArray", "pairs", "2 components", "array of one"),
