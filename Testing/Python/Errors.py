@@ -119,7 +119,7 @@ MISTAKES = [
     (dict(DestinationPositions=[0, 0]), "DestinationPositions", "2 numbers", "multiple of 3"),
     (dict(DestinationPositions=[0, float("inf"), 0]), "Point 0 of DestinationPositions", "inf"),
     (dict(SeedSource=no_number), "Point 1 of SeedSource", "nan", "finite"),
-    (dict(SeedSelection=nothing), "SeedSelection", "no point of the surface", "Select others"),
+    (dict(SeedSelection=nothing), "SeedSelection", "no point or cell of the surface", "Select others"),
     # Barriers.
     (dict(BarrierArray=["POINTS", "middle"]), "Seed 0", "point 12", "off the barrier"),
     (dict(BarrierArray=["CELLS", "cells"]), "Seed 0", "point 12", "off the barrier"),
