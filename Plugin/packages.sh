@@ -46,6 +46,7 @@ test   all       libeigen3-dev             Eigen
 test   all       libgmp-dev                GMP
 test   all       libgtest-dev              GoogleTest
 test   all       libmpfr-dev               MPFR
+test   all       python3-pip               pip
 test   all       xdotool                   xdotool
 test   5.11      clang-format-14           clang-format 14
 test   5.11      clang-tidy-14             clang-tidy 14

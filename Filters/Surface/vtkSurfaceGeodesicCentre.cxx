@@ -86,7 +86,7 @@ void vtkSurfaceGeodesicCentre::Compute(geodesic::distributed::RankGroup& ranks,
   if (this->MaximumNumberOfFields < 1)
   {
     throw std::invalid_argument("MaximumNumberOfFields is " +
-      std::to_string(this->MaximumNumberOfFields) + "; give 1 at least.");
+      std::to_string(this->MaximumNumberOfFields) + "; give at least 1.");
   }
   const bool hasPart = blocks.numberWithFaces() > 0;
   const double pieces = ranks.sum(hasPart ? 1.0 : 0.0);

@@ -362,7 +362,7 @@ void vtkSurfaceGeodesicDistance::CheckUnreachedValue() const
   if (this->Signed && this->UnreachedAs == UNREACHED_AS_VALUE && isDistance)
   {
     throw std::invalid_argument("UnreachedValue is " + geodesic::textOf(value) +
-      ", which with Signed is a distance on the minus side; the largest distance is " +
+      ", which with Signed could be a distance on the minus side. The largest distance is " +
       geodesic::textOf(this->MaximumDistanceReached) +
       ". Set UnreachedAs to NaN, or give a value below minus that and other than -1.");
   }
@@ -386,7 +386,7 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   if (internal.Lined.gathered())
   {
     throw std::invalid_argument(std::string(gathers ? "GatherForExact" : "SpreadWork") +
-      " does not go together with BarrierSource, nor with lines of SeedSource. Turn it off" +
+      " can't be used with BarrierSource or with lines of SeedSource. Turn it off" +
       (gathers ? ", and bring the surface to one rank by Aggregate Dataset." : "."));
   }
   geodesic::distributed::Dealing dealing{ gathers };
@@ -510,7 +510,7 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(const R
   {
     const char* name = this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME());
     throw std::invalid_argument("SeedArray \"" + std::string(name) +
-      "\" is 0 on the whole surface, and seeds are where it is not. Choose another one, or None.");
+      "\" is 0 on the whole surface, so it gives no seed. Choose another array, or None.");
   }
   return seeds;
 }
@@ -535,7 +535,7 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(cons
   if (run.ranks.isAny(!isEmpty) && seeds.empty())
   {
     throw std::invalid_argument(
-      "SeedSelection selects no point of the surface and no cell. Select others.");
+      "SeedSelection has no point or cell of the surface. Select others.");
   }
   return seeds;
 }

@@ -171,8 +171,8 @@ void vtkSurfaceGeodesicDistanceMatrix::Compute(geodesic::distributed::RankGroup&
   if (ranks.isAny(!cost.empty()))
   {
     throw std::invalid_argument(
-      "A cost array is set, but the lengths of a matrix have no cost. Set none, or take Geodesic "
-      "Distance from each landmark, which has costs.");
+      "A cost array is set, but Geodesic Distance Matrix does not support costs. Set none, or use "
+      "Geodesic Distance from each landmark, which does.");
   }
   const geodesic::bridge::InputPathAttributes attributes(internal.Surface->piece(), blocks);
   const geodesic::SolverTraits& method = this->GetSolver();
@@ -245,8 +245,9 @@ void vtkSurfaceGeodesicDistanceMatrix::CheckLandmarks(const Landmarks& landmarks
   }
   if (landmarks.HasSecond && landmarks.Second.empty())
   {
-    throw std::invalid_argument("SecondLandmarkSource has no point. Give one that has points, or "
-                                "take it away for a matrix among the landmarks.");
+    throw std::invalid_argument(
+      "SecondLandmarkSource has no point. Choose one with points, or none "
+      "for the distances between the landmarks themselves.");
   }
   constexpr double share = 0.75;
   // The lengths are held twice: by rows, and by columns in the table.

@@ -43,8 +43,8 @@ void checkRequest(vtkDataObject* input)
   if (geodesic::bridge::hasOverlappingLevels(input))
   {
     throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
-      ", whose blocks overlap and are no surface together. Give a surface of it, for example by "
-      "Slice or Contour.");
+      ", whose blocks overlap, so they are not one surface. Make a surface of it, for example "
+      "by Slice or Contour.");
   }
 }
 

@@ -217,7 +217,7 @@ void vtkSurfaceGeodesicIsolines::RunOnAll(
       if (geodesic::bridge::hasOverlappingLevels(input))
       {
         throw std::invalid_argument(std::string("The input is a ") + input->GetClassName() +
-          ", whose blocks overlap and are no surface together. Give a surface of it, for example "
+          ", whose blocks overlap, so they are not one surface. Make a surface of it, for example "
           "by Slice or Contour.");
       }
       blocks = std::make_unique<geodesic::bridge::InputBlocks>(input);
@@ -272,7 +272,7 @@ void vtkSurfaceGeodesicIsolines::Trace(
   if (!array || array.isOfCells)
   {
     throw std::invalid_argument(
-      "DistanceArray is no point array. Choose that of Geodesic Distance.");
+      "DistanceArray is not a point array of the input. Choose the array of a Geodesic Distance.");
   }
   std::vector<double> distances;
   for (geodesic::Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)

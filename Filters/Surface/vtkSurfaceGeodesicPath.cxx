@@ -354,7 +354,8 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
 {
   if (waypoints.size() < 2)
   {
-    throw std::invalid_argument("A path needs at least two waypoints; the number given is " +
+    throw std::invalid_argument(
+      "A path needs at least two waypoints, but the number of waypoints is " +
       std::to_string(waypoints.size()) +
       ". Pick two or more points on the surface, set WaypointPositions to their x, y and "
       "z, or give a WaypointSource.");
@@ -440,7 +441,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
   if (waypoints.empty() || starts.empty())
   {
     throw std::invalid_argument(
-      "ToNearestSeed needs at least one waypoint and one start; given are " +
+      "ToNearestSeed needs at least one waypoint and one start, but there are " +
       std::to_string(waypoints.size()) + " waypoints and " + std::to_string(starts.size()) +
       " starts. Pick them on the surface, set WaypointPositions and StartPositions, or give a "
       "WaypointSource and a StartSource.");

@@ -224,9 +224,10 @@ void vtkSurfaceGeodesicSamples::Compute(geodesic::distributed::RankGroup& ranks,
     vtkDataObject::GetData(inputVector[BARRIER_SOURCE_PORT]), "BarrierSource");
   if (ranks.size() > 1 && ranks.isAny(barrierLines.size() > 0))
   {
-    throw std::invalid_argument("BarrierSource is set on " + std::to_string(ranks.size()) +
-      " ranks, and samples within lines can be taken on one only. Bring the surface to one rank by "
-      "Aggregate Dataset, or give a BarrierArray.");
+    throw std::invalid_argument(
+      "BarrierSource needs the surface on one rank, but it is spread over " +
+      std::to_string(ranks.size()) +
+      " ranks. Bring it to one rank by Aggregate Dataset, or give a BarrierArray.");
   }
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;

@@ -3,7 +3,9 @@
 # The VTK modules and the Python package of their classes. They are built outside the plugin, so that
 # only the classes that its XML names are wrapped for the client-server interpreter.
 
-if (NOT SURFACEGEODESICS_BUILD_PLUGIN)
+if (SURFACEGEODESICS_PYTHON_DESTINATION)
+  set(python_destination "${SURFACEGEODESICS_PYTHON_DESTINATION}")
+elseif (NOT SURFACEGEODESICS_BUILD_PLUGIN)
   vtk_module_python_default_destination(python_destination)
 else ()
   set(python_destination "${PARAVIEW_PYTHONPATH}")

@@ -6,7 +6,7 @@ set(documentation_directory "${CMAKE_INSTALL_DATADIR}/doc/paraview-surfacegeodes
 install(FILES LICENSE DESTINATION "${documentation_directory}" RENAME copyright COMPONENT runtime)
 install(DIRECTORY Plugin/Documentation/ DESTINATION "${documentation_directory}"
   COMPONENT runtime
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cff")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.gif" PATTERN "*.cff")
 install(DIRECTORY Plugin/Examples DESTINATION "${documentation_directory}" COMPONENT runtime)
 foreach (package IN ITEMS python3-surfacegeodesics libsurfacegeodesics-dev)
   set(component development)

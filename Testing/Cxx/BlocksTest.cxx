@@ -425,7 +425,7 @@ TEST_F(Blocks, EveryBlockNeedsTheArrays)
   this->Filter->SetInputArrayToProcess(
     vtkSurfaceGeodesicDistance::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "cost");
   give(left, 2.0);
-  this->expectError(input, "is no point array of block \"right\"");
+  this->expectError(input, "is not a point array of block \"right\"");
   give(right, 0.0);
   input->Modified();
   this->expectError(input, "is 0 at point 0 of block \"right\"");
@@ -454,7 +454,7 @@ TEST_F(Blocks, SelectionsAreOfTheirBlock)
   EXPECT_EQ(distancesOf(output->GetBlock(1))->GetComponent(4, 0), 0.0);
   EXPECT_NEAR(distancesOf(output->GetBlock(0))->GetComponent(0, 0), 7.0, 1e-9);
   select(selectionOf(vtkSelectionNode::POINT, 2, { 99 }));
-  this->expectError(input, "selects no point of the surface");
+  this->expectError(input, "has no point or cell of the surface");
 }
 
 TEST_F(Blocks, SourcesOfSeveralBlocksCountInAll)

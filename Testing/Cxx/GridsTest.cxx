@@ -404,7 +404,7 @@ TEST_F(Grids, SelectionsAreOfTheirPointsAndCells)
     std::count_if(field.begin(), field.end(), [](const auto& f) { return f.second == 0.0; }), 7);
   EXPECT_EQ(field.at({ 5.0, 0.0, 1.0 }), 0.0);
   select(vtkSelectionNode::POINT, 50);
-  EXPECT_NE(this->errorWith(image).find("selects no point of the surface"), std::string::npos);
+  EXPECT_NE(this->errorWith(image).find("has no point or cell of the surface"), std::string::npos);
 }
 
 TEST_F(Grids, MeetOtherBlocks)

@@ -161,7 +161,7 @@ TEST_F(IsolinesFilter, WhatCannotBeServedIsRefused)
   this->Isolines->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GeodesicDistance");
   this->Distance->SetDistanceArrayName("Other");
-  this->expectError("\"GeodesicDistance\" is no point array");
+  this->expectError("\"GeodesicDistance\" is not a point array");
   this->Distance->SetDistanceArrayName("GeodesicDistance");
   EXPECT_EQ(this->run()->GetNumberOfCells(), 3);
 }
@@ -176,5 +176,5 @@ TEST_F(IsolinesFilter, WithoutAnArrayNamedTheDistancesAreFound)
   EXPECT_EQ(this->run()->GetNumberOfCells(), 3);
   EXPECT_NE(this->run()->GetCellData()->GetArray("Other"), nullptr);
   this->Isolines->SetInputDataObject(square(5));
-  this->expectError("DistanceArray is no point array");
+  this->expectError("DistanceArray is not a point array");
 }

@@ -234,7 +234,7 @@ TEST_F(SignedDistance, WhatHasNoSidesIsRefused)
   this->expectError(plane, "SeedSource's line 1 has no two sides: it is open");
   this->setLines({ circle(1, 1, 0.5, 30) });
   this->Filter->AddSeedPosition(1, 1, 0);
-  this->expectError(plane, "seed 0 is no line");
+  this->expectError(plane, "seed 0 is not a line");
   this->Filter->ClearSeedPositions();
   this->Filter->SetUnreachedAs(vtkSurfaceGeodesicDistance::UNREACHED_AS_VALUE);
   this->expectError(plane, "UnreachedValue is -1");

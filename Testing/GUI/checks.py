@@ -112,6 +112,13 @@ def pixels_of(*color, area="1366x768+0+0"):
     return int((np.abs(rgb - np.multiply(color, 255)) < 1).all(axis=1).sum())
 
 
+def magenta_pixels():
+    """How many pixels of the screen are as strongly magenta as a path, also in a picture that was made smaller."""
+    raw = subprocess.run(["import", "-window", "root", "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True)
+    red, green, blue = np.frombuffer(raw.stdout, np.uint8).reshape(-1, 3).astype(int).T
+    return int((np.minimum(red, blue) - green > 100).sum())
+
+
 def picture():
     """The colours of the view's pixels on the screen: rows x columns x 3, from 0 to 255."""
     raw = subprocess.run(["import", "-window", "root", "-crop", "1000x520+330+205", "-depth", "8", "rgb:-"],

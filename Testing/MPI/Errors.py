@@ -50,7 +50,7 @@ expect("no seed", torus)
 # One point, which is on one rank only; a piece's point ids say nothing without the rank, global ids do.
 expect(("BadCost", "-1", "on rank"), torus, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
 expect(("BadCost", "-1", "point 10810"), with_ids, SeedPositions=SEED, CostArray=["POINTS", "BadCost"])
-expect("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
+expect("not a point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), SeedPositions=SEED,
        CostArray=["POINTS", "Cost"])
 expect("barrier", torus, SeedPositions=[0, 1, 0.4], BarrierArray=["POINTS", "PointNumber"])
 expect(harness.GLOBAL_IDS_FILTER, torus, SeedPointIds=[7])
@@ -69,14 +69,14 @@ expect("Seed 0 lies on a line of BarrierSource", torus, SeedPositions=SEED,
 # Cells of CellWall, on one rank or two.
 expect("barrier", torus, SeedSource=simple.PolyLineSource(Points=[0.02, 1.2, 0.34, -0.02, 1.3, 0.26]),
        BarrierArray=["CELLS", "CellWall"])
-expect("SpreadWork does not go together with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
+expect("SpreadWork can't be used with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
        BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect(("Exact", "several ranks", "GatherForExact"), torus, SeedPositions=SEED, Method="Exact")
-expect("GatherForExact does not go together with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
+expect("GatherForExact can't be used with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
        GatherForExact=1, BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("costs", torus, SeedPositions=SEED, Method="Exact", GatherForExact=1, CostArray=["POINTS", "Cost"])
 expect(("SeedSource's line 0", "open"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
-expect("seed 0 is no line", torus, Signed=1, SeedPositions=SEED)
+expect("seed 0 is not a line", torus, Signed=1, SeedPositions=SEED)
 expect("Geodesic Isolines needs all of it on one", simple.GeodesicDistance(Input=torus, SeedPositions=SEED),
        simple.GeodesicIsolines)
 expect("no surface", simple.PointSource(), SeedPositions=SEED)
@@ -129,7 +129,7 @@ assert {"InsidePositions", "Extract", "RegionArrayName", "ConnectBlocks"} <= set
 
 # Points are no lines.
 messages = harness.messages_of(simple.GeodesicRegion(Input=torus, Lines=simple.PointSource()).UpdatePipeline)
-assert "1 points and no line" in messages, messages
+assert "1 points but no line" in messages, messages
 
 compared = expect_all_properties_compared(simple.GeodesicSamples, torus)
 assert {"NumberOfSamples", "Spacing", "FirstPositions", "Method"} <= set(compared), compared
@@ -152,10 +152,10 @@ expect("same on all ranks", with_large_ids, SeedPointIds=[LARGE + 3 * harness.IS
 expect_success(torus, SeedSource=simple.PointSource(Center=SEED, NumberOfPoints=5, Radius=0.1))
 
 ENDS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
-expect_no_path("the number given is 1", torus, WaypointPositions=ENDS[:3])
+expect_no_path("the number of waypoints is 1", torus, WaypointPositions=ENDS[:3])
 expect_no_path("multiple of 3", torus, WaypointPositions=ENDS[:5])
 expect_no_path(("BadCost", "-1"), torus, WaypointPositions=ENDS, CostArray=["POINTS", "BadCost"])
-expect_no_path("no point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
+expect_no_path("not a point array", harness.surface("torus", "slabs", False, harness.RANKS - 1), WaypointPositions=ENDS,
                CostArray=["POINTS", "Cost"])
 expect_no_path(("Waypoint 1 is at point ", "on a barrier"), torus, WaypointPositions=ENDS,
                BarrierArray=["POINTS", "PointNumber"])

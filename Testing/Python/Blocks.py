@@ -170,7 +170,7 @@ some.UpdatePipeline()
 partial = simple.GeodesicDistance(Input=some, SeedPositions=NOSE)
 assert "two" in offered(partial, "CostArray")
 partial.CostArray = ["POINTS", "two"]
-testing.expect_error(partial, "CostArray", "two", 'no point array of block "b"', "or choose None")
+testing.expect_error(partial, "CostArray", "two", 'not a point array of block "b"', "or choose None")
 
 # --- Selected in a view: points of the blocks ---
 

@@ -32,9 +32,9 @@ expect_well()
 distance.SeedPositions = []
 expect_error("SeedPositions")
 distance.SeedPositions = [0, 0]
-expect_error("2 numbers, which is no multiple of 3")
+expect_error("2 numbers, which is not a multiple of 3")
 distance.SeedPositions = [0, 0, 1, 2]
-expect_error("4 numbers, which is no multiple of 3")
+expect_error("4 numbers, which is not a multiple of 3")
 distance.SeedPositions = [0, 0, 0.5, 0, float("nan"), 0]
 expect_error("Point 1 of SeedPositions")
 distance.SeedPositions = [0, 0, 0.5]
@@ -95,9 +95,9 @@ distance.SeedPositions = [0, 0, 0]
 POSITIVE = "must be positive and finite"
 MISTAKES = [
     # Arrays that there are not, or not of the kind.
-    (dict(CostArray=["POINTS", "lost"]), "CostArray", "lost", "no point array", "or None"),
-    (dict(SeedArray=["CELLS", "lost"]), "SeedArray", "lost", "no cell array", "or None"),
-    (dict(BarrierArray=["POINTS", "lost"]), "BarrierArray", "lost", "no point array", "or None"),
+    (dict(CostArray=["POINTS", "lost"]), "CostArray", "lost", "not a point array", "or None"),
+    (dict(SeedArray=["CELLS", "lost"]), "SeedArray", "lost", "not a cell array", "or None"),
+    (dict(BarrierArray=["POINTS", "lost"]), "BarrierArray", "lost", "not a point array", "or None"),
     (dict(CostArray=["CELLS", "cells"]), "CostArray", "cells", "cell array", "Cell Data to Point Data"),
     (dict(CostArray=["POINTS", "pairs"]), "CostArray", "pairs", "2 components", "one component"),
     (dict(SeedArray=["POINTS", "pairs"]), "SeedArray", "pairs", "2 components", "array of one"),
@@ -119,7 +119,7 @@ MISTAKES = [
     (dict(DestinationPositions=[0, 0]), "DestinationPositions", "2 numbers", "multiple of 3"),
     (dict(DestinationPositions=[0, float("inf"), 0]), "Point 0 of DestinationPositions", "inf"),
     (dict(SeedSource=no_number), "Point 1 of SeedSource", "nan", "finite"),
-    (dict(SeedSelection=nothing), "SeedSelection", "no point of the surface", "Select others"),
+    (dict(SeedSelection=nothing), "SeedSelection", "no point or cell of the surface", "Select others"),
     # Barriers.
     (dict(BarrierArray=["POINTS", "middle"]), "Seed 0", "point 12", "off the barrier"),
     (dict(BarrierArray=["CELLS", "cells"]), "Seed 0", "point 12", "off the barrier"),

@@ -119,7 +119,7 @@ path.HeightOffset = 0
 path.WaypointPositions = square[:3]
 testing.expect_error(path, "at least two waypoints", "is 1.")
 path.WaypointPositions = [0, 0]
-testing.expect_error(path, "2 numbers, which is no multiple of 3")
+testing.expect_error(path, "2 numbers, which is not a multiple of 3")
 path.WaypointPositions = square[:6]
 path.CostArray = ["POINTS", "missing"]
 testing.expect_error(path, 'CostArray "missing"')

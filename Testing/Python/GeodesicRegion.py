@@ -301,7 +301,7 @@ assert border_edges(output_of(region)) == border_edges(output_of(bunny))
 message = testing.messages_of(simple.GeodesicRegion(Input=plane(), Lines=testing.polyline(
     [[0.3, 0.3, 0], [0.7, 0.6, 0]])).UpdatePipeline)
 assert "Line 0 of Lines separates nothing: it is open" in message, message
-testing.expect_error(simple.GeodesicRegion(Input=plane(), Lines=plane()), "Lines has 121 points and no line")
+testing.expect_error(simple.GeodesicRegion(Input=plane(), Lines=plane()), "Lines has 121 points but no line")
 testing.expect_error(simple.GeodesicRegion(Input=plane(), Extract="Inside"), "Extract is Inside", "InsidePositions")
 testing.expect_error(simple.GeodesicRegion(Input=plane(), InsidePositions=[1, 2]), "InsidePositions has 2 numbers")
 testing.expect_error(simple.GeodesicRegion(Input=surface, Lines=source_of(square), InsidePositions=[0.5, 0.15, 0]),

@@ -41,7 +41,7 @@ distance.SeedSource = testing.polyline([[0.5, 0.113, 0], [-0.4, 0.113, 0]])
 testing.expect_error(distance, "SeedSource's line 0", "open", "Signed")
 distance.SeedSource = loop
 distance.SeedPositions = [0, 0, 0]
-testing.expect_error(distance, "seed 0 is no line", "turn Signed off")
+testing.expect_error(distance, "seed 0 is not a line", "turn Signed off")
 distance.SeedPositions = []
 distance.UnreachedAs = "Value"
 testing.expect_error(distance, "UnreachedValue is -1", "NaN")

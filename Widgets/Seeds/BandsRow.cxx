@@ -40,9 +40,9 @@ BandsRow::BandsRow(vtkSMProxy* filter, const char* arrayName, QWidget* parent)
   this->Edit->setObjectName("Spacing");
   for (QWidget* widget : { static_cast<QWidget*>(this->Box), static_cast<QWidget*>(this->Edit) })
   {
-    widget->setToolTip(
-      tr("Give the same colour to distances between two multiples of this width, which is in the "
-         "unit of length of the data. This changes the colour map of the array, not the filter."));
+    widget->setToolTip(tr(
+      "Give one colour to all distances between two multiples of this width. The width is in the "
+      "unit of length of the data. This changes only the colour map, not the distances."));
   }
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -182,7 +182,7 @@ void BandsRow::refuse(double spacing)
       ? tr("Bands of %1 are too narrow for distances up to %2: give at least %3")
           .arg(exactText(spacing), lengthText(this->Largest),
             lengthText(bands::roundSpacing(this->Largest / 10.0)))
-      : tr("The width of bands is more than 0, not %1").arg(exactText(spacing)));
+      : tr("The width of bands must be above 0, not %1").arg(exactText(spacing)));
 }
 
 void BandsRow::readMap()

@@ -72,14 +72,14 @@ QString SeedHint::whatToDo() const
   if (this->IsPicking)
   {
     return tr("<b>Click</b>: add. <b>Ctrl+click</b>: at a mesh point. <b>Shift+click</b>: remove. "
-              "<b>Ctrl+Z</b>: take the last back. <b>Esc</b>: end.");
+              "<b>Ctrl+Z</b>: undo the last. <b>Esc</b>: end.");
   }
   if (this->Model->rowCount() == 0)
   {
     return this->Others.isEmpty()
       ? tr("No %1 picked yet: press <b>Pick %2</b>, then click on the surface.")
           .arg(this->Role.name, this->Role.plural())
-      : tr("What counts: %1.").arg(this->Others.toHtmlEscaped());
+      : tr("In use: %1.").arg(this->Others.toHtmlEscaped());
   }
   const QString drag = tr("Drag a %1 in the view to move it.").arg(this->Role.name);
   return this->Others.isEmpty() ? drag : tr("%1 Also: %2.").arg(drag, this->Others.toHtmlEscaped());

@@ -47,9 +47,10 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   this->Toggle = new QPushButton(targetIcon(role.color), tr("Pick %1").arg(role.plural()));
   this->Toggle->setObjectName("Pick");
   this->Toggle->setCheckable(true);
-  this->Toggle->setToolTip(tr("Click on the surface in the 3D view to add a %1 there. Without this "
-                              "button: P adds one at the pointer, Ctrl+P at a mesh point.")
-                             .arg(role.name));
+  this->Toggle->setToolTip(
+    tr("Click on the surface in the 3D view to add a %1 there. The key P adds "
+       "one at the pointer, Ctrl+P at a mesh point, also without this button.")
+      .arg(role.name));
   this->Hint = new SeedHint(model, role, this);
   this->Hint->setObjectName("Hint");
   this->Error = new QLabel(this);
@@ -67,8 +68,8 @@ SeedPanel::SeedPanel(SeedTableModel* model, const SeedRole& role, QWidget* paren
   this->Live = new QCheckBox(tr("Live update"), this);
   this->Live->setObjectName("LiveUpdate");
   this->Live->setToolTip(
-    tr("Compute and draw the result while a %1 is dragged. Until you choose, it "
-       "is on where the last run took less than 50 ms.")
+    tr("Compute and draw the result while a %1 is dragged. Until you tick or untick it, it "
+       "is on if the last run took less than 50 ms.")
       .arg(role.name));
 
   auto* column = new QVBoxLayout(this);
@@ -111,13 +112,13 @@ QLayout* SeedPanel::buildButtons()
   auto* row = new QHBoxLayout;
   row->setSpacing(1);
   QToolButton* add =
-    this->addButton(row, "Add", tr("Add a row, at the middle of the input, and edit it"));
+    this->addButton(row, "Add", tr("Add a row with the middle of the input, and edit it"));
   add->setIcon(QIcon(":/QtWidgets/Icons/pqPlus.svg"));
-  this->Remove = this->addButton(row, "Remove", tr("Remove the chosen rows"));
+  this->Remove = this->addButton(row, "Remove", tr("Remove the selected rows"));
   this->Remove->setIcon(QIcon(":/QtWidgets/Icons/pqMinus.svg"));
-  this->Up = this->addButton(row, "Up", tr("Move the chosen rows up"));
+  this->Up = this->addButton(row, "Up", tr("Move the selected rows up"));
   this->Up->setArrowType(Qt::UpArrow);
-  this->Down = this->addButton(row, "Down", tr("Move the chosen rows down"));
+  this->Down = this->addButton(row, "Down", tr("Move the selected rows down"));
   this->Down->setArrowType(Qt::DownArrow);
   this->Clear = this->addButton(row, "Clear", tr("Remove all rows"));
   this->Clear->setIcon(QIcon(":/QtWidgets/Icons/pqDelete.svg"));

@@ -26,10 +26,10 @@ ChosenArray chosenArray(
     return {};
   }
   const std::string isNone =
-    property + " \"" + name + "\" is no " + (isOfCells ? "cell" : "point") + " array of ";
+    property + " \"" + name + "\" is not a " + (isOfCells ? "cell" : "point") + " array of ";
   if (!isAnywhere)
   {
-    throw std::invalid_argument(isNone + "the input. Choose one that is, or None.");
+    throw std::invalid_argument(isNone + "the input. Choose one of its arrays, or None.");
   }
   ChosenArray chosen{ property + " \"" + name + "\"", isOfCells, {} };
   for (const InputBlock& block : blocks)
@@ -46,7 +46,7 @@ ChosenArray chosenArray(
     else
     {
       throw std::invalid_argument(isNone + "block " + block.name +
-        ", but of others. Give all blocks the array, or choose None.");
+        ", but other blocks have it. Give it to all blocks, or choose None.");
     }
   }
   return chosen;

@@ -53,8 +53,8 @@ void checkDistances(const std::vector<vtkIdType>& ids, const std::vector<Index>&
     {
       throw std::invalid_argument("Two points with the global id " + std::to_string(ids[i]) +
         " are " + textOf(distance) +
-        " apart, but points of one id are one point. Make the ids again for all blocks together, " +
-        MakeGlobalIdsOfBlocks + ", or leave out the array.");
+        " apart, but equal ids mean the same point. Make the ids again for all blocks together, " +
+        MakeGlobalIdsOfBlocks + ", or remove the array.");
     }
   }
 }
@@ -78,9 +78,10 @@ PointIdentity identityOf(const InputBlocks& blocks, bool mergeCoincidentPoints, 
   };
   if (connectBlocks && count > 1 && identity.by == PointIdentity::By::Nothing)
   {
-    throw std::invalid_argument("ConnectBlocks is on, but nothing tells which points of the " +
+    throw std::invalid_argument("ConnectBlocks is on, but it is not known which points of the " +
       std::to_string(count) +
-      " blocks are one: MergeCoincidentPoints is off, and not all blocks have GlobalPointIds. Turn "
+      " blocks belong together: MergeCoincidentPoints is off, and not all blocks have "
+      "GlobalPointIds. Turn "
       "MergeCoincidentPoints on, make the ids " +
       MakeGlobalIdsOfBlocks + ", or turn ConnectBlocks off.");
   }

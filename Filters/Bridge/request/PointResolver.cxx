@@ -56,7 +56,7 @@ std::vector<Vector3> positionsAt(std::span<const double> coordinates, const std:
   if (coordinates.size() % 3 != 0)
   {
     throw std::invalid_argument(property + " has " + std::to_string(coordinates.size()) +
-      " numbers, which is no multiple of 3: give x, y and z of each point.");
+      " numbers, which is not a multiple of 3. Give x, y and z of each point.");
   }
   std::vector<Vector3> positions;
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
@@ -112,8 +112,8 @@ std::vector<Index> verticesWithIds(
   if (!numbering.hasUniqueIds())
   {
     throw std::invalid_argument(role + " point id " + std::to_string(ids->GetId(0)) +
-      " does not tell of which of the input's " + std::to_string(numbering.numberOfBlocks()) +
-      " blocks. Make GlobalPointIds for all of them, " + MakeGlobalIdsOfBlocks +
+      " could be in any of the input's " + std::to_string(numbering.numberOfBlocks()) +
+      " blocks. Make GlobalPointIds for all blocks, " + MakeGlobalIdsOfBlocks +
       ", and give those, or give positions.");
   }
   const auto points = numbering.pointsWithIds({ ids->begin(), ids->end() });

@@ -128,7 +128,7 @@ void checkHasLines(const PointSource& source)
   if (source.lines.empty() && !source.coordinates.empty())
   {
     throw std::invalid_argument("Lines has " + std::to_string(source.coordinates.size() / 3) +
-      " points and no line; give polylines, for example a Geodesic Path.");
+      " points but no line. Give polylines, for example a Geodesic Path.");
   }
 }
 
@@ -148,13 +148,14 @@ std::string linesThatSeparateNothing(
     const bool isOne = chain.lines.size() == 1;
     message << (count > 1 ? " " : "");
     writeNames(message, chain.lines);
-    message << " of Lines " << (isOne ? "separates" : "separate")
-            << " nothing: " << (isOne ? "it is " : "they are ")
-            << (chain.isClosed
-                   ? "closed, but the surface goes on round a handle or ends there; cut the handle "
-                     "by a second loop."
-                   : "open, with an end inside the surface or round a handle; close the line, or "
-                     "lead its ends to the border or to other lines.");
+    message
+      << " of Lines " << (isOne ? "separates" : "separate")
+      << " nothing: " << (isOne ? "it is " : "they are ")
+      << (chain.isClosed
+             ? "closed, but both sides are connected round a handle, or the surface ends "
+               "there; cut the handle by a second loop."
+             : "open, and both sides are connected round its end or round a handle; close the "
+               "line, or lead its ends to the border or to other lines.");
   }
   if (count > MostNamed)
   {

@@ -70,7 +70,7 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
 {
   if (this->Split && this->Split->isOnCut(point))
   {
-    throw std::invalid_argument(name + " lies on a line of BarrierSource; move it off the line.");
+    throw std::invalid_argument(name + " lies on a line of BarrierSource. Move it off the line.");
   }
   const Carriers carriers = PathPoint::at(*this->Mesh, point).carriers();
   const bool isExcluded = !this->Excluded.empty() &&
@@ -83,7 +83,7 @@ void SolveSurface::checkOpen(const SurfacePoint& point, const std::string& name)
     throw std::invalid_argument(name + " is at " +
       (input < this->Base->mesh()->numberOfPoints() ? this->Base->numbering().nameOfPoint(input)
                                                     : "a point of another rank") +
-      ", on a barrier, where nothing may be; move it off the barrier.");
+      ", which is on a barrier. Move it off the barrier.");
   }
 }
 

@@ -19,9 +19,9 @@ void SidesOfSeeds::update(
     seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.kind != Seed::Kind::Curve; });
   if (noLine != seeds.end())
   {
-    throw std::invalid_argument("Signed needs seeds with two sides, and seed " +
+    throw std::invalid_argument("Signed needs lines as seeds, but seed " +
       std::to_string(noLine - seeds.begin()) +
-      " is no line. Leave only lines of SeedSource as seeds, or turn Signed off.");
+      " is not a line. Use only lines of SeedSource as seeds, or turn Signed off.");
   }
   const auto& mesh = surface.mesh();
   if (!this->Mesh || &this->Mesh->mesh() != mesh.get())
@@ -51,8 +51,8 @@ void SidesOfSeeds::check(const LinedSurface& surface, const DistanceField& field
     if (this->Signs[vertex] == 0 && field.isReached(split ? split->vertexOf(vertex) : vertex))
     {
       throw std::invalid_argument(
-        "A part of the surface hangs on the lines of SeedSource by single points only, so that it "
-        "is on neither side of them. Leave it out, or turn Signed off.");
+        "A part of the surface touches the lines of SeedSource only at single points, so it is on "
+        "neither side of them. Remove that part, or turn Signed off.");
     }
   }
 }

@@ -25,8 +25,8 @@ bridge::PointIdentity identityOf(RankGroup& ranks, const bridge::InputBlocks& bl
   if (by == By::Nothing)
   {
     throw std::invalid_argument("The surface is spread over " + std::to_string(ranks.size()) +
-      " ranks and nothing tells which points of the pieces are one. Turn MergeCoincidentPoints on, "
-      "or give the points global ids " +
+      " ranks, but it is not known which points of the pieces belong together. Turn "
+      "MergeCoincidentPoints on, or make global point ids " +
       bridge::MakeGlobalIds + ".");
   }
   return { by, connectBlocks, ranks.rank() };

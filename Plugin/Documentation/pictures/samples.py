@@ -14,11 +14,15 @@ data, picture = sys.argv[1:]
 bunny = OpenDataFile(os.path.join(data, "Bunny.vtp"))
 
 
-def scene(samples, scalars):
+def scene(samples, scalars, preset):
     """A view of samples as balls on the surface, coloured by an array."""
     view = CreateRenderView(ViewSize=[420, 400], OrientationAxesVisibility=0)
     surface = Show(OutputPort(samples, 1), view, "GeometryRepresentation")
-    ColorBy(surface, ("POINTS", scalars))
+    ColorBy(surface, ("POINTS", scalars), separate=True)
+    colors = GetColorTransferFunction(scalars, surface, separate=True)
+    colors.ApplyPreset(preset, True)
+    # Points that no face uses have -1.
+    colors.RescaleTransferFunction(0, OutputPort(samples, 1).PointData[scalars].GetRange()[1])
     surface.SetScalarBarVisibility(view, False)
     balls = Glyph(Input=OutputPort(samples, 0), GlyphType="Sphere", ScaleFactor=0.004, GlyphMode="All Points",
                   ScaleArray=["POINTS", "No scale array"], OrientationArray=["POINTS", "No orientation array"])
@@ -31,9 +35,9 @@ def scene(samples, scalars):
 
 
 dear = Calculator(Input=bunny, ResultArrayName="Cost", Function="1 + 4 * (coordsY > 0.11)")
-views = [scene(GeodesicSamples(Input=bunny, NumberOfSamples=64), "NearestSeed"),
-         scene(GeodesicSamples(Input=bunny, NumberOfSamples=300), "GeodesicDistance"),
-         scene(GeodesicSamples(Input=dear, NumberOfSamples=300, CostArray=["POINTS", "Cost"]), "Cost")]
+views = [scene(GeodesicSamples(Input=bunny, NumberOfSamples=64), "NearestSeed", "Rainbow Uniform"),
+         scene(GeodesicSamples(Input=bunny, NumberOfSamples=300), "GeodesicDistance", "Cool to Warm"),
+         scene(GeodesicSamples(Input=dear, NumberOfSamples=300, CostArray=["POINTS", "Cost"]), "Cost", "Cool to Warm")]
 layout = CreateLayout("Samples")
 for place, view in zip((1, 5, 6), views):
     if place == 1:

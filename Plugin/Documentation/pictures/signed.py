@@ -39,6 +39,8 @@ def scene(surface, line, spacing, reach, camera, focus, up, *more):
     lines = Show(offsets, view, "GeometryRepresentation")
     ColorBy(lines, None)
     lines.AmbientColor = lines.DiffuseColor = [0.25, 0.25, 0.25]
+    lines.LineWidth = 2
+    lines.RenderLinesAsTubes = 1
     Show(line, view)
     for source in more:
         shown = Show(source, view)
