@@ -13,6 +13,11 @@ struct PlanePoint
   double y = 0.0;
 };
 
+constexpr PlanePoint operator-(const PlanePoint& a, const PlanePoint& b)
+{
+  return { a.x - b.x, a.y - b.y };
+}
+
 /** Twice the area of a triangle: positive where a, b and c are counterclockwise. */
 inline double orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {

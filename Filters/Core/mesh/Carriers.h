@@ -24,6 +24,8 @@ public:
       this->Vertices[this->Count++] = vertex;
     }
   }
+  /** Adds a vertex that is not there as yet. */
+  constexpr void addNew(Index vertex) { this->Vertices[this->Count++] = vertex; }
   constexpr bool contains(Index vertex) const
   {
     return std::find(this->begin(), this->end(), vertex) != this->end();

@@ -3,10 +3,13 @@
 #include "path/PathFinder.h"
 
 #include "path/EdgePathSearch.h"
+#include "path/PathMeeting.h"
 #include "path/PathStraightener.h"
 #include "solve/DistanceSolver.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -329,16 +332,16 @@ SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint
       least = length;
     }
   };
-  for (Index corner : this->cornersOffThePath(best, least, start))
+  const Carriers corners = this->cornersOffThePath(best, least, start);
+  if (corners.size() > 0)
   {
-    const auto path =
-      PathTracer(this->Surface, *this->Field, this->Ends)
-        .trace(PathPoint::atVertex(corner), this->Field->nearestSeed(corner), PathOrder::Edges);
-    if (path)
+    const PathMeeting meeting(isSmoothAlong(mesh, best) ? best : SurfacePath{});
+    for (const Index corner : corners)
     {
-      SurfacePath byCorner{ start };
-      byCorner.insert(byCorner.end(), path->begin(), path->end());
-      consider(byCorner);
+      if (const auto other = this->pathByCorner(corner, start, meeting, straightener))
+      {
+        consider(*other);
+      }
     }
   }
   if (auto other = shorterEdgePath(this->Surface, *this->Field, best.back(), start, least))
@@ -347,6 +350,37 @@ SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint
     consider(*other);
   }
   return best;
+}
+
+std::optional<SurfacePath> PathFinder::pathByCorner(Index corner, const PathPoint& start,
+  const PathMeeting& meeting, PathStraightener& straightener) const
+{
+  constexpr double rounding = 1e-12;
+  const TriangleMesh& mesh = this->Solver.mesh();
+  const SurfacePath& known = meeting.path();
+  const auto traced =
+    PathTracer(this->Surface, *this->Field, this->Ends)
+      .trace(PathPoint::atVertex(corner), this->Field->nearestSeed(corner), PathOrder::Edges,
+        [&](const SurfacePath& path) { return meeting.placeOfMeeting(path) > 0; });
+  if (!traced)
+  {
+    return std::nullopt;
+  }
+  SurfacePath path{ start };
+  path.insert(path.end(), traced->begin(), traced->end());
+  if (const std::size_t place = meeting.placeOfMeeting(path))
+  {
+    const auto meetingPoint = known.begin() + static_cast<std::ptrdiff_t>(place);
+    path.back() = *meetingPoint;
+    path = straightener.straightened(path);
+    const double length = lengthOf(mesh, { known.begin(), meetingPoint + 1 });
+    if (std::abs(lengthOf(mesh, path) - length) <= rounding * length)
+    {
+      return std::nullopt;
+    }
+    path.insert(path.end(), meetingPoint + 1, known.end());
+  }
+  return path;
 }
 
 Carriers PathFinder::cornersOffThePath(

@@ -15,6 +15,8 @@ namespace geodesic
 {
 
 class DistanceSolver;
+class PathMeeting;
+class PathStraightener;
 
 /** How a path is made from a field of distances. */
 struct PathStyle
@@ -105,6 +107,10 @@ private:
   /** The shortest of several straightened paths: the traced one, those by the corners of
    * cornersOffThePath(), and one along edges. */
   SurfacePath straightestOf(const SurfacePath& traced, const PathPoint& start) const;
+  /** The path from the start by one of these corners, traced from there until it meets a straight
+   * one. @return nothing if there is none, or it is that path once it is straight */
+  std::optional<SurfacePath> pathByCorner(Index corner, const PathPoint& start,
+    const PathMeeting& meeting, PathStraightener& straightener) const;
   /**
    * Finds corners by which a path of another front may be shorter. Where two fronts meet inside a
    * face, the field tells only at the corners which of them came first.

@@ -39,7 +39,7 @@ struct PathPoint
     return { mesh.triangle(point.triangle), point.weights };
   }
 
-  /** The vertices with a weight above 0. */
+  /** The vertices with a weight above 0, which are different ones. */
   constexpr Carriers carriers() const
   {
     Carriers carriers;
@@ -47,7 +47,7 @@ struct PathPoint
     {
       if (this->weights[i] > 0.0)
       {
-        carriers.add(this->corners[i]);
+        carriers.addNew(this->corners[i]);
       }
     }
     return carriers;
@@ -86,6 +86,21 @@ inline bool isVertex(const PathPoint& point)
 inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
 {
   return isVertex(a) && isVertex(b) && a.carriers()[0] == b.carriers()[0];
+}
+
+/** Whether no more than three vertices carry two points: no face has room for more. */
+inline bool mayShareFace(const PathPoint& a, const PathPoint& b)
+{
+  int carriers = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    carriers += a.weights[i] > 0.0 ? 1 : 0;
+    const bool isInA = (a.weights[0] > 0.0 && a.corners[0] == b.corners[i]) ||
+      (a.weights[1] > 0.0 && a.corners[1] == b.corners[i]) ||
+      (a.weights[2] > 0.0 && a.corners[2] == b.corners[i]);
+    carriers += b.weights[i] > 0.0 && !isInA ? 1 : 0;
+  }
+  return carriers <= 3;
 }
 
 /** All vertices that carry one of two points, which may share no face. */

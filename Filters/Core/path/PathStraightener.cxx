@@ -18,6 +18,11 @@ namespace
 /** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
 constexpr double LeastGain = 1e-14;
 
+/** Most paths are straight before this round. On curved surfaces without saddles others come past
+ * one vertex after the other, all along, where the faces along a chord are the right ones at once.
+ */
+constexpr int FirstRoundOfChords = 3;
+
 bool isShorter(double newLength, double length)
 {
   return newLength < length * (1.0 - LeastGain);
@@ -55,7 +60,7 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path)
   {
     joints.push_back(place);
   }
-  while (!joints.empty())
+  for (this->Round = 1; !joints.empty(); ++this->Round)
   {
     joints = this->ledRound(pieces, joints);
   }
@@ -198,9 +203,9 @@ PathStraightener::Places PathStraightener::ledRound(Pieces& pieces, const Places
     const Place end = std::next(last);
     double length = 0.0;
     std::for_each(first, end, [&](const JoinedPiece& joined) { length += joined.piece.length; });
-    const Strip strip = this->stripRound(first, last);
-    const StripFunnel shorter(this->Surface, first->piece.start, last->piece.end, strip);
-    if (!isShorter(shorter.length(), length))
+    std::optional<std::vector<StraightPiece>> shorter = this->shorterPieces(
+      this->stripRound(first, last), first->piece.start, last->piece.end, length);
+    if (!shorter)
     {
       continue;
     }
@@ -208,7 +213,7 @@ PathStraightener::Places PathStraightener::ledRound(Pieces& pieces, const Places
     {
       open.push_back(std::prev(first));
     }
-    for (StraightPiece& piece : shorter.pieces())
+    for (StraightPiece& piece : *shorter)
     {
       open.push_back(pieces.insert(first, { std::move(piece), Joint::Stays }));
     }
@@ -221,6 +226,42 @@ PathStraightener::Places PathStraightener::ledRound(Pieces& pieces, const Places
     place->joint = Joint::Unknown;
   }
   return open;
+}
+
+std::optional<std::vector<StraightPiece>> PathStraightener::shorterPieces(
+  Strip strip, const PathPoint& start, const PathPoint& end, double length)
+{
+  std::optional<std::vector<StraightPiece>> pieces;
+  std::optional<Strip> next = std::move(strip);
+  while (next)
+  {
+    strip = std::move(*next);
+    const StripFunnel funnel(this->Surface, start, end, strip);
+    if (!isShorter(funnel.length(), length))
+    {
+      break;
+    }
+    length = funnel.length();
+    pieces = funnel.pieces();
+    next = this->Round >= FirstRoundOfChords && this->doAllTurn(*pieces) ? funnel.stripAlongChord()
+                                                                         : std::nullopt;
+  }
+  return pieces;
+}
+
+bool PathStraightener::doAllTurn(std::span<const StraightPiece> pieces)
+{
+  bool doTurn = true;
+  for (std::size_t i = 1; i < pieces.size() && doTurn; ++i)
+  {
+    this->Turn.clear();
+    const StraightPiece& before = pieces[i - 1];
+    doTurn = this->Link
+               .appendShorterSide(
+                 vertexAt(before.end), before.lastButOne(), pieces[i].second(), this->Turn)
+               .has_value();
+  }
+  return doTurn;
 }
 
 bool PathStraightener::turns(Pieces& pieces, const Place place)

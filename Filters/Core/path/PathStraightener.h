@@ -9,6 +9,8 @@
 #include "path/WeightedMesh.h"
 
 #include <list>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace geodesic
@@ -28,8 +30,9 @@ namespace geodesic
  * They lead it round one vertex after the other, and lay the two pieces beside it flat again each
  * time. Here neighbouring vertices are gone round together, and all over the path before a second
  * time anywhere, so that pieces grow together in few rounds. The first round takes the path as it
- * comes. A round costs only what lies between
- * the nearest vertices that stay. The smallest angle is sought in the graph of directions round the
+ * comes. A round costs only what lies between the nearest vertices that stay. From the third round
+ * on, the straight line between these is followed as well, over whatever faces it crosses (see
+ * ChordWalk.h). The smallest angle is sought in the graph of directions round the
  * vertex (VertexLink), so that boundaries and edges with more than two faces need no case of their
  * own.
  */
@@ -100,6 +103,13 @@ private:
   /** Leads a path once round its vertices at some joints. @return the joints that are new, or
    * beside a piece that is new */
   Places ledRound(Pieces& pieces, const Places& joints);
+  /** The path in a strip, and then in the one along its chord as long as the path turns at all its
+   * vertices and gets shorter.
+   * @return nothing if it is no shorter than @p length */
+  std::optional<std::vector<StraightPiece>> shorterPieces(
+    Strip strip, const PathPoint& start, const PathPoint& end, double length);
+  /** Whether the path turns at all vertices between some pieces. */
+  bool doAllTurn(std::span<const StraightPiece> pieces);
   /** Whether the path gets shorter if it is led round the vertex at the end of a piece, or passes
    * it in a straight line: a long row of such vertices on a boundary would else be left one by one.
    */
@@ -111,6 +121,8 @@ private:
 
   const WeightedMesh& Surface;
   VertexLink Link;
+  /** Of leading the path round its vertices. */
+  int Round = 0;
   /** Faces round a vertex; what it allocates stays. */
   std::vector<Triangle> Turn;
 };

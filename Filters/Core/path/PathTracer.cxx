@@ -115,15 +115,16 @@ std::vector<Index> PathTracer::seedsNear(const PathPoint& point) const
   return seeds;
 }
 
-std::optional<SurfacePath> PathTracer::trace(const PathPoint& start, Index seed, PathOrder order)
+std::optional<SurfacePath> PathTracer::trace(
+  const PathPoint& start, Index seed, PathOrder order, const MayEnd& mayEnd)
 {
   // A shortest path stays among vertices whose nearest seed is its own.
   this->Aim = seed;
-  auto path = this->traceToAim(start, order);
+  auto path = this->traceToAim(start, order, mayEnd);
   if (!path)
   {
     this->Aim = NoIndex;
-    path = this->traceToAim(start, order);
+    path = this->traceToAim(start, order, mayEnd);
   }
   return path;
 }
@@ -134,7 +135,8 @@ bool PathTracer::leadsToAim(Index vertex) const
     (this->Aim == NoIndex || this->Field.nearestSeed(vertex) == this->Aim);
 }
 
-std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOrder order) const
+std::optional<SurfacePath> PathTracer::traceToAim(
+  const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const
 {
   SurfacePath path{ start };
   double left = DistanceField::Unreached;
@@ -161,6 +163,10 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
       leftBefore = left;
       left = std::min(left, step->left);
       path.push_back(step->point);
+      if (mayEnd && mayEnd(path))
+      {
+        return path;
+      }
       continue;
     }
     const std::vector<Index> descent =
@@ -178,7 +184,7 @@ std::optional<SurfacePath> PathTracer::traceToAim(const PathPoint& start, PathOr
 
 std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
 {
-  if (this->Aim != NoIndex && unionOf(point, this->Seeds[this->Aim]).size() > 3)
+  if (this->Aim != NoIndex && !mayShareFace(point, this->Seeds[this->Aim]))
   {
     // No face has room for both, which is told sooner than the faces are found.
     return std::nullopt;

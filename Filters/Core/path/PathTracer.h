@@ -8,6 +8,7 @@
 #include "path/WeightedMesh.h"
 #include "solve/DistanceField.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +50,8 @@ public:
   {
   }
 
+  using MayEnd = std::function<bool(const SurfacePath&)>;
+
   /**
    * The numbers of the seeds that are nearest to the corners of the faces round a point, the
    * likeliest first. One of them is the nearest to the point, unless the area to which a seed is
@@ -58,10 +61,13 @@ public:
 
   /**
    * @param seed one of seedsNear(); the path may end at another one if no trace leads to this one
+   * @param mayEnd  whether the path may end at its last point, before it has come to a seed; asked
+   *        after each step
    * @return the path from @p start to a seed, with both among its points; nothing if the field does
    *         not reach the start
    */
-  std::optional<SurfacePath> trace(const PathPoint& start, Index seed, PathOrder order);
+  std::optional<SurfacePath> trace(
+    const PathPoint& start, Index seed, PathOrder order, const MayEnd& mayEnd = {});
 
 private:
   /** The next point of a path, and the distance to the seed through it. */
@@ -74,7 +80,8 @@ private:
     double total;
   };
 
-  std::optional<SurfacePath> traceToAim(const PathPoint& start, PathOrder order) const;
+  std::optional<SurfacePath> traceToAim(
+    const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const;
   /** Whether the vertex has a distance, and its nearest seed is Aim or Aim is any. */
   bool leadsToAim(Index vertex) const;
   /** The step to the nearest seed that shares an open face with the point; nothing if none does. */

@@ -12,11 +12,6 @@ namespace geodesic
 namespace
 {
 
-PlanePoint operator-(const PlanePoint& a, const PlanePoint& b)
-{
-  return { a.x - b.x, a.y - b.y };
-}
-
 /** 1 / sqrt(x). What is laid flat has its own length but for rounding, which takes no root: each
  * face waits for the one before. */
 double inverseRoot(double x)
@@ -133,7 +128,7 @@ bool enterFace(const TriangleMesh& mesh, Strip& strip, Index a, Index b, Index a
   }
   // One end of the edge stays, on its side; the other one is the corner of the last face.
   const StripFace& last = strip.back();
-  const PlanePoint corner = beyond(mesh, last, last.apex, 1.0);
+  const PlanePoint corner = flatApex(mesh, last);
   const bool swaps = b == last.left || a == last.right;
   StripFace face = swaps ? StripFace{ b, a, apex } : StripFace{ a, b, apex };
   face.entry =
@@ -182,6 +177,11 @@ void appendStrip(const TriangleMesh& mesh, Strip& strip, const Strip& other)
   std::transform(face + 1, other.end(), std::back_inserter(strip), motion);
 }
 
+PlanePoint flatApex(const TriangleMesh& mesh, const StripFace& face)
+{
+  return beyond(mesh, face, face.apex, 1.0);
+}
+
 PlanePoint flatInFirst(
   const TriangleMesh& mesh, std::span<const StripFace> strip, const PathPoint& point)
 {
@@ -196,7 +196,7 @@ PlanePoint flatInLast(
   const TriangleMesh& mesh, std::span<const StripFace> strip, const PathPoint& point)
 {
   const StripFace& last = strip.back();
-  return place(point, last, last.apex, beyond(mesh, last, last.apex, 1.0));
+  return place(point, last, last.apex, flatApex(mesh, last));
 }
 
 }

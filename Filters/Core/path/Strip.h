@@ -54,6 +54,9 @@ void appendFace(const TriangleMesh& mesh, Strip& strip, const Triangle& face);
  * of its faces). */
 void appendStrip(const TriangleMesh& mesh, Strip& strip, const Strip& other);
 
+/** The place in the plane of the corner beyond the edge by which a face is entered. */
+PlanePoint flatApex(const TriangleMesh& mesh, const StripFace& face);
+
 /** The place in the plane of a point of the first or of the last of some faces. @pre two faces at
  * least */
 PlanePoint flatInFirst(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/StripFunnel.h"
 
+#include "path/ChordWalk.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,11 +15,6 @@ namespace geodesic
 {
 namespace
 {
-
-PlanePoint operator-(const PlanePoint& a, const PlanePoint& b)
-{
-  return { a.x - b.x, a.y - b.y };
-}
 
 double dot(const PlanePoint& a, const PlanePoint& b)
 {
@@ -303,6 +300,16 @@ std::vector<StraightPiece> StripFunnel::pieces() const
         this->lengthOf(part), flatFrom, flatTo });
     });
   return pieces;
+}
+
+std::optional<Strip> StripFunnel::stripAlongChord() const
+{
+  if (this->Bends.empty())
+  {
+    return std::nullopt;
+  }
+  return geodesic::stripAlongChord(
+    this->Surface, { this->Faces, this->FlatStart, this->FlatEnd, this->End });
 }
 
 PathPoint StraightPiece::crossing(const StripFace& face) const

@@ -9,6 +9,7 @@
 #include "path/WeightedMesh.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,9 @@ public:
   /** The straight pieces of the path, which join at vertices of the strip. No piece begins and ends
    * at the same vertex; there is none if start and end are the same vertex. */
   std::vector<StraightPiece> pieces() const;
+  /** The faces along the straight line from start to end, see ChordWalk.h; nothing if the path is
+   * that line, or there are no such faces. */
+  std::optional<Strip> stripAlongChord() const;
 
 private:
   /** A vertex at which the path bends. */
