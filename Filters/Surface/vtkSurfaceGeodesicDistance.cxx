@@ -7,6 +7,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -69,11 +71,15 @@ struct vtkSurfaceGeodesicDistance::Internals
   geodesic::distributed::DealtField Dealt;
   /** With Signed. */
   geodesic::distributed::SidesOfSeeds Sides;
+  /** Of Field; empty if it has no costs. */
+  std::string CostArrayName;
   /** With fast marching. */
   geodesic::distributed::ThinTriangleNotice Thin;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
+vtkInformationKeyMacro(vtkSurfaceGeodesicDistance, COST_ARRAY_NAME, String);
+vtkInformationKeyMacro(vtkSurfaceGeodesicDistance, COST_ARRAY_MODE, Integer);
 
 //------------------------------------------------------------------------------
 vtkSurfaceGeodesicDistance::vtkSurfaceGeodesicDistance()
@@ -291,6 +297,9 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::bridge::Barriers barriers;
   std::vector<double> cost;
   this->GatherCostAndBarriers(ranks, run.blocks, *internal.Surface, barriers, cost);
+  const char* costArray =
+    this->GetInputArrayInformation(COST_ARRAY)->Get(vtkDataObject::FIELD_NAME());
+  internal.CostArrayName = cost.empty() || !costArray ? "" : costArray;
   if (this->Method == FAST_MARCHING)
   {
     internal.Thin.update(ranks, internal.Surface, run.blocks);
@@ -573,7 +582,13 @@ void vtkSurfaceGeodesicDistance::AttachArrays(std::size_t block, vtkPolyData* ou
       ? std::numeric_limits<double>::quiet_NaN()
       : this->UnreachedValue;
     const char* name = this->DistanceArrayName.c_str();
-    pointData->AddArray(geodesic::bridge::distanceArray(field, unreached, name));
+    const auto distances = geodesic::bridge::distanceArray(field, unreached, name);
+    if (!this->Internal->CostArrayName.empty())
+    {
+      distances->GetInformation()->Set(COST_ARRAY_NAME(), this->Internal->CostArrayName);
+      distances->GetInformation()->Set(COST_ARRAY_MODE(), this->CostMode);
+    }
+    pointData->AddArray(distances);
     pointData->SetActiveScalars(name);
   }
 }

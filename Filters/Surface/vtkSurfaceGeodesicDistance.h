@@ -34,6 +34,8 @@
 #include <string> // For members
 #include <vector> // For members
 
+class vtkInformationIntegerKey;
+class vtkInformationStringKey;
 class vtkPolyData;
 
 namespace geodesic
@@ -55,6 +57,15 @@ public:
   static vtkSurfaceGeodesicDistance* New();
   vtkTypeMacro(vtkSurfaceGeodesicDistance, vtkSurfaceGeodesicFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * On the array of distances, if they were measured under costs: the name of the cost array, and
+   * its CostMode. vtkSurfaceGeodesicIsolines reads them.
+   */
+  static vtkInformationStringKey* COST_ARRAY_NAME();
+  static vtkInformationIntegerKey* COST_ARRAY_MODE();
+  ///@}
 
   enum DestinationModes
   {

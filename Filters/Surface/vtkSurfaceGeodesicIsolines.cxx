@@ -6,6 +6,8 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -13,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceGeodesicDistance.h"
 
 #include "base/NumberText.h"
 #include "base/SortUnique.h"
@@ -28,6 +31,7 @@
 #include "pieces/InnerFaces.h"
 #include "pieces/PointKeys.h"
 #include "ranks/RankGroup.h"
+#include "request/CostAndBarriers.h"
 #include "request/PointResolver.h"
 
 #include <algorithm>
@@ -63,6 +67,22 @@ std::string defaultArrayOf(const geodesic::bridge::InputBlocks& blocks)
     }
   }
   return name;
+}
+
+/** What Geodesic Distance noted on its array, of the first block that has it; null if nothing. */
+vtkInformation* noteOnCost(
+  const geodesic::bridge::InputBlocks& blocks, const std::string& distances)
+{
+  for (const geodesic::bridge::InputBlock& block : blocks)
+  {
+    vtkDataArray* array = block.surface->GetPointData()->GetArray(distances.c_str());
+    if (array && array->HasInformation() &&
+      array->GetInformation()->Has(vtkSurfaceGeodesicDistance::COST_ARRAY_NAME()))
+    {
+      return array->GetInformation();
+    }
+  }
+  return nullptr;
 }
 
 vtkSmartPointer<vtkDoubleArray> arrayOf(const char* name, std::size_t count)
@@ -125,7 +145,8 @@ vtkStandardNewMacro(vtkSurfaceGeodesicIsolines);
 vtkSurfaceGeodesicIsolines::vtkSurfaceGeodesicIsolines()
   : Internal(std::make_unique<Internals>())
 {
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  this->SetInputArrayToProcess(DISTANCE_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  this->SetInputArrayToProcess(COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
 }
 
 //------------------------------------------------------------------------------
@@ -222,11 +243,14 @@ void vtkSurfaceGeodesicIsolines::RunOnAll(
       }
       blocks = std::make_unique<geodesic::bridge::InputBlocks>(input);
     });
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   std::vector<double> settings{ static_cast<double>(this->NumberOfValues),
     static_cast<double>(this->MergeCoincidentPoints), static_cast<double>(this->ConnectBlocks),
-    static_cast<double>(std::hash<std::string>{}(name ? name : "")),
-    static_cast<double>(this->Values.size()) };
+    static_cast<double>(this->CostMode), static_cast<double>(this->Values.size()) };
+  for (const int array : { DISTANCE_ARRAY, COST_ARRAY })
+  {
+    const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+    settings.push_back(static_cast<double>(std::hash<std::string>{}(name ? name : "")));
+  }
   settings.insert(settings.end(), this->Values.begin(), this->Values.end());
   ranks.requireSame(settings, "properties");
   geodesic::distributed::hideInnerFaces(ranks, *blocks,
@@ -264,7 +288,7 @@ void vtkSurfaceGeodesicIsolines::Trace(
     internal.Edges = std::make_unique<const geodesic::EdgeTable>(mesh);
     internal.Surface = surface;
   }
-  vtkInformation* choice = this->GetInputArrayInformation(0);
+  vtkInformation* choice = this->GetInputArrayInformation(DISTANCE_ARRAY);
   const char* given = choice->Get(vtkDataObject::FIELD_NAME());
   const std::string name = given && *given ? given : defaultArrayOf(blocks);
   const auto array = geodesic::bridge::chosenArray(blocks, "DistanceArray", name,
@@ -286,15 +310,54 @@ void vtkSurfaceGeodesicIsolines::Trace(
     std::replace(
       distances.begin(), distances.end(), NoDistance, std::numeric_limits<double>::quiet_NaN());
   }
+  const std::vector<double> cost = this->CostOf(blocks, *surface, name);
   const std::vector<double> levels = this->LevelsOf(distances, isSigned);
   std::size_t done = 0;
-  const auto curves = geodesic::isolines(mesh, *internal.Edges, distances, levels,
+  const auto curves = geodesic::isolines(mesh, *internal.Edges, distances, cost, levels,
     [&]
     {
       this->UpdateProgress(static_cast<double>(done++) / static_cast<double>(levels.size()));
       return !geodesic::bridge::checkAbort(*this);
     });
   writeCurves(curves, name.c_str(), output);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkSurfaceGeodesicIsolines::CostOf(const geodesic::bridge::InputBlocks& blocks,
+  const geodesic::bridge::InputSurface& surface, const std::string& distances)
+{
+  vtkInformation* choice = this->GetInputArrayInformation(COST_ARRAY);
+  const char* given = choice->Get(vtkDataObject::FIELD_NAME());
+  auto array = geodesic::bridge::chosenArray(blocks, "CostArray", given && *given ? given : "None",
+    choice->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL);
+  int mode = this->CostMode;
+  if (vtkInformation* note = array ? nullptr : noteOnCost(blocks, distances))
+  {
+    const std::string name = note->Get(vtkSurfaceGeodesicDistance::COST_ARRAY_NAME());
+    mode = note->Get(vtkSurfaceGeodesicDistance::COST_ARRAY_MODE());
+    const bool isThere = std::any_of(blocks.begin(), blocks.end(),
+      [&](const geodesic::bridge::InputBlock& block)
+      { return block.surface->GetPointData()->HasArray(name.c_str()) != 0; });
+    if (!isThere)
+    {
+      throw std::invalid_argument("The distances \"" + distances +
+        "\" were measured with the cost array \"" + name +
+        "\", which the input no longer has. Pass it on with them.");
+    }
+    array = geodesic::bridge::chosenArray(blocks, "CostArray", name, false);
+  }
+  if (!array)
+  {
+    return {};
+  }
+  if (array.isOfCells)
+  {
+    throw std::invalid_argument(
+      array.role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
+  }
+  return geodesic::bridge::costOfValues(surface, array.values,
+    mode == COST ? geodesic::bridge::CostMeaning::Cost : geodesic::bridge::CostMeaning::Speed,
+    array.role);
 }
 
 //------------------------------------------------------------------------------
@@ -343,6 +406,7 @@ void vtkSurfaceGeodesicIsolines::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << value;
   }
   os << "\n";
+  os << indent << "CostMode: " << (this->CostMode == COST ? "Cost" : "Speed") << "\n";
   os << indent << "NumberOfValues: " << this->NumberOfValues << "\n";
   os << indent << "MergeCoincidentPoints: " << this->MergeCoincidentPoints << "\n";
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << "\n";

@@ -17,6 +17,10 @@
  * array without other negative values. The array is input array 0; without a name it is
  * GeodesicDistance, or the active scalars where no block has that.
  *
+ * Input array 1 is the point array of the cost that the distances were measured with. Without one,
+ * named None or not at all, it is the one that vtkSurfaceGeodesicDistance noted on the array of
+ * distances (COST_ARRAY_NAME); where it noted none, the cost is 1.
+ *
  * A request that can't be served gives one error and an empty output, but RequestData() returns 1:
  * after a failed request ParaView would no longer update the view. The surface must be on one rank;
  * other ranks may have no part of it.
@@ -38,6 +42,7 @@ namespace geodesic
 namespace bridge
 {
 class InputBlocks;
+class InputSurface;
 }
 namespace distributed
 {
@@ -51,6 +56,26 @@ public:
   static vtkSurfaceGeodesicIsolines* New();
   vtkTypeMacro(vtkSurfaceGeodesicIsolines, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum InputArrays
+  {
+    DISTANCE_ARRAY,
+    COST_ARRAY
+  };
+  enum CostModes
+  {
+    COST,
+    SPEED
+  };
+
+  ///@{
+  /**
+   * Whether input array 1, if it is chosen, holds the cost of a unit of length or its inverse, the
+   * speed. Default: COST.
+   */
+  vtkSetClampMacro(CostMode, int, COST, SPEED);
+  vtkGetMacro(CostMode, int);
+  ///@}
 
   /** The most values that NumberOfValues can ask for. */
   static constexpr int MostValues = 1000000;
@@ -109,6 +134,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   std::vector<double> Values;
+  int CostMode = COST;
   int NumberOfValues = 10;
   bool MergeCoincidentPoints = true;
   bool ConnectBlocks = true;
@@ -122,6 +148,9 @@ private:
     vtkPolyData* output);
   /** Traces the curves on a surface of which all is on this rank. */
   void Trace(const geodesic::bridge::InputBlocks& blocks, vtkPolyData* output);
+  /** The cost at each vertex; empty if it is 1. @param distances the name of their array */
+  std::vector<double> CostOf(const geodesic::bridge::InputBlocks& blocks,
+    const geodesic::bridge::InputSurface& surface, const std::string& distances);
   /** The levels in increasing order, all different. */
   std::vector<double> LevelsOf(const std::vector<double>& distances, bool isSigned) const;
 

@@ -30,7 +30,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 std::vector<Isoline> linesOf(
   const TriangleMesh& mesh, const std::vector<double>& values, const std::vector<double>& levels)
 {
-  return isolines(mesh, EdgeTable(mesh), values, levels, [] { return true; });
+  return isolines(mesh, EdgeTable(mesh), values, {}, levels, [] { return true; });
 }
 
 /** The distance from seeds at each vertex. */

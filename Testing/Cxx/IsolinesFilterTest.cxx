@@ -7,8 +7,10 @@
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSurfaceGeodesicDistance.h"
 #include "vtkSurfaceGeodesicIsolines.h"
 
@@ -144,6 +146,102 @@ TEST_F(IsolinesFilter, CurvesEndAtPointsWithoutADistance)
   this->Distance->SetUnreachedAs(vtkSurfaceGeodesicDistance::UNREACHED_AS_VALUE);
   EXPECT_EQ(this->run()->GetNumberOfCells(), cells);
   EXPECT_EQ(this->valueOf("Length", 0), length);
+}
+
+// The filter finds the cost by the note on the distances, as cost and as speed; a cost array that
+// is chosen counts instead.
+TEST_F(IsolinesFilter, UnderCostsTheCurvesAreThoseOfTheCost)
+{
+  const auto surface = square(20);
+  vtkNew<vtkDoubleArray> cost;
+  cost->SetName("Cost");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    cost->InsertNextValue(0.2);
+  }
+  surface->GetPointData()->AddArray(cost);
+  this->setInput(surface);
+  this->Distance->AddSeedPosition(10.3, 9.7, 0.0);
+  this->Distance->SetInputArrayToProcess(
+    vtkSurfaceGeodesicFilter::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Cost");
+  const auto expectCircleAt = [&](double w)
+  {
+    this->Isolines->ClearValues();
+    this->Isolines->AddValue(6.0 * w);
+    this->Isolines->AddValue(0.1 * w);
+    ASSERT_EQ(this->run()->GetNumberOfCells(), 2);
+    EXPECT_NEAR(this->valueOf("Length", 0), 2.0 * Pi * 0.1, 1e-9);
+    EXPECT_NEAR(this->valueOf("EnclosedArea", 1), Pi * 36.0, 1e-9);
+  };
+  expectCircleAt(0.2);
+  this->Distance->SetCostMode(vtkSurfaceGeodesicFilter::SPEED);
+  expectCircleAt(5.0);
+
+  // Of other origin, without a note.
+  this->Distance->Update();
+  vtkNew<vtkPolyData> distances;
+  distances->DeepCopy(this->Distance->GetOutputDataObject(0));
+  distances->GetPointData()->GetArray("GeodesicDistance")->GetInformation()->Clear();
+  this->Isolines->SetInputDataObject(distances);
+  this->Isolines->SetInputArrayToProcess(
+    vtkSurfaceGeodesicIsolines::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Cost");
+  this->Isolines->SetCostMode(vtkSurfaceGeodesicIsolines::SPEED);
+  expectCircleAt(5.0);
+  this->Isolines->SetInputArrayToProcess(
+    vtkSurfaceGeodesicIsolines::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cost");
+  this->expectError("CostArray \"Cost\" is no cell array");
+}
+
+TEST_F(IsolinesFilter, ACostArrayThatIsNotPassedOnIsNamed)
+{
+  const auto surface = square(5);
+  vtkNew<vtkDoubleArray> cost;
+  cost->SetName("Cost");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    cost->InsertNextValue(2.0 + i);
+  }
+  surface->GetPointData()->AddArray(cost);
+  this->setInput(surface);
+  this->Distance->AddSeedPosition(0.0, 0.0, 0.0);
+  this->Distance->SetInputArrayToProcess(
+    vtkSurfaceGeodesicFilter::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Cost");
+  this->Distance->Update();
+  vtkNew<vtkPolyData> distances;
+  distances->ShallowCopy(this->Distance->GetOutputDataObject(0));
+  distances->GetPointData()->RemoveArray("Cost");
+  this->Isolines->SetInputDataObject(distances);
+  this->Isolines->AddValue(3.0);
+  this->expectError("measured with the cost array \"Cost\", which the input no longer has");
+  // A later run without costs leaves no note.
+  this->Distance->SetInputArrayToProcess(
+    vtkSurfaceGeodesicFilter::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  this->Distance->Update();
+  distances->ShallowCopy(this->Distance->GetOutputDataObject(0));
+  distances->Modified();
+  EXPECT_GE(this->run()->GetNumberOfCells(), 1);
+}
+
+// A plane is no trouble to any method.
+TEST_F(IsolinesFilter, DistancesOfEachMethodHaveCurves)
+{
+  this->setInput(square(20));
+  this->Distance->AddSeedPosition(10.0, 10.0, 0.0);
+  this->Isolines->AddValue(4.3);
+  for (const int method :
+    { vtkSurfaceGeodesicFilter::FAST_MARCHING, vtkSurfaceGeodesicFilter::EXACT,
+      vtkSurfaceGeodesicFilter::BOUNDED, vtkSurfaceGeodesicFilter::VIRTUAL_SOURCES })
+  {
+    this->Distance->SetMethod(method);
+    ASSERT_EQ(this->run()->GetNumberOfCells(), 1) << method;
+    EXPECT_NEAR(this->valueOf("Length", 0), 2.0 * Pi * 4.3, 0.03) << method;
+    EXPECT_NEAR(this->valueOf("EnclosedArea", 0), Pi * 4.3 * 4.3, 0.1) << method;
+  }
+  // Along edges a circle is an octagon or so.
+  this->Distance->SetMethod(vtkSurfaceGeodesicFilter::DIJKSTRA);
+  ASSERT_EQ(this->run()->GetNumberOfCells(), 1);
+  EXPECT_LT(this->valueOf("EnclosedArea", 0), Pi * 4.3 * 4.3);
+  EXPECT_GT(this->valueOf("EnclosedArea", 0), 2.0 * 4.3 * 4.3);
 }
 
 TEST_F(IsolinesFilter, WhatCannotBeServedIsRefused)

@@ -5,7 +5,9 @@
 usage: GeodesicIsolines.py OUR_PLUGIN
 """
 
+import os
 import sys
+import tempfile
 
 import numpy as np
 from paraview import simple
@@ -39,3 +41,18 @@ assert testing.output_of(isolines).GetLines().GetNumberOfCells() == 3
 
 isolines.DistanceArray = ["POINTS", "Nothing"]
 testing.expect_error(isolines, "Nothing")
+
+# The cost of Geodesic Distance is found by its note on the array, from a file as well.
+cost = simple.Calculator(Input=plane, ResultArrayName="Cost", Function="0.2")
+costed = simple.GeodesicDistance(
+    Input=cost, SeedPositions=[0.013, -0.021, 0], CostArray=["POINTS", "Cost"]
+)
+circles = simple.GeodesicIsolines(Input=costed, Values=[0.2 * r for r in radius])
+with tempfile.TemporaryDirectory() as folder:
+    file = os.path.join(folder, "distances.vtp")
+    simple.SaveData(file, proxy=costed, DataMode="Binary")
+    read = simple.XMLPolyDataReader(FileName=[file])
+    for source in [costed, read]:
+        circles.Input = source
+        np.testing.assert_allclose(column(circles, "Length"), 2 * np.pi * radius, rtol=1e-6)
+        np.testing.assert_allclose(column(circles, "EnclosedArea"), np.pi * radius**2, rtol=1e-6)

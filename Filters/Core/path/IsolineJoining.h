@@ -25,6 +25,8 @@ struct LevelPiece
   double length;
   /** The set of faces whose parts below the level are connected. */
   Index set;
+  /** The set of the part of the face that is nearer than the level. */
+  Index nearSet;
 };
 
 /**

@@ -3,17 +3,17 @@
 #include "path/Isolines.h"
 
 #include "base/DisjointSets.h"
+#include "path/EdgeFields.h"
 #include "path/FaceField.h"
 #include "path/FlatFace.h"
 #include "path/IsolineJoining.h"
+#include "path/SurfaceField.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 
 namespace geodesic
@@ -21,25 +21,19 @@ namespace geodesic
 namespace
 {
 
-/** The sign of the values of a face or an edge, 0 if there are both. */
-int signOf(std::initializer_list<double> values)
-{
-  const auto [least, most] = std::minmax(values);
-  return least >= 0.0 ? 1 : (most <= 0.0 ? -1 : 0);
-}
-
 class Tracer
 {
 public:
-  Tracer(const TriangleMesh& mesh, const EdgeTable& edges, std::span<const double> values)
-    : Mesh(mesh)
-    , Edges(edges)
-    , Values(values)
-    , Below(mesh.numberOfVertices())
-    , AreaBelow(mesh.numberOfVertices(), 0.0)
+  explicit Tracer(const SurfaceField& field)
+    : Field(field)
+    , Mesh(field.mesh)
+    , Values(field.values)
+    , Faces(facesOf(field))
+    , Edges(field, Faces)
+    , Below(field.mesh.numberOfVertices())
+    , AreaBelow(field.mesh.numberOfVertices(), 0.0)
   {
     this->findRanges();
-    this->chooseEdges();
     this->findEvents();
   }
 
@@ -51,11 +45,13 @@ public:
     this->Pieces.clear();
     this->Sets.emplace(0);
     this->SetAreas.clear();
+    this->HasSource.clear();
     this->SetOfKey.clear();
     for (const Index range : this->Active)
     {
       this->cut(this->Ranges[range].face);
     }
+    this->leaveOutGhosts();
     std::vector<double> areas(this->SetAreas.size(), 0.0);
     for (Index set = 0; set < areas.size(); ++set)
     {
@@ -84,105 +80,47 @@ private:
     bool isWhole;
   };
 
-  std::array<double, 3> valuesOf(Index face) const
+  static std::vector<Index> facesOf(const SurfaceField& field)
   {
-    const Triangle& t = this->Mesh.triangle(face);
-    return { this->Values[t[0]], this->Values[t[1]], this->Values[t[2]] };
-  }
-
-  FlatFace flat(Index face) const
-  {
-    const Triangle& t = this->Mesh.triangle(face);
-    return { this->Mesh.position(t[0]), this->Mesh.position(t[1]), this->Mesh.position(t[2]) };
-  }
-
-  static FaceField fieldOf(const FlatFace& face, const std::array<double, 3>& values)
-  {
-    return { face.corners, { std::abs(values[0]), std::abs(values[1]), std::abs(values[2]) } };
-  }
-
-  double areaOf(Index face) const
-  {
-    const FlatFace flat = this->flat(face);
-    return 0.5 * orientation(flat.corners[0], flat.corners[1], flat.corners[2]);
-  }
-
-  /** A half-edge that is the same for all faces with its edge. */
-  Index edgeOf(Index halfEdge) const
-  {
-    Index least = halfEdge;
-    for (Index at = this->Edges.next(halfEdge); at != halfEdge; at = this->Edges.next(at))
+    std::vector<Index> faces;
+    for (Index face = 0; face < field.mesh.numberOfTriangles(); ++face)
     {
-      least = std::min(least, at);
+      if (field.hasField(face))
+      {
+        faces.push_back(face);
+      }
     }
-    return least;
-  }
-
-  /** The corners of a half-edge's edge, smaller vertex first. */
-  std::pair<Index, Index> endsOf(Index halfEdge) const
-  {
-    const Triangle& t = this->Mesh.triangle(EdgeTable::triangleOf(halfEdge));
-    return std::minmax(t[(halfEdge + 1) % 3], t[(halfEdge + 2) % 3]);
-  }
-
-  /** Whether the face has an area and values, and the field is of one kind in it. */
-  bool hasField(Index face) const
-  {
-    const auto values = this->valuesOf(face);
-    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }) &&
-      !this->Edges.isRepeated(face) && this->areaOf(face) > 0.0;
+    return faces;
   }
 
   void findRanges()
   {
-    for (Index face = 0; face < this->Mesh.numberOfTriangles(); ++face)
+    for (const Index face : this->Faces)
     {
-      if (!this->hasField(face))
-      {
-        continue;
-      }
-      const auto values = this->valuesOf(face);
+      const auto values = this->Field.valuesOf(face);
       const auto [least, most] = std::minmax_element(values.begin(), values.end());
       // A distance can be nearer to 0 inside of the face than at each corner.
       const double low = *least > 0.0 ? 0.0 : *least;
       const double high = *most < 0.0 ? 0.0 : *most;
-      const double size = this->Mesh.longestEdgeAround(this->Mesh.triangle(face)[0]);
+      double cost = 0.0;
+      for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        cost = std::max(cost, this->Edges.cost(h));
+      }
+      const double size = cost * this->Mesh.longestEdgeAround(this->Mesh.triangle(face)[0]);
       this->Ranges.push_back({ std::max(low, *least - size), std::min(high, *most + size), face });
     }
     std::ranges::sort(this->Ranges, {}, &Range::low);
   }
 
-  void chooseEdges()
-  {
-    const Index halfEdges = 3 * this->Mesh.numberOfTriangles();
-    std::vector<double> preference(halfEdges, 0.0);
-    for (const Range& range : this->Ranges)
-    {
-      const auto values = this->valuesOf(range.face);
-      const bool isOfOneSign = signOf({ values[0], values[1], values[2] }) != 0;
-      const FaceField field = fieldOf(this->flat(range.face), values);
-      const double size = this->Mesh.longestEdgeLength();
-      const double round = isOfOneSign ? std::min(field.roundError(), size) : size;
-      for (Index h = 3 * range.face; h < 3 * range.face + 3; ++h)
-      {
-        preference[this->edgeOf(h)] += std::min(field.straightError(), size) - round;
-      }
-    }
-    this->IsRound.assign(halfEdges, false);
-    for (Index h = 0; h < halfEdges; ++h)
-    {
-      this->IsRound[h] = preference[this->edgeOf(h)] >= 0.0;
-    }
-  }
-
   void findEvents()
   {
-    for (const Range& range : this->Ranges)
+    for (const Index face : this->Faces)
     {
-      auto values = this->valuesOf(range.face);
+      auto values = this->Field.valuesOf(face);
       std::sort(values.begin(), values.end());
-      this->Events.push_back({ values[1], range.face, false });
-      this->Events.push_back({ values[2], range.face, true });
+      this->Events.push_back({ values[1], face, false });
+      this->Events.push_back({ values[2], face, true });
     }
     std::ranges::sort(
       this->Events, {}, [](const Event& e) { return std::pair(e.value, e.isWhole); });
@@ -211,7 +149,7 @@ private:
       this->connect(t[0], t[event.isWhole ? 2 : 1]);
       if (event.isWhole)
       {
-        this->AreaBelow[this->Below.rootOf(t[0])] += this->areaOf(event.face);
+        this->AreaBelow[this->Below.rootOf(t[0])] += this->Field.areaOf(event.face);
       }
     }
     for (; this->NextRange < this->Ranges.size() && this->Ranges[this->NextRange].low < this->Level;
@@ -223,25 +161,54 @@ private:
       this->Active, [&](Index range) { return this->Ranges[range].high < this->Level; });
   }
 
-  /** The set of a vertex below the level, or of what an edge or a face has below it. */
-  Index setOf(std::uint64_t key, double area)
+  /** The set of a vertex below the level, or of what an edge or a face has below it.
+   * @param hasSource whether a front can come from there */
+  Index setOf(std::uint64_t key, double area, bool hasSource)
   {
     const auto [found, isNew] = this->SetOfKey.emplace(key, NoIndex);
     if (isNew)
     {
       found->second = this->Sets->add();
       this->SetAreas.push_back(area);
+      this->HasSource.push_back(hasSource);
     }
     return found->second;
   }
   Index setOfVertex(Index vertex)
   {
     const Index root = this->Below.rootOf(vertex);
-    return this->setOf(root, this->AreaBelow[root]);
+    return this->setOf(root, this->AreaBelow[root], true);
   }
+  /** Of the part between the two places where an edge has the level. */
   Index setOfEdge(Index edge)
   {
-    return this->setOf(std::uint64_t{ this->Mesh.numberOfVertices() } + edge, 0.0);
+    return this->setOf(
+      std::uint64_t{ this->Mesh.numberOfVertices() } + edge, 0.0, this->Edges.hasSource(edge));
+  }
+  Index setOfFace(Index face)
+  {
+    return this->setOf(std::uint64_t{ this->Mesh.numberOfVertices() } +
+        3 * std::uint64_t{ this->Mesh.numberOfTriangles() } + face,
+      0.0, true);
+  }
+
+  /**
+   * Takes away pieces round parts that are nearer than the level between vertices that are all
+   * farther, if there is no source in them. Where fronts meet the model of an edge can have a
+   * source that does not exist.
+   */
+  void leaveOutGhosts()
+  {
+    std::vector<bool> hasSource(this->HasSource.size(), false);
+    for (Index set = 0; set < hasSource.size(); ++set)
+    {
+      if (this->HasSource[set])
+      {
+        hasSource[this->Sets->rootOf(set)] = true;
+      }
+    }
+    std::erase_if(this->Pieces,
+      [&](const LevelPiece& piece) { return !hasSource[this->Sets->rootOf(piece.nearSet)]; });
   }
 
   /** A place where the level enters or leaves a face on its border. */
@@ -261,30 +228,15 @@ private:
     {
       // The side from corner c to the next one is opposite to the third.
       const Index halfEdge = 3 * face + (c + 2) % 3;
-      const auto [a, b] = this->endsOf(halfEdge);
-      const double first = this->Values[a];
-      const double second = this->Values[b];
-      const int sign = signOf({ first, second });
-      const double length = norm(this->Mesh.position(a) - this->Mesh.position(b));
-      std::vector<double> places;
-      if (sign < 0 && this->IsRound[halfEdge])
-      {
-        // What is below the level is not below it by its distance, and the other way round.
-        const double above = std::nextafter(-this->Level, std::numeric_limits<double>::infinity());
-        places = placesOnEdge(-first, -second, length, true, above);
-      }
-      else
-      {
-        places =
-          placesOnEdge(first, second, length, sign > 0 && this->IsRound[halfEdge], this->Level);
-      }
+      const Index a = this->Field.endsOf(halfEdge).first;
+      const std::vector<double> places = this->Edges.places(halfEdge, this->Level);
       std::vector<Crossing> ofSide;
       for (std::size_t i = 0; i < places.size(); ++i)
       {
         const double along = t[c] == a ? places[i] : 1.0 - places[i];
         const PlanePoint& from = flat.corners[c];
         const PlanePoint& to = flat.corners[(c + 1) % 3];
-        ofSide.push_back({ { this->edgeOf(halfEdge), static_cast<Index>(i) },
+        ofSide.push_back({ { this->Field.edgeOf(halfEdge), static_cast<Index>(i) },
           { from.x + along * (to.x - from.x), from.y + along * (to.y - from.y) }, c });
       }
       if (t[c] != a)
@@ -299,53 +251,88 @@ private:
   /** Adds the pieces of the level in a face. */
   void cut(Index face)
   {
-    const Triangle& t = this->Mesh.triangle(face);
-    const auto values = this->valuesOf(face);
-    const FlatFace flat = this->flat(face);
+    const FlatFace flat = this->Field.flat(face);
     const std::vector<Crossing> crossings = this->crossingsOf(face, flat);
-    const int sign = signOf({ values[0], values[1], values[2] });
-    // Where the distance is less than the level's, which is convex.
-    const bool nearIsBelow = sign >= 0;
-    const bool firstIsBelow = values[0] < this->Level;
-    const FaceField field = sign == 0 ? FaceField(flat.corners, values) : fieldOf(flat, values);
+    const int sign = this->Field.signOfFace(face);
+    const FaceField field = this->Field.inFace(face, flat);
     if (crossings.empty())
     {
       this->addCircle(face, flat, field, sign);
       return;
     }
-    std::optional<Index> set;
-    const auto unite = [&](Index other)
-    { set = set ? this->Sets->connect(*set, other).first : other; };
-    for (int c = 0; c < 3; ++c)
-    {
-      if (values[c] < this->Level)
-      {
-        unite(this->setOfVertex(t[c]));
-      }
-    }
-    for (const Crossing& crossing : crossings)
-    {
-      unite(this->setOfEdge(crossing.node.first));
-    }
+    const Triangle& t = this->Mesh.triangle(face);
+    const auto values = this->Field.valuesOf(face);
+    // Where the distance is less than the level's, which is convex.
+    const bool nearIsBelow = sign >= 0;
+    const Index nearSet = this->setOfNear(face, field, nearIsBelow, crossings);
     double near = field.area();
     const std::size_t count = crossings.size();
     for (std::size_t i = 0; i < count; ++i)
     {
       // The border between crossings i and i + 1; at corner 0 it begins with that corner's state.
-      const bool isBelow = (i % 2 == 0) != firstIsBelow;
+      const bool isBelow = (i % 2 == 0) != (values[0] < this->Level);
       if (isBelow == nearIsBelow)
       {
         continue;
       }
       const Crossing& from = crossings[i];
       const Crossing& to = crossings[(i + 1) % count];
-      FaceField::Arc arc = sign == 0 ? FaceField::Arc{ { from.place, to.place },
+      const FaceField::Arc arc = sign == 0 ? FaceField::Arc{ { from.place, to.place },
         std::hypot(to.place.x - from.place.x, to.place.y - from.place.y), 0.0 }
-                                     : field.arc(from.place, to.place);
-      near -= this->areaBeside(flat, from, to, i + 1 == count) - arc.segment;
-      this->addPiece(flat, arc, { from.node, to.node }, *set);
+                                           : field.arc(from.place, to.place, sign * this->Level);
+      const double far = this->areaBeside(flat, from, to, i + 1 == count) - arc.segment;
+      near -= far;
+      // What is far between two places of the border has corners, so it is below by one of these.
+      const Index set = nearIsBelow ? nearSet : this->setOfVertex(t[(from.corner + 1) % 3]);
+      if (!nearIsBelow)
+      {
+        this->SetAreas[set] += far;
+      }
+      this->addPiece(flat, arc, { from.node, to.node }, set, nearSet);
     }
-    this->SetAreas[*set] += nearIsBelow ? near : field.area() - near;
+    if (nearIsBelow)
+    {
+      this->SetAreas[nearSet] += near;
+    }
+    else if (*std::max_element(values.begin(), values.end()) < this->Level)
+    {
+      // It counts as a whole face below the level already.
+      this->SetAreas[this->setOfVertex(t[0])] -= field.area();
+    }
+  }
+
+  /** The set of the part of a cut face that is nearer than the level. On the minus side that is
+   * above the level, where vertices have no sets. */
+  Index setOfNear(
+    Index face, const FaceField& field, bool nearIsBelow, const std::vector<Crossing>& crossings)
+  {
+    Index set = NoIndex;
+    const auto unite = [&](Index other)
+    { set = set == NoIndex ? other : this->Sets->connect(set, other).first; };
+    for (const Index corner : this->Mesh.triangle(face))
+    {
+      if (nearIsBelow && this->Values[corner] < this->Level)
+      {
+        unite(this->setOfVertex(corner));
+      }
+      else if (!nearIsBelow && !(this->Values[corner] < this->Level))
+      {
+        unite(this->setOfFace(face));
+      }
+    }
+    for (const Crossing& crossing : crossings)
+    {
+      // Two crossings of a side with a near part between them.
+      if (crossing.node.second == 1)
+      {
+        unite(this->setOfEdge(crossing.node.first));
+      }
+    }
+    if (field.hasSource())
+    {
+      unite(this->setOfFace(face));
+    }
+    return set;
   }
 
   /** The area between the border from one crossing to another and the straight line back. */
@@ -370,34 +357,25 @@ private:
   /** Adds a whole circle round a seed inside of a face. */
   void addCircle(Index face, const FlatFace& flat, const FaceField& field, int sign)
   {
-    const auto values = this->valuesOf(face);
-    const bool firstIsBelow = values[0] < this->Level;
-    const double radius = sign * this->Level;
-    if (sign == 0 || !field.hasSource() || !(radius > 0.0) || firstIsBelow != (sign < 0))
+    const bool firstIsBelow = this->Field.valuesOf(face)[0] < this->Level;
+    const double level = sign * this->Level;
+    if (sign == 0 || !field.hasSource() || !(level > 0.0) || firstIsBelow != (sign < 0))
     {
       return;
     }
-    const double disc = std::numbers::pi * radius * radius;
-    if (sign > 0)
-    {
-      const Index set = this->setOf(std::uint64_t{ this->Mesh.numberOfVertices() } +
-          3 * std::uint64_t{ this->Mesh.numberOfTriangles() } + face,
-        0.0);
-      this->SetAreas[set] += disc;
-      this->addPiece(flat, field.circle(radius),
-        { LevelPiece::Node{ NoIndex, face }, LevelPiece::Node{ NoIndex, face } }, set);
-      return;
-    }
-    const Index set = this->setOfVertex(this->Mesh.triangle(face)[0]);
-    this->SetAreas[set] -= disc;
-    this->addPiece(flat, field.circle(radius),
-      { LevelPiece::Node{ NoIndex, face }, LevelPiece::Node{ NoIndex, face } }, set);
+    const FaceField::Arc circle = field.circle(level);
+    const double disc = circle.segment;
+    const std::array ends{ LevelPiece::Node{ NoIndex, face }, LevelPiece::Node{ NoIndex, face } };
+    const Index near = this->setOfFace(face);
+    const Index set = sign > 0 ? near : this->setOfVertex(this->Mesh.triangle(face)[0]);
+    this->SetAreas[set] += sign * disc;
+    this->addPiece(flat, circle, ends, set, near);
   }
 
   void addPiece(const FlatFace& flat, const FaceField::Arc& arc,
-    const std::array<LevelPiece::Node, 2>& ends, Index set)
+    const std::array<LevelPiece::Node, 2>& ends, Index set, Index nearSet)
   {
-    LevelPiece piece{ ends, {}, arc.length, set };
+    LevelPiece piece{ ends, {}, arc.length, set, nearSet };
     for (const PlanePoint& point : arc.points)
     {
       piece.points.push_back(flat.inSpace(point));
@@ -405,12 +383,13 @@ private:
     this->Pieces.push_back(std::move(piece));
   }
 
+  SurfaceField Field;
   const TriangleMesh& Mesh;
-  const EdgeTable& Edges;
   std::span<const double> Values;
+  /** Those that have a field. */
+  std::vector<Index> Faces;
+  EdgeFields Edges;
   std::vector<Range> Ranges;
-  /** For each half-edge. */
-  std::vector<bool> IsRound;
   std::vector<Event> Events;
   std::size_t NextEvent = 0;
   std::size_t NextRange = 0;
@@ -424,16 +403,17 @@ private:
   /** What is connected below the level, with the cut faces. */
   std::optional<DisjointSets> Sets;
   std::vector<double> SetAreas;
+  std::vector<bool> HasSource;
   std::map<std::uint64_t, Index> SetOfKey;
 };
 
 }
 
 std::vector<Isoline> isolines(const TriangleMesh& mesh, const EdgeTable& edges,
-  std::span<const double> values, std::span<const double> levels,
+  std::span<const double> values, std::span<const double> cost, std::span<const double> levels,
   const std::function<bool()>& goesOn)
 {
-  Tracer tracer(mesh, edges, values);
+  Tracer tracer({ mesh, edges, values, cost });
   std::vector<Isoline> found;
   for (const double level : levels)
   {

@@ -42,7 +42,7 @@ struct Isoline
  * Time O(n log n) for the mesh, and O(k log k) for each level, where k faces have it.
  */
 std::vector<Isoline> isolines(const TriangleMesh& mesh, const EdgeTable& edges,
-  std::span<const double> values, std::span<const double> levels,
+  std::span<const double> values, std::span<const double> cost, std::span<const double> levels,
   const std::function<bool()>& goesOn);
 
 }
