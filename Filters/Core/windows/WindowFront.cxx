@@ -73,6 +73,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
   this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
+  this->Work.kept.start(this->Work.places.size(), merging && !options.pathStarts.empty());
 }
 
 void WindowFront::findTurnsAtBarriers()
@@ -141,8 +142,8 @@ void WindowFront::sendFrom(Index vertex)
       this->Work.starts.visitIn(t,
         [&](PathStarts::Start& start)
         {
-          PathStarts::reach(
-            start, distance + norm(start.position - position), seed, Arrival::fromVertex(vertex));
+          PathStarts::reach(start, distance + excess + norm(start.position - position), seed,
+            Arrival::fromVertex(vertex));
         });
     }
     if (!this->Passable.contains(t) || this->Edges.isRepeated(t))
@@ -168,15 +169,18 @@ void WindowFront::reach(
     return;
   }
   const bool isTie = distance >= known * (1.0 - rounding);
-  if (!this->Work.arrivals.empty() && (!isTie || seed < this->Field.nearestSeed(vertex)))
+  const double bound = this->Merging ? known + this->Work.excesses[vertex] : known;
+  const bool isShorterWay =
+    this->Merging ? distance + excess < bound : !isTie || seed < this->Field.nearestSeed(vertex);
+  if (!this->Work.arrivals.empty() && isShorterWay)
   {
     this->Work.arrivals[vertex] = arrival;
   }
   const Index nearest = isTie ? std::min(seed, this->Field.nearestSeed(vertex)) : seed;
   if (this->Merging)
   {
-    const double upper = std::min(distance + excess, known + this->Work.excesses[vertex]);
-    this->Work.excesses[vertex] = excessOf(upper - std::min(distance, known));
+    this->Work.excesses[vertex] =
+      excessOf(std::min(distance + excess, bound) - std::min(distance, known));
   }
   this->Field.setDistance(vertex, std::min(distance, known));
   this->Field.setNearestSeed(vertex, nearest);
