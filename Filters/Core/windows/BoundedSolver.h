@@ -27,7 +27,7 @@ namespace geodesic
  *
  * Time about linear: few windows are left at an edge, however far from the seed. Memory: 85 bytes a
  * vertex, and 48 for each window that waits. Where paths are wanted, all windows stay, of which a
- * field has 3 to 14 a vertex: 56 bytes for each, and 64 a vertex.
+ * field has 3 to 14 a vertex: 56 bytes for each, and 48 a vertex.
  */
 class BoundedSolver final : public WindowSolver
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "windows/WindowFront.h"
 
+#include "base/Interruption.h"
 #include "base/MachineMemory.h"
 #include "base/NumberText.h"
 #include "solve/ClosedTriangles.h"
@@ -24,9 +25,14 @@ double gigabytes(std::size_t bytes)
 }
 
 WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
-  : places(3 * static_cast<std::size_t>(mesh.numberOfTriangles()), NoIndex)
-  , isToSend(mesh.numberOfVertices(), 0)
+  : isToSend(mesh.numberOfVertices(), 0)
 {
+  this->places.reserve(3 * static_cast<std::size_t>(mesh.numberOfTriangles()));
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    Interruption::checkAt(t);
+    this->places.insert(this->places.end(), 3, NoIndex);
+  }
 }
 
 void WindowWorkspace::empty(std::span<const Index> reached)
@@ -73,7 +79,8 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
   this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
-  this->Work.kept.start(this->Work.places.size(), merging && !options.pathStarts.empty());
+  this->Work.bytes -= this->Work.kept.bytes();
+  this->Work.kept.start(mesh.numberOfTriangles(), merging && !options.pathStarts.empty());
 }
 
 void WindowFront::findTurnsAtBarriers()

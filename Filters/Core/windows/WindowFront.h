@@ -3,6 +3,7 @@
 #ifndef geodesic_WindowFront_h
 #define geodesic_WindowFront_h
 
+#include "base/BulkVector.h"
 #include "base/PlanePoint.h"
 #include "march/BucketQueue.h"
 #include "mesh/EdgeTable.h"
@@ -57,9 +58,9 @@ struct WindowWorkspace
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
   /** For each vertex how the shortest path comes there; with windows that were merged, a path no
-   * longer than its distance and excess. Kept only if there are points from which paths are wanted.
-   */
-  std::vector<Arrival> arrivals;
+   * longer than its distance and excess. Kept only if there are points from which paths are wanted,
+   * and undefined where nothing has come. */
+  BulkVector<Arrival> arrivals;
   /** If paths are wanted and windows were merged, all that have crossed a triangle. */
   KeptWindows kept;
   PathStarts starts;
