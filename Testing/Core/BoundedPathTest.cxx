@@ -83,7 +83,8 @@ Surface spot()
 
 }
 
-// Traced down the same distances, 145 paths of these tests went a longer way round, by up to a ninth.
+// Traced down the same distances, 145 paths of these tests went a longer way round, by up to a
+// ninth.
 TEST(BoundedPath, IsWithinTheToleranceOfTheShortest)
 {
   for (const double tolerance : { 1e-1, 1e-3, 1e-5 })
