@@ -73,6 +73,8 @@ struct vtkSurfaceGeodesicPath::Segment
   std::optional<geodesic::distributed::TracedPath> Path;
   /** The waypoint that a start's path leads to. */
   vtkIdType NearestSeed = -1;
+  /** Whether it was found as well as can be, and not in a hurry. */
+  bool IsFinal = true;
 };
 
 /** The state that is kept from run to run, so that only what changed is computed again. */
@@ -229,8 +231,8 @@ void vtkSurfaceGeodesicPath::DescribeRequest(std::vector<double>& numbers)
   numbers.insert(numbers.end(),
     { static_cast<double>(this->Closed), static_cast<double>(this->PathMode),
       static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten),
-      static_cast<double>(this->UseMaximumPathLength), this->MaximumPathLength,
-      this->HeightOffset });
+      static_cast<double>(this->UseMaximumPathLength), this->MaximumPathLength, this->HeightOffset,
+      static_cast<double>(this->Dragged) });
 }
 
 //------------------------------------------------------------------------------
@@ -370,7 +372,7 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   {
     const std::size_t next = (i + 1) % waypoints.size();
     const auto known = knownSegments.find(Internals::endsOf(waypoints[i], waypoints[next]));
-    if (known != knownSegments.end())
+    if (known != knownSegments.end() && (known->second->IsFinal || this->Dragged))
     {
       segments.push_back(*known->second);
     }
@@ -381,8 +383,11 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     }
   }
   geodesic::distributed::PathRequest request = this->MakeRequest(run);
-  geodesic::bridge::ProgressReporter reporter(
-    *this, stepsOf(request.solver.mesh(), std::max<std::size_t>(unknown.size(), 1)));
+  const bool gainsByBothEnds = internal.Style.straighten && this->GetSolver().crossesFaces;
+  const bool fromBothEnds = gainsByBothEnds && !this->Dragged;
+  geodesic::bridge::ProgressReporter reporter(*this,
+    stepsOf(
+      request.solver.mesh(), std::max<std::size_t>(unknown.size(), 1) * (fromBothEnds ? 2 : 1)));
   request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
   geodesic::distributed::PathSearches searches(
     request, internal.Solvers, [&] { return this->IsAborted(run); });
@@ -391,14 +396,10 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     {
       const std::size_t i = unknown[number];
       const std::size_t next = (i + 1) % waypoints.size();
-      geodesic::distributed::DistributedPathFinder finder(own, { points[i] });
-      auto path = finder.march({ &points[next], 1 }) ? finder.pathFrom(points[next]) : std::nullopt;
-      if (path)
-      {
-        std::reverse(path->path.begin(), path->path.end());
-      }
-      segments[i].Path = internal.onInput(std::move(path));
-      searches.count(finder);
+      segments[i].Path =
+        internal.onInput(searches.between(own, points[i], points[next], fromBothEnds));
+      segments[i].IsFinal = fromBothEnds || !gainsByBothEnds ||
+        (segments[i].Path && segments[i].Path->isProvenShortest);
     });
   this->NumberOfSearches = static_cast<vtkIdType>(std::count(areMade.begin(), areMade.end(), true));
   if (!unknown.empty())
@@ -578,6 +579,7 @@ void vtkSurfaceGeodesicPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseMaximumPathLength: " << this->UseMaximumPathLength << "\n";
   os << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n";
   os << indent << "HeightOffset: " << this->HeightOffset << "\n";
+  os << indent << "Dragged: " << this->Dragged << "\n";
   os << indent << "TotalLength: " << this->TotalLength << "\n";
   os << indent << "ProvenShortest: " << this->ProvenShortest << "\n";
   os << indent << "NumberOfSearches: " << this->NumberOfSearches << "\n";

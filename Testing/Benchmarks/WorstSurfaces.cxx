@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 
 namespace geodesic::testing
@@ -126,6 +127,56 @@ Surface boxWithFillets(Index perHalf)
   return surface;
 }
 
+/** The surface of a unit cube, its sides regular grids: all ties that symmetry makes. */
+Surface cube(Index cells)
+{
+  Surface surface;
+  std::map<std::array<Index, 3>, Index> numbers;
+  const auto pointAt = [&](const std::array<Index, 3>& at)
+  {
+    const auto [found, isNew] = numbers.emplace(at, static_cast<Index>(surface.points.size()));
+    if (isNew)
+    {
+      const double step = 1.0 / static_cast<double>(cells);
+      surface.points.push_back({ step * at[0], step * at[1], step * at[2] });
+    }
+    return found->second;
+  };
+  for (Index axis = 0; axis < 3; ++axis)
+  {
+    for (const Index level : { Index{ 0 }, cells })
+    {
+      for (Index i = 0; i < cells * cells; ++i)
+      {
+        const auto corner = [&](Index right, Index up)
+        {
+          std::array<Index, 3> at{};
+          at[axis] = level;
+          at[(axis + 1) % 3] = i / cells + (level == 0 ? up : right);
+          at[(axis + 2) % 3] = i % cells + (level == 0 ? right : up);
+          return pointAt(at);
+        };
+        surface.triangles.push_back({ corner(0, 0), corner(1, 0), corner(1, 1) });
+        surface.triangles.push_back({ corner(0, 0), corner(1, 1), corner(0, 1) });
+      }
+    }
+  }
+  return surface;
+}
+
+/** A square grid whose points are raised at random: most of them are tips or saddles. */
+Surface saddles(Index cells)
+{
+  Surface surface = planeGrid(cells, cells, cells, cells);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> height(-0.7, 0.7);
+  for (Vector3& point : surface.points)
+  {
+    point.z = height(random);
+  }
+  return surface;
+}
+
 WorstSurface atEnds(Surface surface)
 {
   const Index last = static_cast<Index>(surface.points.size()) - 1;
@@ -207,6 +258,28 @@ WorstSurface worstSurface(const std::string& name, bool tiny)
       { return atEnds(small ? torus(20, 10, 1.0, 0.4) : torus(71, 28, 1.0, 0.4)); } },
     { "box with fillets 40k", [](bool small) { return atEnds(boxWithFillets(small ? 3 : 40)); } },
     { "box with fillets 2k", [](bool small) { return atEnds(boxWithFillets(small ? 3 : 8)); } },
+    { "torus 10k",
+      [](bool small)
+      { return atEnds(small ? torus(20, 10, 1.0, 0.4) : torus(160, 64, 1.0, 0.4)); } },
+    { "torus 250k",
+      [](bool small)
+      { return atEnds(small ? torus(20, 10, 1.0, 0.4) : torus(800, 313, 1.0, 0.4)); } },
+    { "icosphere 10k", [](bool small) { return atEnds(icosphere(small ? 2 : 5)); } },
+    { "icosphere 2.6M", [](bool small) { return atEnds(icosphere(small ? 3 : 9)); } },
+    { "Delaunay plane 10k",
+      [](bool small) { return atEnds(delaunayPlane(small ? 200 : 10000, 1)); } },
+    { "thin grid 10k",
+      [](bool small)
+      { return atEnds(jitteredGrid(small ? 40 : 320, small ? 4 : 31, 1.0, 1.0, 0.4, 1)); } },
+    { "thin grid 160k",
+      [](bool small)
+      { return atEnds(jitteredGrid(small ? 40 : 1265, small ? 4 : 126, 1.0, 1.0, 0.4, 1)); } },
+    { "cube 10k", [](bool small) { return atEnds(cube(small ? 4 : 41)); } },
+    { "saddles 10k", [](bool small) { return atEnds(saddles(small ? 9 : 99)); } },
+    { "hilly grid 1M",
+      [](bool small) { return atEnds(small ? hillyGrid(49, 49) : hillyGrid(999, 999)); } },
+    { "parts 100k", [](bool small) { return atEnds(trianglesApart(small ? 100 : 100000)); } },
+    { "strip 100k", [](bool small) { return strip(small ? 100 : 100000); } },
     { "fan 100k", [](bool small) { return fan(small ? 100 : 100000); } },
     { "strip 300k", [](bool small) { return strip(small ? 100 : 300000); } },
     { "sphere of latitudes 1M",

@@ -27,9 +27,11 @@ constexpr const char* Setting = "SurfaceSeeds/LiveUpdate";
 
 }
 
-LiveUpdate::LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property)
+LiveUpdate::LiveUpdate(
+  vtkSMProxy* filter, vtkSMDoubleVectorProperty* property, vtkSMProperty* dragged)
   : Filter(filter)
   , Property(property)
+  , Dragged(dragged)
 {
   this->Sketches.push_back(std::make_unique<PathSketch>(filter));
   this->Sketches.push_back(std::make_unique<FieldSketch>(filter));
@@ -67,6 +69,7 @@ void LiveUpdate::begin(pqRenderView* view, SeedOverlay* overlay, double toleranc
   const std::vector<double> elements = vtkSMPropertyHelper(this->Property).GetArray<double>();
   this->Before = QVector<double>(elements.begin(), elements.end());
   this->Latest = this->Before;
+  this->IsGiven = false;
 }
 
 void LiveUpdate::push(const QVector<double>& values)
@@ -75,8 +78,12 @@ void LiveUpdate::push(const QVector<double>& values)
   this->WhenIdle.start();
 }
 
-void LiveUpdate::give(const QVector<double>& values)
+void LiveUpdate::give(const QVector<double>& values, bool isDragged)
 {
+  if (this->Dragged)
+  {
+    vtkSMPropertyHelper(this->Dragged).Set(isDragged ? 1 : 0);
+  }
   this->Property->SetElements(values.data(), static_cast<unsigned int>(values.size()));
   this->Filter->UpdateVTKObjects();
 }
@@ -86,7 +93,8 @@ void LiveUpdate::update()
   this->beginSketch();
   {
     SCOPED_UNDO_EXCLUDE();
-    this->give(this->Latest);
+    this->give(this->Latest, true);
+    this->IsGiven = true;
   }
   if (this->Current && !this->Current->update())
   {
@@ -128,9 +136,19 @@ void LiveUpdate::draw()
   }
 }
 
+void LiveUpdate::giveLast()
+{
+  SCOPED_UNDO_EXCLUDE();
+  this->give(this->Latest, false);
+}
+
 void LiveUpdate::abandon()
 {
   this->WhenIdle.stop();
+  if (this->IsGiven)
+  {
+    this->giveLast();
+  }
   if (this->Current && this->View)
   {
     this->View->render();
@@ -145,16 +163,21 @@ void LiveUpdate::finish()
   this->endSketch();
   if (this->Latest == this->Before && !isSketched)
   {
+    if (this->IsGiven)
+    {
+      this->giveLast();
+      this->draw();
+    }
     return;
   }
   {
     SCOPED_UNDO_EXCLUDE();
-    this->give(this->Before);
+    this->give(this->Before, false);
   }
   {
     SCOPED_UNDO_SET(tr("Drag a point"));
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Filter);
-    this->give(this->Latest);
+    this->give(this->Latest, false);
   }
   this->draw();
 }

@@ -17,6 +17,7 @@
 
 class pqRenderView;
 class vtkSMDoubleVectorProperty;
+class vtkSMProperty;
 class vtkSMProxy;
 
 namespace seeds
@@ -37,7 +38,8 @@ class LiveUpdate : public QObject
   Q_OBJECT
 
 public:
-  LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property);
+  /** @param dragged  a property that tells the filter whether a drag is under way; may be null */
+  LiveUpdate(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property, vtkSMProperty* dragged);
 
   /** Below this a run counts as fast, in seconds. */
   static constexpr double FastRun = 0.05;
@@ -64,10 +66,13 @@ private:
   void beginSketch();
   void endSketch();
   void draw();
-  void give(const QVector<double>& values);
+  void give(const QVector<double>& values, bool isDragged);
+  /** Gives the filter the points of a drag that is over. */
+  void giveLast();
 
   vtkSmartPointer<vtkSMProxy> Filter;
   vtkSmartPointer<vtkSMDoubleVectorProperty> Property;
+  vtkSmartPointer<vtkSMProperty> Dragged;
   QTimer WhenIdle;
   std::vector<std::unique_ptr<Sketch>> Sketches;
   /** That of them which shows the drag; null if the view does. */
@@ -77,6 +82,8 @@ private:
   double Tolerance = 0.0;
   QVector<double> Before;
   QVector<double> Latest;
+  /** Whether the filter was given points since the drag began. */
+  bool IsGiven = false;
 };
 
 }

@@ -15,11 +15,11 @@ namespace seeds
 {
 
 SeedEditor::SeedEditor(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property,
-  SeedTableModel& model, SeedPanel* panel, const ShownSurface& surface)
+  vtkSMProperty* dragged, SeedTableModel& model, SeedPanel* panel, const ShownSurface& surface)
   : Model(model)
   , Panel(panel)
   , Surface(surface)
-  , Live(filter, property)
+  , Live(filter, property, dragged)
 {
   for (const auto signal : { &QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved })
   {

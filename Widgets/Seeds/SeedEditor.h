@@ -35,8 +35,9 @@ class SeedEditor : public QObject
   Q_OBJECT
 
 public:
-  SeedEditor(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property, SeedTableModel& model,
-    SeedPanel* panel, const ShownSurface& surface);
+  /** @param dragged  see LiveUpdate */
+  SeedEditor(vtkSMProxy* filter, vtkSMDoubleVectorProperty* property, vtkSMProperty* dragged,
+    SeedTableModel& model, SeedPanel* panel, const ShownSurface& surface);
 
   /** Follows a view's picker for as long as it lives. */
   void follow(SeedPicker* picker, pqRenderView* view, SeedOverlay* overlay);

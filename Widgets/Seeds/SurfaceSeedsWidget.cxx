@@ -104,7 +104,8 @@ SurfaceSeedsWidget::SurfaceSeedsWidget(
   Internals& my = *this->Internal;
   my.Panel = new SeedPanel(&my.Model, my.Role, this);
   my.Panel->setObjectName("Panel");
-  my.Editor = std::make_unique<SeedEditor>(proxy, property, my.Model, my.Panel, my.Surface);
+  my.Editor = std::make_unique<SeedEditor>(
+    proxy, property, group->GetProperty("Dragged"), my.Model, my.Panel, my.Surface);
   my.Numbers =
     std::make_unique<ViewNumbers>(proxy, my.Role.distances, my.Surface, my.Probe, my.Panel->menu());
   my.Keys = new PickKeys(this);

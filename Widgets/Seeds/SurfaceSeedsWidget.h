@@ -26,7 +26,9 @@ class pqRenderView;
  *
  * Positions is a repeatable DoubleVectorProperty of x y z, Input an InputProperty; the hints are in
  * SeedRole.h. The property holds the whole state. Information properties with the functions Result,
- * Lengths, Middles, Error and RunTime (ResultNumbers.h) are shown after each run.
+ * Lengths, Middles, Error and RunTime (ResultNumbers.h) are shown after each run. An internal
+ * integer property with the function Dragged is 1 while a drag with live update is under way, so
+ * that the filter may leave out what takes long.
  *
  * If several groups of one proxy share their Input, ParaView's panel puts the Input into the last
  * group that names it. So the group that should come first in the panel must be the last in the

@@ -58,9 +58,10 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh)
 
 void EdgeTable::collectTriangles(const TriangleMesh& mesh)
 {
-  for (const Triangle& t : mesh.triangles())
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
   {
-    for (const Index corner : t)
+    Interruption::checkAt(t);
+    for (const Index corner : mesh.triangle(t))
     {
       ++this->Starts[corner + 1];
     }
@@ -69,16 +70,18 @@ void EdgeTable::collectTriangles(const TriangleMesh& mesh)
   std::vector<Index> place(this->Starts.begin(), this->Starts.end() - 1);
   for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
   {
+    Interruption::checkAt(t);
     for (const Index corner : mesh.triangle(t))
     {
       this->Around[place[corner]++] = t;
     }
+    std::iota(this->Next.begin() + 3 * static_cast<std::ptrdiff_t>(t),
+      this->Next.begin() + 3 * static_cast<std::ptrdiff_t>(t) + 3, 3 * t);
   }
 }
 
 void EdgeTable::linkEdges(const TriangleMesh& mesh)
 {
-  std::iota(this->Next.begin(), this->Next.end(), Index{ 0 });
   std::vector<Side> sides;
   for (Index lower = 0; lower < mesh.numberOfVertices(); ++lower)
   {

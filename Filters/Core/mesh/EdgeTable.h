@@ -3,6 +3,7 @@
 #ifndef geodesic_EdgeTable_h
 #define geodesic_EdgeTable_h
 
+#include "base/BulkVector.h"
 #include "base/Index.h"
 
 #include <cstdint>
@@ -58,8 +59,8 @@ private:
   void findTurns(const TriangleMesh& mesh);
 
   std::vector<Index> Starts;
-  std::vector<Index> Around;
-  std::vector<Index> Next;
+  BulkVector<Index> Around;
+  BulkVector<Index> Next;
   std::vector<bool> Repeated;
   std::vector<std::pair<Index, Index>> Repetitions;
   std::vector<std::uint8_t> Turning;

@@ -219,7 +219,10 @@ std::optional<SurfacePath> PathFinder::takeFound(const SurfacePoint& point)
   }
   if (path.size() > 1)
   {
-    path = PathStraightener(this->Surface).straightened(path);
+    if (this->Style.straighten || !isShortest(path))
+    {
+      path = PathStraightener(this->Surface).straightened(path);
+    }
     path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
   }
   if (!isShortest(path))

@@ -79,8 +79,8 @@ public:
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
-  /** Whether the last path of pathFrom() is proven to be the shortest of all: its length is the
-   * exact distance, to 1e-9. */
+  /** Whether the last path of pathFrom() is proven to be the shortest of all, to 1e-9; of
+   * BoundedSolver, to within SolveOptions::tolerance. */
   bool isProvenShortest() const { return this->IsProvenShortest; }
 
 private:

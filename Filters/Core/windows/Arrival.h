@@ -22,7 +22,7 @@ struct Arrival
   };
 
   Kind kind = Kind::FromSeed;
-  /** The vertex, or the half-edge. */
+  /** The seed, the vertex, or the half-edge. */
   Index number = NoIndex;
   /** Across an edge, in the plane of the half-edge (see Window): the place on the edge, the source
    * of the straight line, and the distance there. */
@@ -31,6 +31,7 @@ struct Arrival
   double y = 0.0;
   double offset = 0.0;
 
+  static Arrival fromSeed(Index seed) { return { Kind::FromSeed, seed, 0, 0, 0, 0 }; }
   static Arrival fromVertex(Index vertex) { return { Kind::FromVertex, vertex, 0, 0, 0, 0 }; }
 };
 

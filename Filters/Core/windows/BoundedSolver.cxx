@@ -2,40 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "windows/BoundedSolver.h"
 
-#include "mesh/TriangleMesh.h"
 #include "windows/WindowMerging.h"
-#include "windows/WindowRequest.h"
 
 #include <utility>
-#include <vector>
 
 namespace geodesic
 {
 
 BoundedSolver::BoundedSolver(std::shared_ptr<const TriangleMesh> mesh)
-  : FrontSolver(std::move(mesh))
-  , Edges(this->mesh())
-  , Workspace(this->mesh())
+  : WindowSolver(std::move(mesh))
 {
 }
 
 bool BoundedSolver::march(const Request& request, StopLimit& limit, DistanceField& field)
 {
-  const std::vector<Label>& labels = request.front.labels;
-  checkWindowRequest("Bounded distances", request.hasCost, request.partition);
   const WindowMerging merging(request.options.tolerance);
-  const PassableTriangles passable(this->mesh(), this->Edges, request.options);
-  bool isFinished = false;
+  this->Path.reset();
+  const bool isFinished = this->marchWindows("Bounded distances", &merging, request, limit, field);
+  if (this->Workspace.kept.areWanted())
   {
-    WindowFront front(this->mesh(), this->Edges, request.closed, passable, request.options,
-      leastKeyOf(labels, limit), limit, field, this->Workspace, &merging);
-    isFinished = marchFrom(request.seeds, this->mesh(), front);
-  }
-  for (const Index vertex : field.reached())
-  {
-    field.lowerDistance(vertex, field.distance(vertex) + this->Workspace.excesses[vertex]);
+    this->Path.emplace(this->mesh(), this->Edges, *this->Passable, this->Workspace.kept,
+      *this->Found, this->SeedPoints, this->SeedValues, this->Workspace.arrivals);
   }
   return isFinished;
+}
+
+std::vector<SurfacePoint> BoundedSolver::trace(
+  const SurfacePoint& start, const PathStarts::Start& found) const
+{
+  return this->Path->from(start, found.arrival);
 }
 
 }

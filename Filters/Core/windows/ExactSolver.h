@@ -3,13 +3,9 @@
 #ifndef geodesic_ExactSolver_h
 #define geodesic_ExactSolver_h
 
-#include "mesh/EdgeTable.h"
-#include "solve/FrontSolver.h"
-#include "windows/WindowFront.h"
+#include "windows/WindowSolver.h"
 
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace geodesic
@@ -29,34 +25,18 @@ namespace geodesic
  * bytes a vertex, and 48 for each window that waits: 50 to 180 bytes a vertex on surfaces tried;
  * 40 bytes a vertex more where paths are wanted.
  */
-class ExactSolver final : public FrontSolver
+class ExactSolver final : public WindowSolver
 {
 public:
   /** Time O(n). */
   explicit ExactSolver(std::shared_ptr<const TriangleMesh> mesh);
 
-  bool findsPaths() const override { return true; }
-  /** See DistanceSolver. The points are left out if rounding led the path astray, or a seed is a
-   * curve or a region. */
-  std::optional<FoundPath> pathFrom(const SurfacePoint& start) const override;
-
 protected:
   /** @throws std::invalid_argument for a cost, or on a surface in several pieces;
    * std::runtime_error beyond SolveOptions::memoryLimit */
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
-
-private:
-  void keepSeeds(std::span<const Seed> seeds);
-
-  EdgeTable Edges;
-  WindowWorkspace Workspace;
-  // Of the last run, for paths.
-  std::optional<PassableTriangles> Passable;
-  bool ArePoints = true;
-  std::vector<SurfacePoint> Seeds;
-  const DistanceField* Found = nullptr;
-  /** Up to which distance all was found. */
-  double Reach = 0.0;
+  std::vector<SurfacePoint> trace(
+    const SurfacePoint& start, const PathStarts::Start& found) const override;
 };
 
 }

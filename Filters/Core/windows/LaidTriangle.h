@@ -5,9 +5,11 @@
 
 #include "base/PlanePoint.h"
 #include "mesh/EdgeTable.h"
+#include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -67,6 +69,25 @@ struct LaidTriangle
   double x;
   double y;
 };
+
+/** The point at a place on the edge of a half-edge, from its lower vertex on. */
+inline SurfacePoint pointOn(const TriangleMesh& mesh, Index halfEdge, double place)
+{
+  const Index t = EdgeTable::triangleOf(halfEdge);
+  const Triangle& corners = mesh.triangle(t);
+  const Index k = halfEdge % 3;
+  Index lower = (k + 1) % 3;
+  Index higher = (k + 2) % 3;
+  if (corners[lower] > corners[higher])
+  {
+    std::swap(lower, higher);
+  }
+  const double length = edgeLength(mesh, corners[lower], corners[higher]);
+  SurfacePoint point{ t, { 0.0, 0.0, 0.0 } };
+  point.weights[higher] = length > 0.0 ? std::clamp(place / length, 0.0, 1.0) : 0.0;
+  point.weights[lower] = 1.0 - point.weights[higher];
+  return point;
+}
 
 }
 

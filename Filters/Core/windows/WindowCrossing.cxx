@@ -5,6 +5,7 @@
 
 #include "base/WorkCount.h"
 #include "windows/LaidTriangle.h"
+#include "windows/WindowLine.h"
 #include "windows/WindowMerging.h"
 
 #include <algorithm>
@@ -19,10 +20,6 @@ namespace
  * It lies above all rounding: a window that is as short as the other path must stay, as nobody else
  * may follow that path further. */
 constexpr double Margin = 1e-11;
-/** A straight line that misses a point by so little, in lengths of the edge that it crosses, ends
- * there with no error to speak of, as the detour grows with the square. Without this, rounding
- * could leave a point between two windows. */
-constexpr double Miss = 1e-7;
 
 /**
  * How far from the lower end of an edge paths by that end are shorter than the straight lines of a
@@ -156,32 +153,10 @@ void WindowFront::waitAt(Index halfEdge)
   }
 }
 
-std::optional<WindowFront::Line> WindowFront::lineTo(
-  const Window& window, Index halfEdge, double x, double y, double miss)
-{
-  const double height = window.y + y;
-  const double at = height > 0.0 ? window.placeTowards(x, y) : x;
-  if (at >= window.first && at <= window.last)
-  {
-    const double along = x - window.x;
-    const double line =
-      window.isStraight ? window.x * x + window.y * y : std::sqrt(along * along + height * height);
-    return Line{ window.offset + line,
-      { Arrival::Kind::AcrossEdge, halfEdge, at, window.x, window.y, window.offset } };
-  }
-  if (at > window.first - miss && at < window.last + miss)
-  {
-    const double end = at < window.first ? window.first : window.last;
-    return Line{ window.distanceAt(end) + std::hypot(end - x, y),
-      { Arrival::Kind::AcrossEdge, halfEdge, end, window.x, window.y, window.offset } };
-  }
-  return std::nullopt;
-}
-
 void WindowFront::reachApex(
   Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows)
 {
-  const double miss = Miss * laid.length;
+  const double miss = LineMiss * laid.length;
   this->BesideApex.clear();
   for (const Window& w : windows)
   {
@@ -191,7 +166,7 @@ void WindowFront::reachApex(
     {
       continue;
     }
-    if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, miss))
+    if (const auto line = lineTo(w, halfEdge, laid.x, laid.y, laid.length))
     {
       this->reach(laid.apex, line->distance, w.seed, line->arrival, w.excess);
     }
@@ -208,9 +183,9 @@ void WindowFront::reachStarts(
         placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, start.position);
       for (const Window& w : windows)
       {
-        if (const auto line = lineTo(w, halfEdge, x, y, Miss * laid.length))
+        if (const auto line = lineTo(w, halfEdge, x, y, laid.length))
         {
-          PathStarts::reach(start, line->distance, w.seed, line->arrival);
+          PathStarts::reach(start, line->distance + w.excess, w.seed, line->arrival);
         }
       }
     });
@@ -310,6 +285,16 @@ void WindowFront::dropKnown(Index halfEdge)
   this->Work.bytes += known.bytes() - before;
 }
 
+void WindowFront::keepForPaths(Index halfEdge, std::span<const Window> windows)
+{
+  if (this->Work.kept.areWanted())
+  {
+    const std::size_t before = this->Work.kept.bytes();
+    this->Work.kept.keep(halfEdge, windows);
+    this->Work.bytes += this->Work.kept.bytes() - before;
+  }
+}
+
 void WindowFront::crossTriangle(Index halfEdge)
 {
   Index& place = this->Work.places[halfEdge];
@@ -327,6 +312,7 @@ void WindowFront::crossTriangle(Index halfEdge)
   this->Work.free.push_back(place);
   place = NoIndex;
   const std::span<const Window> windows = this->Crossing.windows();
+  this->keepForPaths(halfEdge, windows);
   const LaidTriangle laid(this->Mesh, halfEdge);
   this->reachApex(halfEdge, laid, windows);
   this->reachStarts(halfEdge, laid, windows);

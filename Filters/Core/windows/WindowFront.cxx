@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "windows/WindowFront.h"
 
+#include "base/Interruption.h"
 #include "base/MachineMemory.h"
 #include "base/NumberText.h"
 #include "solve/ClosedTriangles.h"
@@ -24,9 +25,14 @@ double gigabytes(std::size_t bytes)
 }
 
 WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
-  : places(3 * static_cast<std::size_t>(mesh.numberOfTriangles()), NoIndex)
-  , isToSend(mesh.numberOfVertices(), 0)
+  : isToSend(mesh.numberOfVertices(), 0)
 {
+  this->places.reserve(3 * static_cast<std::size_t>(mesh.numberOfTriangles()));
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    Interruption::checkAt(t);
+    this->places.insert(this->places.end(), 3, NoIndex);
+  }
 }
 
 void WindowWorkspace::empty(std::span<const Index> reached)
@@ -73,6 +79,8 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
   this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
+  this->Work.bytes -= this->Work.kept.bytes();
+  this->Work.kept.start(mesh.numberOfTriangles(), merging && !options.pathStarts.empty());
 }
 
 void WindowFront::findTurnsAtBarriers()
@@ -141,8 +149,8 @@ void WindowFront::sendFrom(Index vertex)
       this->Work.starts.visitIn(t,
         [&](PathStarts::Start& start)
         {
-          PathStarts::reach(
-            start, distance + norm(start.position - position), seed, Arrival::fromVertex(vertex));
+          PathStarts::reach(start, distance + excess + norm(start.position - position), seed,
+            Arrival::fromVertex(vertex));
         });
     }
     if (!this->Passable.contains(t) || this->Edges.isRepeated(t))
@@ -168,15 +176,18 @@ void WindowFront::reach(
     return;
   }
   const bool isTie = distance >= known * (1.0 - rounding);
-  if (!this->Work.arrivals.empty() && (!isTie || seed < this->Field.nearestSeed(vertex)))
+  const double bound = this->Merging ? known + this->Work.excesses[vertex] : known;
+  const bool isShorterWay =
+    this->Merging ? distance + excess < bound : !isTie || seed < this->Field.nearestSeed(vertex);
+  if (!this->Work.arrivals.empty() && isShorterWay)
   {
     this->Work.arrivals[vertex] = arrival;
   }
   const Index nearest = isTie ? std::min(seed, this->Field.nearestSeed(vertex)) : seed;
   if (this->Merging)
   {
-    const double upper = std::min(distance + excess, known + this->Work.excesses[vertex]);
-    this->Work.excesses[vertex] = excessOf(upper - std::min(distance, known));
+    this->Work.excesses[vertex] =
+      excessOf(std::min(distance + excess, bound) - std::min(distance, known));
   }
   this->Field.setDistance(vertex, std::min(distance, known));
   this->Field.setNearestSeed(vertex, nearest);

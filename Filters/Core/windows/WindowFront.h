@@ -3,6 +3,7 @@
 #ifndef geodesic_WindowFront_h
 #define geodesic_WindowFront_h
 
+#include "base/BulkVector.h"
 #include "base/PlanePoint.h"
 #include "march/BucketQueue.h"
 #include "mesh/EdgeTable.h"
@@ -13,13 +14,13 @@
 #include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
 #include "windows/Arrival.h"
+#include "windows/KeptWindows.h"
 #include "windows/PathStarts.h"
 #include "windows/WindowList.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -56,9 +57,12 @@ struct WindowWorkspace
   std::unordered_map<Index, WindowList> crossed;
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
-  /** For each vertex how the shortest path comes there; kept only if there are points from which
-   * paths are wanted. */
-  std::vector<Arrival> arrivals;
+  /** For each vertex how the shortest path comes there; with windows that were merged, a path no
+   * longer than its distance and excess. Kept only if there are points from which paths are wanted,
+   * and undefined where nothing has come. */
+  BulkVector<Arrival> arrivals;
+  /** If paths are wanted and windows were merged, all that have crossed a triangle. */
+  KeptWindows kept;
   PathStarts starts;
   /** For each vertex by how much the shortest path may be longer than its distance; empty where
    * distances are exact. */
@@ -82,7 +86,8 @@ struct WindowWorkspace
  * crossed. The first is the filter of S. Xin, G. Wang, Improving Chen and Han's algorithm on the
  * discrete geodesic problem, ACM Trans. Graph. 28 (2009), applied to parts. Else windows that have
  * crossed a triangle are not kept; where paths are wanted (SolveOptions::pathStarts), each vertex
- * remembers the one that gave it its distance.
+ * remembers the one that gave it its distance. Only windows that were merged are kept then, as they
+ * do not tell the straight lines that they were merged from.
  */
 class WindowFront
 {
@@ -158,6 +163,8 @@ private:
   /** Keeps of the windows that are about to cross what is nearer than all that have crossed, and
    * notes it. */
   void dropKnown(Index halfEdge);
+  /** Keeps windows that are about to cross, merged, if paths are wanted. */
+  void keepForPaths(Index halfEdge, std::span<const Window> windows);
   /** Lets the windows that wait at a half-edge cross its triangle. */
   void crossTriangle(Index halfEdge);
   /** Gives the apex the distances of the windows that light it. */
@@ -184,16 +191,6 @@ private:
     Index vertex, double distance, Index seed, const Arrival& arrival, float excess = 0.0F);
   /** Notes the windows that light points of a triangle from which paths are wanted. */
   void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
-  /** How a straight line of a window across a half-edge comes to a point in its triangle's plane.
-   */
-  struct Line
-  {
-    double distance;
-    Arrival arrival;
-  };
-  /** The line to a point, if the window lights it but for a miss of no importance. */
-  static std::optional<Line> lineTo(
-    const Window& window, Index halfEdge, double x, double y, double miss);
   void queueVertex(Index vertex, double distance);
   /** Works on an item of the queue: a half-edge, or a vertex after these. */
   void take(Index item);

@@ -81,7 +81,7 @@ std::vector<SurfacePoint> WindowPath::from(
 
 bool WindowPath::follow(const Arrival& arrival)
 {
-  this->Path.push_back(this->pointOn(arrival.number, arrival.place));
+  this->Path.push_back(pointOn(this->Mesh, arrival.number, arrival.place));
   const double along = arrival.x - arrival.place;
   const double length = std::hypot(along, arrival.y);
   this->Open.clear();
@@ -171,7 +171,7 @@ void WindowPath::cross(const Crossing& at)
   const double along = (x * apexX + at.y * laid.y) / side;
   const double onSide = part * side;
   const double placeOnSide = isTurned ? side - onSide : onSide;
-  this->Path.push_back(this->pointOn(halfEdge, placeOnSide));
+  this->Path.push_back(pointOn(this->Mesh, halfEdge, placeOnSide));
   this->enter(halfEdge,
     { NoIndex, placeOnSide, isTurned ? -along : along,
       std::sqrt(std::max(0.0, 1.0 - along * along)), at.left - length, this->Path.size() });
@@ -188,24 +188,6 @@ bool WindowPath::isPossible(const Crossing& at, double offset) const
       std::abs(known - distance) <= along + this->Tolerance;
   };
   return agrees(laid.lower, at.place) && agrees(laid.higher, laid.length - at.place);
-}
-
-SurfacePoint WindowPath::pointOn(Index halfEdge, double place) const
-{
-  const Index t = EdgeTable::triangleOf(halfEdge);
-  const Triangle& corners = this->Mesh.triangle(t);
-  const Index k = halfEdge % 3;
-  Index lower = (k + 1) % 3;
-  Index higher = (k + 2) % 3;
-  if (corners[lower] > corners[higher])
-  {
-    std::swap(lower, higher);
-  }
-  const double length = edgeLength(this->Mesh, corners[lower], corners[higher]);
-  SurfacePoint point{ t, { 0.0, 0.0, 0.0 } };
-  point.weights[higher] = length > 0.0 ? std::clamp(place / length, 0.0, 1.0) : 0.0;
-  point.weights[lower] = 1.0 - point.weights[higher];
-  return point;
 }
 
 }

@@ -73,7 +73,6 @@ private:
   void cross(const Crossing& at);
   /** Whether a distance on an edge agrees with those at its ends. */
   bool isPossible(const Crossing& at, double offset) const;
-  SurfacePoint pointOn(Index halfEdge, double place) const;
 
   const TriangleMesh& Mesh;
   const EdgeTable& Edges;

@@ -48,7 +48,7 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
   const Carriers carriers = carriersOf(this->Mesh, point);
   if (carriers.size() == 1)
   {
-    this->reach(carriers[0], value, number, {});
+    this->reach(carriers[0], value, number, Arrival::fromSeed(number));
     if (this->Field.distance(carriers[0]) == value && !this->Work.isToSend[carriers[0]])
     {
       this->queueVertex(carriers[0], value);
@@ -65,11 +65,15 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
     const Triangle& corners = this->Mesh.triangle(t);
     for (const Index corner : corners)
     {
-      this->reach(corner, value + norm(this->Mesh.position(corner) - position), number, {});
+      this->reach(corner, value + norm(this->Mesh.position(corner) - position), number,
+        Arrival::fromSeed(number));
     }
     this->Work.starts.visitIn(t,
       [&](PathStarts::Start& start)
-      { PathStarts::reach(start, value + norm(start.position - position), number, {}); });
+      {
+        PathStarts::reach(
+          start, value + norm(start.position - position), number, Arrival::fromSeed(number));
+      });
     for (Index k = 0; k < 3 && this->Passable.contains(t) && !this->Edges.isRepeated(t); ++k)
     {
       // Only the edge that has the point is no way out of the triangle.

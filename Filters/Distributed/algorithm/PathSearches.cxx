@@ -22,6 +22,17 @@ std::size_t partOfMemory(std::size_t limit, std::size_t threads)
   return std::max<std::size_t>((limit > 0 ? limit : machineMemory() / 4 * 3) / threads, 1);
 }
 
+/** By which fraction another path must be shorter to be taken: that of two ways round one path does
+ * not hang on rounding. */
+constexpr double Rounding = 1e-9;
+
+/** On the first of several ranks, which has the path; 0 on the others. */
+double lengthOn(const TracedPath& path, const TriangleMesh& mesh)
+{
+  return path.path.empty() ? 0.0
+                           : lengthOf(path.corridor ? path.corridor->mesh() : mesh, path.path);
+}
+
 }
 
 PathSearches::PathSearches(const PathRequest& request, SolverTeam& solvers, IsAborted isAborted)
@@ -90,6 +101,43 @@ std::vector<bool> PathSearches::runTogether(std::size_t count, const Search& sea
     areMade[number] = !this->IsAbortedNow();
   }
   return areMade;
+}
+
+std::optional<TracedPath> PathSearches::between(
+  const PathRequest& request, const GlobalPoint& from, const GlobalPoint& to, bool fromBothEnds)
+{
+  std::size_t steps = 0;
+  const auto search = [&](const GlobalPoint& end, const GlobalPoint& start)
+  {
+    PathRequest own = request;
+    const std::size_t before = steps;
+    own.options.onProgress = [&](std::size_t more)
+    {
+      steps = before + more;
+      return request.options.onProgress(steps);
+    };
+    DistributedPathFinder finder(own, { end });
+    auto path = finder.march({ &start, 1 }) ? finder.pathFrom(start) : std::nullopt;
+    this->count(finder);
+    return path;
+  };
+  auto path = search(from, to);
+  if (!path)
+  {
+    return std::nullopt;
+  }
+  std::reverse(path->path.begin(), path->path.end());
+  if (fromBothEnds && !path->isProvenShortest)
+  {
+    const TriangleMesh& mesh = request.solver.mesh();
+    auto other = search(to, from);
+    if (other && lengthOn(*other, mesh) < (1.0 - Rounding) * lengthOn(*path, mesh))
+    {
+      other->end = path->end;
+      path = std::move(other);
+    }
+  }
+  return path;
 }
 
 std::vector<PathSearches::FromStart> PathSearches::fromStarts(

@@ -49,6 +49,15 @@ public:
    */
   std::vector<bool> run(std::size_t count, const Search& search);
 
+  /**
+   * Finds a path between two points, in a search of run(). Collective.
+   * @param fromBothEnds  whether a path that is not proven to be the shortest is traced from the
+   *                      other end as well, in the field of the first one, and the shorter one kept
+   * @return the path from @p from to @p to; none if none joins them
+   */
+  std::optional<TracedPath> between(
+    const PathRequest& request, const GlobalPoint& from, const GlobalPoint& to, bool fromBothEnds);
+
   /** The outcome of a search from a start. */
   struct FromStart
   {
