@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Input that no mesh generator should make and every archive contains.
 
+#include "NastyCases.h"
 #include "Solving.h"
 #include "base/NumberText.h"
 #include "march/FastMarchingSolver.h"
+#include "march/ReferenceSolver.h"
 #include "methods/SolverTable.h"
+#include "solve/DijkstraSolver.h"
 #include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
 
@@ -272,6 +275,30 @@ TEST(OddInput, TrianglesLyingOnEachOtherComeToAnEnd)
   EXPECT_GE(settled, 15);
 }
 
+// Of these two cases of the campaign, needles, the front gains ever less, and both tiers have to
+// raise the gain that counts. Their fields differ then, and each says so.
+TEST(OddInput, AFrontThatSettlesOnlyRoughlyIsSaid)
+{
+  const auto expectSaid = [](auto&& solver, const NastyCase& test)
+  {
+    EXPECT_GE(solver.solve(test.seeds, test.options()).raisedGain(), 1e-11);
+    // The next run is another one: its front goes no farther than the seed.
+    SolveOptions near = test.options();
+    near.maximumDistance = 0.0;
+    EXPECT_EQ(solver.solve(test.seeds, near).raisedGain(), 0.0);
+  };
+  for (const unsigned number : { 11442, 12917 })
+  {
+    const NastyCase test = nastyCase(number);
+    expectSaid(FastMarchingSolver(test.mesh), test);
+    expectSaid(ReferenceSolver(test.mesh), test);
+    EXPECT_EQ(DijkstraSolver(test.mesh).solve(test.seeds, test.options()).raisedGain(), 0.0);
+  }
+  const auto mesh = meshOf(plane);
+  const Seed seed = seedAt(*mesh, 0);
+  EXPECT_EQ(FastMarchingSolver(mesh).solve({ &seed, 1 }).raisedGain(), 0.0);
+}
+
 // Beyond the budget of updates a run ends in an error that names the numbers and a remedy, in both
 // tiers alike; before that gains count less and less.
 TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
@@ -287,8 +314,11 @@ TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
   for (; steps < allowed; steps += 100)
   {
     ASSERT_TRUE(control.mayGoOn(values, 100));
+    // From 40 updates for each value on.
+    ASSERT_EQ(control.raisedGain() > 0.0, steps >= 420'000) << steps;
   }
   EXPECT_NEAR(1.0 - control.keptFraction(), 1e-6, 1e-12);
+  EXPECT_NEAR(control.raisedGain(), 1e-6, 1e-12);
   try
   {
     control.mayGoOn(values);
