@@ -12,6 +12,7 @@
 #include "FastMarchingWorkspace.h"
 #include "filter/ErrorMessage.h"
 #include "filter/SetUpReporter.h"
+#include "filter/SettlingNotice.h"
 #include "filter/VtkVersions.h"
 #include "output/FieldArray.h"
 
@@ -83,6 +84,11 @@ int vtkFastMarchingGeodesicDistance::RequestData(vtkInformation* vtkNotUsed(requ
     this->NumberOfVisitedPoints = geodesic::bridge::numberOfReachedPoints({ mesh, field });
     if (!geodesic::bridge::isAborted(*this))
     {
+      if (field.raisedGain() > 0.0)
+      {
+        vtkWarningMacro(<< geodesic::bridge::settlingNotice(
+                          field.raisedGain(), "FastMarching", "Clean or remesh the surface."));
+      }
       output->ShallowCopy(input);
       this->AttachArrays(mesh, field, output);
     }

@@ -70,12 +70,13 @@ void vtkNearestOnLines::Find()
 {
   std::fill(this->Answer + 1, this->Answer + 4, 0.0);
   this->Answer[0] = -1.0;
-  auto* lines = this->Input
-    ? vtkPolyData::SafeDownCast(
-        this->Input->GetProducer()->GetOutputDataObject(this->Input->GetIndex()))
+  // An output whose filter was deleted has none any more.
+  vtkAlgorithm* producer = this->Input ? this->Input->GetProducer() : nullptr;
+  auto* lines = producer
+    ? vtkPolyData::SafeDownCast(producer->GetOutputDataObject(this->Input->GetIndex()))
     : nullptr;
   vtkDataArray* names = lines ? lines->GetCellData()->GetArray(this->ArrayName.c_str()) : nullptr;
-  if (!names)
+  if (!names || names->GetNumberOfTuples() < lines->GetNumberOfCells())
   {
     return;
   }

@@ -19,6 +19,7 @@
 #include "algorithm/DistributedSolver.h"
 #include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
+#include "filter/SettlingNotice.h"
 #include "global/GlobalPoints.h"
 #include "global/GlobalSeeds.h"
 #include "input/InputBlocks.h"
@@ -75,6 +76,8 @@ struct vtkSurfaceGeodesicDistance::Internals
   std::string CostArrayName;
   /** With fast marching. */
   geodesic::distributed::ThinTriangleNotice Thin;
+  /** Whether there are costs on any rank. */
+  bool HasCost = false;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -300,11 +303,12 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   const char* costArray =
     this->GetInputArrayInformation(COST_ARRAY)->Get(vtkDataObject::FIELD_NAME());
   internal.CostArrayName = cost.empty() || !costArray ? "" : costArray;
+  internal.HasCost = ranks.isAny(!cost.empty());
   if (this->Method == FAST_MARCHING)
   {
     internal.Thin.update(ranks, internal.Surface, run.blocks);
     this->ThinTriangles = static_cast<vtkIdType>(internal.Thin.thin());
-    this->NoticeText = internal.Thin.text(ranks.isAny(!cost.empty()));
+    this->NoticeText = internal.Thin.text(internal.HasCost);
   }
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
@@ -461,6 +465,30 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
   double mostPoints = -static_cast<double>(numberOfPoints);
   ranks.takeLeast({ &mostPoints, 1 });
   this->MostPointsOnARank = static_cast<vtkIdType>(-mostPoints);
+  this->NoteSettling(ranks, solved);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesicDistance::NoteSettling(
+  geodesic::distributed::RankGroup& ranks, const geodesic::DistanceField& solved)
+{
+  const bool isCancelled = solved.stopReason() == geodesic::StopReason::Cancelled;
+  double most = isCancelled ? 0.0 : -solved.raisedGain();
+  ranks.takeLeast({ &most, 1 });
+  if (most == 0.0)
+  {
+    return;
+  }
+  const std::string others =
+    this->Method == FAST_MARCHING ? "Exact, Bounded or VirtualSources" : "Exact or Bounded";
+  const std::string notice = geodesic::bridge::settlingNotice(-most, this->GetSolver().name,
+    this->Internal->HasCost ? "Clean or remesh the surface."
+                            : "Use the method " + others + ", or clean or remesh the surface.");
+  this->NoticeText += (this->NoticeText.empty() ? "" : " ") + notice;
+  if (ranks.rank() == 0)
+  {
+    vtkWarningMacro(<< notice);
+  }
 }
 
 //------------------------------------------------------------------------------

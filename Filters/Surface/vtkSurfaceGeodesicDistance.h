@@ -262,7 +262,8 @@ public:
   vtkGetMacro(ThinTriangles, vtkIdType);
   /**
    * What to know about the last run's distances, in full sentences: that a hundredth or more of the
-   * triangles are thin, and what to do about it. Empty if there is nothing.
+   * triangles are thin, or that the front settled only roughly, which is a warning too; and what to
+   * do about it. Empty if there is nothing.
    */
   const char* GetNoticeText();
 
@@ -341,6 +342,8 @@ private:
   /** @param solved,numberOfPoints the field that was solved, and this rank's points for it */
   void ReportWork(const Run& run, geodesic::distributed::DistributedSolver& partition,
     const geodesic::DistanceField& solved, vtkIdType numberOfPoints);
+  /** Warns where the front settled only roughly on any rank, and adds that to NoticeText. */
+  void NoteSettling(geodesic::distributed::RankGroup& ranks, const geodesic::DistanceField& solved);
   void AttachArrays(std::size_t block, vtkPolyData* output) const;
 
   std::unique_ptr<Internals> Internal;

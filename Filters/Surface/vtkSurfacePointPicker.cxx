@@ -99,9 +99,10 @@ struct vtkSurfacePointPicker::Internals
   /** Builds the surface of the input's present data, unless it is there already. */
   void prepare(const std::string& arrayName)
   {
-    vtkDataObject* data = this->Input
-      ? this->Input->GetProducer()->GetOutputDataObject(this->Input->GetIndex())
-      : nullptr;
+    // An output whose filter was deleted has none any more.
+    vtkAlgorithm* producer = this->Input ? this->Input->GetProducer() : nullptr;
+    vtkDataObject* data =
+      producer ? producer->GetOutputDataObject(this->Input->GetIndex()) : nullptr;
     const vtkMTimeType time = data ? data->GetMTime() : 0;
     if (data == this->Data && time == this->DataTime && arrayName == this->ArrayName)
     {
@@ -183,6 +184,8 @@ void vtkSurfacePointPicker::Pick()
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< geodesic::bridge::messageOf(error));
+    // So that the next one looks again, and says the same if it must.
+    this->Internal->Data = nullptr;
     this->Internal->Surface = nullptr;
   }
   nearest = nearestOfAllRanks(nearest);

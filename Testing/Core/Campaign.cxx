@@ -35,10 +35,11 @@ int main(int count, char** values)
   }
   std::printf(
     "%zu cases, %zu surfaces refused, %zu fields, %zu requests refused, %zu at the budget "
-    "of updates, %zu paths, %zu comparisons, at most %zu steps in a run, %zu promises "
+    "of updates, %zu settled only roughly, %zu paths, %zu comparisons, at most %zu steps in a run, "
+    "%zu promises "
     "broken\n",
     report.cases, report.refusedSurfaces, report.solves, report.refusedRequests,
-    report.budgetsReached, report.paths, report.comparisons, report.mostSteps,
+    report.budgetsReached, report.roughFields, report.paths, report.comparisons, report.mostSteps,
     report.broken.size());
   return report.broken.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -417,6 +417,45 @@ TEST(Motion, SolversGoOverToMovedMeshes)
   }
 }
 
+// The first run on a moved mesh takes neither cost nor barriers for those of the run before, also
+// where a caller says that they are.
+TEST(Motion, TheFirstRunOnAMovedMeshKeepsNoCostAndNoBarrier)
+{
+  const auto mesh = meshOf(planeGrid(12, 12, 1.0, 1.0));
+  const auto moved = movedTo(*mesh, bentSurfaceOf(*mesh), CoincidentPoints::Separate);
+  ASSERT_TRUE(moved);
+  const Seed seed = seedAt(*mesh, 0);
+  const std::vector<double> cheap(mesh->numberOfVertices(), 1.0);
+  const std::vector<double> dear(mesh->numberOfVertices(), 3.0);
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+  for (Index t = 0; t < mesh->numberOfTriangles(); ++t)
+  {
+    const double x = mesh->positionOf({ t, { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } }).x;
+    closed[t] = x > 0.4 && x < 0.6 ? 1 : 0;
+  }
+  for (const SolverTraits& method : solverTable())
+  {
+    if (!method.takesCosts || !method.takesBarriers)
+    {
+      continue;
+    }
+    SCOPED_TRACE(method.name);
+    const auto solver = method.make(mesh);
+    SolveOptions before;
+    before.cost = cheap;
+    solver->solve({ &seed, 1 }, before);
+    ASSERT_TRUE(solver->moveTo(moved));
+    SolveOptions after;
+    after.cost = dear;
+    after.closedTriangles = closed;
+    const auto fresh = method.make(moved);
+    const auto truth = fresh->solve({ &seed, 1 }, after).distances();
+    after.keepsSurface = true;
+    const auto found = solver->solve({ &seed, 1 }, after).distances();
+    EXPECT_TRUE(std::equal(truth.begin(), truth.end(), found.begin()));
+  }
+}
+
 // The order of vertices is that of the first positions, and no field depends on it but for
 // rounding.
 TEST(Motion, FieldsAreThoseOfAMeshBuiltOfThePoints)

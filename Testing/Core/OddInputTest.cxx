@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Input that no mesh generator should make and every archive contains.
 
+#include "NastyCases.h"
 #include "Solving.h"
 #include "base/NumberText.h"
 #include "march/FastMarchingSolver.h"
+#include "march/ReferenceSolver.h"
 #include "methods/SolverTable.h"
+#include "solve/DijkstraSolver.h"
 #include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
 
@@ -272,6 +275,27 @@ TEST(OddInput, TrianglesLyingOnEachOtherComeToAnEnd)
   EXPECT_GE(settled, 15);
 }
 
+// Of these two cases of the campaign, needles, the front gains ever less, and both tiers have to
+// raise the gain that counts. Their fields differ then, and each says so.
+TEST(OddInput, AFrontThatSettlesOnlyRoughlyIsSaid)
+{
+  for (const unsigned number : { 11442, 12917 })
+  {
+    const NastyCase test = nastyCase(number);
+    FastMarchingSolver solver(test.mesh);
+    ReferenceSolver reference(test.mesh);
+    EXPECT_GE(solver.solve(test.seeds, test.options()).raisedGain(), 1e-11);
+    EXPECT_GE(reference.solve(test.seeds, test.options()).raisedGain(), 1e-11);
+    EXPECT_EQ(DijkstraSolver(test.mesh).solve(test.seeds, test.options()).raisedGain(), 0.0);
+  }
+  // The next run is another one: from a corner the front settles.
+  const NastyCase test = nastyCase(11442);
+  FastMarchingSolver solver(test.mesh);
+  solver.solve(test.seeds);
+  const Seed corner = seedAt(*test.mesh, 0);
+  EXPECT_EQ(solver.solve({ &corner, 1 }).raisedGain(), 0.0);
+}
+
 // Beyond the budget of updates a run ends in an error that names the numbers and a remedy, in both
 // tiers alike; before that gains count less and less.
 TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
@@ -287,8 +311,11 @@ TEST(OddInput, AMarchBeyondItsBudgetSaysWhatToDo)
   for (; steps < allowed; steps += 100)
   {
     ASSERT_TRUE(control.mayGoOn(values, 100));
+    // From 40 updates for each value on.
+    ASSERT_EQ(control.raisedGain() > 0.0, steps >= 420'000) << steps;
   }
   EXPECT_NEAR(1.0 - control.keptFraction(), 1e-6, 1e-12);
+  EXPECT_NEAR(control.raisedGain(), 1e-6, 1e-12);
   try
   {
     control.mayGoOn(values);

@@ -3,6 +3,7 @@
 // Each mistake is one message that names it, and leaves an empty output, never a stale one.
 
 #include "Inputs.h"
+#include "NastyCases.h"
 #include "Observer.h"
 
 #include "vtkCellArray.h"
@@ -13,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -345,6 +347,63 @@ TEST_F(SurfaceFilterErrors, ANegativeMaximumDistanceIsNamed)
       this->Filter->SetMaximumDistance(-2.0);
     },
     [&] { this->Filter->UseMaximumDistanceOff(); }, "-2");
+}
+
+// Triangles that lie on each other, from a point on an edge that many of them share.
+TEST(Errors, AFrontThatSettlesOnlyRoughlyIsAWarning)
+{
+  const geodesic::testing::NastyCase test = nastyCase(11442);
+  Surface surface = test.surface;
+  constexpr geodesic::Index a = 8;
+  constexpr geodesic::Index b = 5;
+  const auto middle = static_cast<geodesic::Index>(surface.points.size());
+  surface.points.push_back(0.5 * (surface.points[a] + surface.points[b]));
+  surface.triangles.clear();
+  for (const geodesic::Triangle& triangle : test.surface.triangles)
+  {
+    geodesic::Triangle ofA = triangle;
+    geodesic::Triangle ofB = triangle;
+    std::replace(ofA.begin(), ofA.end(), b, middle);
+    std::replace(ofB.begin(), ofB.end(), a, middle);
+    if (ofA == triangle || ofB == triangle)
+    {
+      surface.triangles.push_back(triangle);
+      continue;
+    }
+    surface.triangles.insert(surface.triangles.end(), { ofA, ofB });
+  }
+  const auto warningOf = [](vtkAlgorithm* filter)
+  {
+    auto observer = vtkSmartPointer<vtkTest::ErrorObserver>::New();
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->Update();
+    filter->RemoveObserver(observer);
+    return observer->GetWarningMessage();
+  };
+  const auto expectSaid = [](const std::string& words, const std::string& remedy)
+  {
+    for (const std::string& part : { std::string("settled only roughly"),
+           std::string("more than 40 updates"), std::string("a part of 1e-"), remedy })
+    {
+      EXPECT_NE(words.find(part), std::string::npos) << words;
+    }
+  };
+  vtkNew<vtkSurfaceGeodesicDistance> filter;
+  filter->SetInputData(polyDataOf(surface));
+  filter->AddSeedPointId(middle);
+  expectSaid(warningOf(filter), "Use the method Exact, Bounded or VirtualSources");
+  expectSaid(filter->GetNoticeText(), "Use the method Exact, Bounded or VirtualSources");
+  filter->SetMethod(vtkSurfaceGeodesicDistance::EXACT);
+  EXPECT_EQ(warningOf(filter), "");
+  EXPECT_STREQ(filter->GetNoticeText(), "");
+
+  vtkNew<vtkFastMarchingGeodesicDistance> ofTheArticle;
+  ofTheArticle->SetInputData(polyDataOf(surface));
+  ofTheArticle->SetFieldDataName("d");
+  ofTheArticle->SetSeeds(idList({ middle }));
+  expectSaid(warningOf(ofTheArticle), "Clean or remesh the surface.");
+  ofTheArticle->SetSeeds(idList({ 0 }));
+  EXPECT_EQ(warningOf(ofTheArticle), "");
 }
 
 TEST(Errors, SeedCoordinateThatIsNotThere)

@@ -199,9 +199,40 @@ TEST(NearestOnLines, AnswersWithTheLineAndThePointOnIt)
   EXPECT_EQ(answerAt(1, 1), (std::array<double, 4>{ 7, 1, 0, 0 }));
   EXPECT_EQ(answerAt(-3, 1), (std::array<double, 4>{ 7, 0, 0, 0 }));
   EXPECT_EQ(answerAt(5, 4.5), (std::array<double, 4>{ 2, 4, 4.5, 0 }));
+
+  // An array without a value for each cell answers nothing.
+  numbers->SetNumberOfTuples(1);
+  EXPECT_EQ(answerAt(5, 4.5), nothing);
+}
+
+TEST(NearestOnLines, OfAFilterThatIsDeletedThereIsNoAnswer)
+{
+  vtkNew<vtkNearestOnLines> nearest;
+  nearest->SetArrayName("Number");
+  nearest->SetInputConnection(vtkNew<vtkTrivialProducer>()->GetOutputPort());
+  nearest->Find();
+  EXPECT_EQ(nearest->GetAnswer()[0], -1.0);
 }
 
 TEST_F(PointPicker, WithoutInputThereIsNoAnswer)
 {
   EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+  // Nor where the filter was deleted.
+  this->Picker->SetInputConnection(vtkNew<vtkTrivialProducer>()->GetOutputPort());
+  EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+}
+
+TEST_F(PointPicker, SaysAgainWhatIsWrong)
+{
+  const auto surface = square(5);
+  surface->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  this->show(surface);
+  for (int i = 0; i < 2; ++i)
+  {
+    auto observer = vtkSmartPointer<vtkTest::ErrorObserver>::New();
+    this->Picker->AddObserver(vtkCommand::ErrorEvent, observer);
+    EXPECT_FALSE(this->pickFromAbove(0.5, 0.25));
+    EXPECT_NE(observer->GetErrorMessage().find("Point 0"), std::string::npos);
+    this->Picker->RemoveObserver(observer);
+  }
 }

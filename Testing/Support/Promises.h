@@ -23,6 +23,8 @@ struct PromiseReport
   std::size_t refusedRequests = 0;
   /** Runs that ended at the budget of updates, with a message. */
   std::size_t budgetsReached = 0;
+  /** Fields whose front settled only roughly, which they say (DistanceField::raisedGain()). */
+  std::size_t roughFields = 0;
   std::size_t paths = 0;
   /** Comparisons of numbers. */
   std::size_t comparisons = 0;
@@ -40,7 +42,8 @@ struct PromiseReport
  * - without costs none is longer than Dijkstra's, and all but VirtualSources differ along an edge
  * by no more than its length;
  * - Bounded is within its tolerance of Exact; FastMarching and Reference give one field, to 1e-7 of
- *   the largest distance from one seed, 1e-6 from several, 1e-2 with costs;
+ *   the largest distance from one seed, 1e-6 from several, 1e-2 with costs; unless one of them says
+ *   that its front settled only roughly;
  * - the same solver, run again, gives the same numbers (every fourth case);
  * - Dijkstra and Exact give the same distance from both ends;
  * - a surface with its points and triangles in another order, in other axes, and twice as large has

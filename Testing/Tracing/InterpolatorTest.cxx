@@ -10,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFastMarchingGeodesicPath.h"
 #include "vtkFocalPlanePointPlacer.h"
+#include "vtkIntArray.h"
 #include "vtkPolyDataCollection.h"
 
 #include <gtest/gtest.h>
@@ -444,6 +445,30 @@ TEST_F(Interpolator, DrawsNoLineWithoutItsPlacer)
   EXPECT_EQ(this->Traced.contourIds(), (std::vector<vtkIdType>{ -1, -1 }));
   EXPECT_EQ(this->Traced.Interpolator->InterpolateLine(nullptr, this->Traced.Contour, 0, 7), 0);
   EXPECT_EQ(this->Traced.Interpolator->InterpolateLine(nullptr, this->Traced.Contour, -1, 0), 0);
+}
+
+TEST_F(Interpolator, SaysWhatItIsNotGiven)
+{
+  vtkPolygonalSurfaceContourLineInterpolator2* interpolator = this->Traced.Interpolator;
+  auto observer = vtkSmartPointer<vtkTest::ErrorObserver>::New();
+  interpolator->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto expectSaid = [&](const std::string& words)
+  {
+    EXPECT_NE(observer->GetErrorMessage().find(words), std::string::npos) << words;
+    observer->Clear();
+  };
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIntArray> span;
+  EXPECT_EQ(interpolator->InterpolateLine(nullptr, nullptr, 0, 1), 0);
+  expectSaid("no contour representation");
+  interpolator->GetSpan(0, span, nullptr);
+  expectSaid("GetSpan needs a contour representation");
+  interpolator->GetSpan(0, nullptr, this->Traced.Contour);
+  expectSaid("an array to fill");
+  interpolator->GetContourPointIds(nullptr, ids);
+  expectSaid("GetContourPointIds needs a contour representation");
+  interpolator->GetContourPointIds(this->Traced.Contour, nullptr);
+  expectSaid("a list to fill");
 }
 
 TEST_F(Interpolator, SaysWhereASurfaceHasNoFaces)

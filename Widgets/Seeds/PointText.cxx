@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace seeds
@@ -17,6 +18,26 @@ namespace
 QString tr(const char* text)
 {
   return QCoreApplication::translate("PointText", text);
+}
+
+/** The numbers of a line, as they are written. A comma is a decimal mark where semicolons or white
+ * space make whole points of the line, and each comma stands inside of a word of its own: spread
+ * sheets of many countries write 1,5;2,5;0. */
+QStringList wordsOf(const QString& line)
+{
+  static const QRegularExpression other("[\\s;]+");
+  static const QRegularExpression any("[\\s,;]+");
+  static const QRegularExpression inside("^[^,]*[0-9],[0-9][^,]*$");
+  QStringList words = line.split(other, Qt::SkipEmptyParts);
+  const bool areDecimal = words.size() % 3 == 0 &&
+    std::all_of(words.begin(), words.end(),
+      [](const QString& word) { return !word.contains(',') || inside.match(word).hasMatch(); });
+  if (!areDecimal)
+  {
+    return line.split(any, Qt::SkipEmptyParts);
+  }
+  words.replaceInStrings(",", ".");
+  return words;
 }
 
 }
@@ -33,7 +54,7 @@ PointsFromText pointsFromText(const QString& text)
     {
       continue;
     }
-    const QStringList words = line.split(QRegularExpression("[\\s,;]+"), Qt::SkipEmptyParts);
+    const QStringList words = wordsOf(line);
     QVector<double> numbers;
     QString notANumber;
     for (const QString& word : words)

@@ -21,7 +21,8 @@ struct PointsFromText
 
 /**
  * Reads x, y and z of one or more points from each line, separated by commas, semicolons or white
- * space. Empty lines, lines that start with #, and a first line of words (a header) are skipped.
+ * space. Where the latter two make whole points, commas are decimal marks. Empty lines, lines that
+ * start with #, and a first line of words (a header) are skipped.
  */
 PointsFromText pointsFromText(const QString& text);
 

@@ -51,6 +51,12 @@ vtkPolygonalSurfaceContourLineInterpolator2::~vtkPolygonalSurfaceContourLineInte
 int vtkPolygonalSurfaceContourLineInterpolator2::InterpolateLine(
   vtkRenderer* vtkNotUsed(renderer), vtkContourRepresentation* rep, int idx1, int idx2)
 {
+  if (!rep)
+  {
+    vtkErrorMacro(
+      << "InterpolateLine has no contour representation to draw the line in; give one.");
+    return 0;
+  }
   vtkContourRepresentationNode* beginNode = rep->GetNthNode(idx1);
   vtkContourRepresentationNode* endNode = rep->GetNthNode(idx2);
   if (!beginNode || !endNode)
@@ -131,6 +137,11 @@ void vtkPolygonalSurfaceContourLineInterpolator2::NoteNode(vtkContourRepresentat
 void vtkPolygonalSurfaceContourLineInterpolator2::GetSpan(
   int nodeIndex, vtkIntArray* nodeIndices, vtkContourRepresentation* rep)
 {
+  if (!rep || !nodeIndices)
+  {
+    vtkErrorMacro(<< "GetSpan needs a contour representation, and an array to fill; give both.");
+    return;
+  }
   // The representation calls this when it has just placed or moved a node, whose record the placer
   // still has.
   this->NoteNode(rep, nodeIndex);
@@ -158,6 +169,12 @@ void vtkPolygonalSurfaceContourLineInterpolator2::GetSpan(
 void vtkPolygonalSurfaceContourLineInterpolator2::GetContourPointIds(
   vtkContourRepresentation* rep, vtkIdList* ids)
 {
+  if (!rep || !ids)
+  {
+    vtkErrorMacro(
+      << "GetContourPointIds needs a contour representation, and a list to fill; give both.");
+    return;
+  }
   ids->Reset();
   try
   {

@@ -20,7 +20,9 @@ bool lowerAlongEdges(const TriangleMesh& mesh, const ClosedTriangles& closed,
   {
     front.proposeToNeighbours(vertex);
   }
-  return partition.march(front, limit);
+  const bool finished = partition.march(front, limit);
+  field.noteRaisedGain(front.raisedGain());
+  return finished;
 }
 
 }

@@ -153,6 +153,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
       }
     });
   const bool finished = request.partition.march(front, limit);
+  field.noteRaisedGain(control.raisedGain());
   field.orderReached();
   values.finish();
   return finished;

@@ -265,7 +265,9 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
       this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
         [&](Index vertex) { return cost.margin(vertex); });
     }
+    const double raisedGain = field.raisedGain();
     field.reset();
+    field.noteRaisedGain(raisedGain);
     before = steps;
     const Request second{ request.front, request.closed, options, request.partition,
       request.hasCost };

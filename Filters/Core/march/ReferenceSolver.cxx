@@ -113,9 +113,10 @@ public:
   }
 
   /** Sets the nearest seed of each vertex in the field; of equally near ones the smallest number.
-   */
+   * The field gets the least gain that counted if that was raised. */
   void finish()
   {
+    this->Field.noteRaisedGain(this->Control.raisedGain());
     constexpr double rounding = 1.0 + 1e-10;
     for (const Index vertex : this->Field.reached())
     {

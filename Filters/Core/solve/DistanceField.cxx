@@ -18,6 +18,7 @@ void DistanceField::reset()
   this->Reached.clear();
   this->LargestDistance = 0.0;
   this->Reason = StopReason::Exhausted;
+  this->RaisedGain = 0.0;
 }
 
 void DistanceField::orderReached()

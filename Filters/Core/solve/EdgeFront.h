@@ -52,6 +52,9 @@ public:
   /** Proposes to each neighbour of a vertex its distance and the edge between. */
   void proposeToNeighbours(Index vertex);
 
+  /** See MarchControl. */
+  double raisedGain() const { return this->Control.raisedGain(); }
+
   void advance(double limit, std::vector<Index>* taken) override;
   double nextDistance() const override;
   double meanLongestEdge() const override;

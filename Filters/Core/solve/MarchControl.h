@@ -22,11 +22,14 @@ namespace geodesic
  * other at random, or triangles are needles, gains can go on for ever, each smaller than the last.
  * So a march has a budget of MostUpdates for each value that vertices keep, those of several labels
  * counted apart, and for SmallMarch values more. At 40 updates for each, and then at every 10 more,
- * the least gain is raised tenfold; beyond the budget mayGoOn() throws.
+ * the least gain is raised tenfold, which a field says (DistanceField::raisedGain()); beyond the
+ * budget mayGoOn() throws.
  */
 class MarchControl
 {
 public:
+  /** The updates for each value that is kept at which the least gain is raised first. */
+  static constexpr std::size_t UsualUpdates = 40;
   /** The most updates for each value that is kept. */
   static constexpr std::size_t MostUpdates = 100;
   /** A number of values for which the budget allows in any case. It is large, as pieces of a
@@ -42,6 +45,8 @@ public:
   {
   }
 
+  /** The least gain that counts if that was raised, as a part of a value; else 0. */
+  double raisedGain() const { return this->NextRelaxation > UsualUpdates ? this->LeastGain : 0.0; }
   /** A new value counts below this fraction of the old one. */
   double keptFraction() const { return this->KeptFraction; }
 
@@ -115,7 +120,7 @@ private:
   const SolveOptions& Options;
   StopLimit& Limit;
   /** The number of updates for each value at which the least gain is raised next. */
-  std::size_t NextRelaxation = 40;
+  std::size_t NextRelaxation = UsualUpdates;
   std::size_t LastReport = 0;
   std::size_t NextReport;
   std::size_t Repetitions = 0;

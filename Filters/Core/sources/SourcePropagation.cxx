@@ -119,6 +119,7 @@ bool SourcePropagation::run()
     this->propagateRound();
     this->takeOver();
   }
+  this->Field.noteRaisedGain(this->Control.raisedGain());
   for (const Index vertex : this->Field.reached())
   {
     this->Field.setNearestSeed(
