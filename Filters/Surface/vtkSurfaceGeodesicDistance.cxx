@@ -485,10 +485,7 @@ void vtkSurfaceGeodesicDistance::NoteSettling(
     this->Internal->HasCost ? "Clean or remesh the surface."
                             : "Use the method " + others + ", or clean or remesh the surface.");
   this->NoticeText += (this->NoticeText.empty() ? "" : " ") + notice;
-  if (ranks.rank() == 0)
-  {
-    vtkWarningMacro(<< notice);
-  }
+  vtkWarningMacro(<< notice);
 }
 
 //------------------------------------------------------------------------------

@@ -189,7 +189,7 @@ TEST_F(IsolinesFilter, UnderCostsTheCurvesAreThoseOfTheCost)
   expectCircleAt(5.0);
   this->Isolines->SetInputArrayToProcess(
     vtkSurfaceGeodesicIsolines::COST_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cost");
-  this->expectError("CostArray \"Cost\" is no cell array");
+  this->expectError("CostArray \"Cost\" is not a cell array");
 }
 
 TEST_F(IsolinesFilter, ACostArrayThatIsNotPassedOnIsNamed)

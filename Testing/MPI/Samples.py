@@ -66,4 +66,4 @@ if harness.RANKS > 1:
     wall = simple.PolyLineSource(Points=[0.03, 0.75, -0.3, 0.02, 0.61, 0, 0.03, 1, 0.4])
     lined = simple.GeodesicSamples(Input=harness.surface("torus", "slabs"), BarrierSource=wall)
     messages = harness.messages_of(lined.UpdatePipeline)
-    assert f"BarrierSource is set on {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
+    assert f"it is spread over {harness.RANKS} ranks" in messages and "Aggregate Dataset" in messages, messages
