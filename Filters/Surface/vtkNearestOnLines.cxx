@@ -56,6 +56,7 @@ void vtkNearestOnLines::SetInputConnection(vtkAlgorithmOutput* input)
   if (input != this->Input)
   {
     this->Input = input;
+    this->Producer = input ? input->GetProducer() : nullptr;
     this->Modified();
   }
 }
@@ -70,10 +71,8 @@ void vtkNearestOnLines::Find()
 {
   std::fill(this->Answer + 1, this->Answer + 4, 0.0);
   this->Answer[0] = -1.0;
-  // An output whose filter was deleted has none any more.
-  vtkAlgorithm* producer = this->Input ? this->Input->GetProducer() : nullptr;
-  auto* lines = producer
-    ? vtkPolyData::SafeDownCast(producer->GetOutputDataObject(this->Input->GetIndex()))
+  auto* lines = this->Producer
+    ? vtkPolyData::SafeDownCast(this->Producer->GetOutputDataObject(this->Input->GetIndex()))
     : nullptr;
   vtkDataArray* names = lines ? lines->GetCellData()->GetArray(this->ArrayName.c_str()) : nullptr;
   if (!names || names->GetNumberOfTuples() < lines->GetNumberOfCells())

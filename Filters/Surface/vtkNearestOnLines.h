@@ -15,9 +15,11 @@
 #include "vtkFiltersSurfaceGeodesicsModule.h" // For the export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For members
+#include "vtkWeakPointer.h"  // For members
 
 #include <string> // For members
 
+class vtkAlgorithm;
 class vtkAlgorithmOutput;
 
 class VTKFILTERSSURFACEGEODESICS_EXPORT vtkNearestOnLines : public vtkObject
@@ -69,6 +71,8 @@ protected:
 
 private:
   vtkSmartPointer<vtkAlgorithmOutput> Input;
+  /** Null where it was deleted, which the output does not tell. */
+  vtkWeakPointer<vtkAlgorithm> Producer;
 
   vtkNearestOnLines(const vtkNearestOnLines&) = delete;
   void operator=(const vtkNearestOnLines&) = delete;

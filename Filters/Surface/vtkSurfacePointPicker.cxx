@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkWeakPointer.h"
 
 #include "filter/ErrorMessage.h"
 #include "input/ArrayValues.h"
@@ -88,6 +89,8 @@ Hit nearestOfAllRanks(const Hit& mine)
 struct vtkSurfacePointPicker::Internals
 {
   vtkSmartPointer<vtkAlgorithmOutput> Input;
+  /** Null where it was deleted, which the output does not tell. */
+  vtkWeakPointer<vtkAlgorithm> Producer;
   vtkDataObject* Data = nullptr;
   vtkMTimeType DataTime = 0;
   /** Null if the data have no faces. */
@@ -99,10 +102,8 @@ struct vtkSurfacePointPicker::Internals
   /** Builds the surface of the input's present data, unless it is there already. */
   void prepare(const std::string& arrayName)
   {
-    // An output whose filter was deleted has none any more.
-    vtkAlgorithm* producer = this->Input ? this->Input->GetProducer() : nullptr;
     vtkDataObject* data =
-      producer ? producer->GetOutputDataObject(this->Input->GetIndex()) : nullptr;
+      this->Producer ? this->Producer->GetOutputDataObject(this->Input->GetIndex()) : nullptr;
     const vtkMTimeType time = data ? data->GetMTime() : 0;
     if (data == this->Data && time == this->DataTime && arrayName == this->ArrayName)
     {
@@ -150,6 +151,7 @@ void vtkSurfacePointPicker::SetInputConnection(vtkAlgorithmOutput* input)
   if (input != this->Internal->Input)
   {
     this->Internal->Input = input;
+    this->Internal->Producer = input ? input->GetProducer() : nullptr;
     this->Modified();
   }
 }
