@@ -383,7 +383,8 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     }
   }
   geodesic::distributed::PathRequest request = this->MakeRequest(run);
-  const bool gainsByBothEnds = internal.Style.straighten && this->GetSolver().crossesFaces;
+  const bool gainsByBothEnds = this->Straighten == STRAIGHTEN_AUTO &&
+    this->InterpolationOrder == 1 && this->GetSolver().crossesFaces;
   const bool fromBothEnds = gainsByBothEnds && !this->Dragged;
   geodesic::bridge::ProgressReporter reporter(*this,
     stepsOf(

@@ -188,7 +188,9 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
   try
   {
     const bool isFound = this->Solver.findsPaths() && this->Style.order == PathOrder::Edges;
-    return isFound ? this->takeFound(point) : this->searchFrom(start);
+    auto path = isFound ? this->takeFound(point) : this->searchFrom(start);
+    this->Cost = path ? costOf(this->Surface, *path) : 0.0;
+    return path;
   }
   catch (const SearchCancelled&)
   {

@@ -79,6 +79,9 @@ public:
    */
   std::optional<SurfacePath> pathFrom(const SurfacePoint& point);
 
+  /** The cost of the last path of pathFrom(), its length if there are no costs; see costOf(). */
+  double cost() const { return this->Cost; }
+
   /** Whether the last path of pathFrom() is proven to be the shortest of all, to 1e-9; of
    * BoundedSolver, to within SolveOptions::tolerance. */
   bool isProvenShortest() const { return this->IsProvenShortest; }
@@ -139,6 +142,7 @@ private:
   std::vector<Triangle> Targets;
   const DistanceField* Field = nullptr;
   bool IsProvenShortest = false;
+  double Cost = 0.0;
 };
 
 /**

@@ -122,6 +122,12 @@ inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visi
   }
 }
 
+/**
+ * The cost of a path: the length of each segment times the cost of the face in which it lies, of
+ * several the least. Without costs, the path's length.
+ */
+double costOf(const WeightedMesh& surface, const SurfacePath& path);
+
 }
 
 #endif

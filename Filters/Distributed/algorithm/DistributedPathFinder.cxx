@@ -139,6 +139,7 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
       return std::nullopt;
     }
     traced.end = this->Whole->seedAtEnd(*path);
+    traced.cost = this->Whole->cost();
     traced.isProvenShortest = this->Whole->isProvenShortest();
     traced.path = std::move(*path);
     return traced;
@@ -156,6 +157,7 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
       {
         return NoIndex;
       }
+      traced.cost = finder.cost();
       this->takeToInput(*path, *corridor, traced);
       return finder.seedAtEnd(*path);
     });

@@ -64,6 +64,8 @@ struct TracedPath
   std::shared_ptr<const CorridorMesh> corridor;
   /** The number of the end point. */
   Index end = NoIndex;
+  /** The path's cost, its length if there are no costs; 0 on all ranks but the first. */
+  double cost = 0.0;
   /** Whether no other path is shorter; see PathFinder::isProvenShortest(). */
   bool isProvenShortest = false;
 };

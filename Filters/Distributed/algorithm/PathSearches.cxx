@@ -22,16 +22,9 @@ std::size_t partOfMemory(std::size_t limit, std::size_t threads)
   return std::max<std::size_t>((limit > 0 ? limit : machineMemory() / 4 * 3) / threads, 1);
 }
 
-/** By which fraction another path must be shorter to be taken: that of two ways round one path does
+/** By which fraction another path must cost less to be taken: that of two ways round one path does
  * not hang on rounding. */
 constexpr double Rounding = 1e-9;
-
-/** On the first of several ranks, which has the path; 0 on the others. */
-double lengthOn(const TracedPath& path, const TriangleMesh& mesh)
-{
-  return path.path.empty() ? 0.0
-                           : lengthOf(path.corridor ? path.corridor->mesh() : mesh, path.path);
-}
 
 }
 
@@ -129,9 +122,8 @@ std::optional<TracedPath> PathSearches::between(
   std::reverse(path->path.begin(), path->path.end());
   if (fromBothEnds && !path->isProvenShortest)
   {
-    const TriangleMesh& mesh = request.solver.mesh();
     auto other = search(to, from);
-    if (other && lengthOn(*other, mesh) < (1.0 - Rounding) * lengthOn(*path, mesh))
+    if (other && other->cost < (1.0 - Rounding) * path->cost)
     {
       other->end = path->end;
       path = std::move(other);

@@ -52,7 +52,8 @@ public:
   /**
    * Finds a path between two points, in a search of run(). Collective.
    * @param fromBothEnds  whether a path that is not proven to be the shortest is traced from the
-   *                      other end as well, in the field of the first one, and the shorter one kept
+   *                      other end as well, in the field of the first one, and the one that
+   *                      costs less is kept; see costOf()
    * @return the path from @p from to @p to; none if none joins them
    */
   std::optional<TracedPath> between(
