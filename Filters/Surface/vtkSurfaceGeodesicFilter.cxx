@@ -221,15 +221,9 @@ std::vector<double> vtkSurfaceGeodesicFilter::GatherCost(
   {
     return {};
   }
-  if (array.isOfCells)
-  {
-    throw std::invalid_argument(
-      array.role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
-  }
-  return geodesic::bridge::costOfValues(surface, array.values,
+  return geodesic::bridge::costOfArray(surface, array,
     this->CostMode == COST ? geodesic::bridge::CostMeaning::Cost
-                           : geodesic::bridge::CostMeaning::Speed,
-    array.role);
+                           : geodesic::bridge::CostMeaning::Speed);
 }
 
 //------------------------------------------------------------------------------

@@ -350,14 +350,8 @@ std::vector<double> vtkSurfaceGeodesicIsolines::CostOf(const geodesic::bridge::I
   {
     return {};
   }
-  if (array.isOfCells)
-  {
-    throw std::invalid_argument(
-      array.role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
-  }
-  return geodesic::bridge::costOfValues(surface, array.values,
-    mode == COST ? geodesic::bridge::CostMeaning::Cost : geodesic::bridge::CostMeaning::Speed,
-    array.role);
+  return geodesic::bridge::costOfArray(surface, array,
+    mode == COST ? geodesic::bridge::CostMeaning::Cost : geodesic::bridge::CostMeaning::Speed);
 }
 
 //------------------------------------------------------------------------------

@@ -5,13 +5,13 @@
 // Prints the name and number of all that is measured, a pair a line. Each case is to be run in a
 // process of its own on one core; exact_suite.py does so and makes the document.
 
+#include "BenchmarkCases.h"
 #include "ExactDistances.h"
 #include "HeapMeter.h"
 #include "Measuring.h"
 #include "PathStyles.h"
 #include "Subject.h"
 #include "WorstSeeds.h"
-#include "WorstSurfaces.h"
 #include "base/Interruption.h"
 #include "base/WorkCount.h"
 #include "methods/SolverTable.h"
@@ -38,38 +38,17 @@ constexpr Index Sources = 3;
 constexpr double Mega = 1e6;
 constexpr double Giga = 1e9;
 
-/** The words after the case's name, and the size of what it runs on. */
-struct Arguments
+/** The surfaces of a name and a factor: itself, or made flat along each of the axes. */
+std::vector<Surface> surfacesOf(const CaseArguments& arguments, std::size_t i)
 {
-  const std::string& word(std::size_t i) const { return this->words.at(i); }
-  double number(std::size_t i) const { return std::stod(this->words.at(i)); }
-  Index count(std::size_t i) const
+  const Surface surface = arguments.surface(i).surface;
+  const double factor = arguments.number(i + 1);
+  if (factor == 1.0)
   {
-    const Index count = static_cast<Index>(this->number(i));
-    return this->tiny ? std::min<Index>(count, 50) : count;
+    return { surface };
   }
-  Surface surface(std::size_t i) const { return worstSurface(this->word(i), this->tiny).surface; }
-  /** The surfaces of a name and a factor: itself, or made flat along each of the axes. */
-  std::vector<Surface> surfaces(std::size_t i) const
-  {
-    const Surface surface = this->surface(i);
-    const double factor = this->number(i + 1);
-    if (factor == 1.0)
-    {
-      return { surface };
-    }
-    return { flattened(surface, &Vector3::x, factor), flattened(surface, &Vector3::y, factor),
-      flattened(surface, &Vector3::z, factor) };
-  }
-
-  std::vector<std::string> words;
-  bool tiny = false;
-};
-
-void print(const std::string& name, double value)
-{
-  std::printf("%s %.6g\n", name.c_str(), value);
-  std::fflush(stdout);
+  return { flattened(surface, &Vector3::x, factor), flattened(surface, &Vector3::y, factor),
+    flattened(surface, &Vector3::z, factor) };
 }
 
 double medianOf(std::vector<double> values)
@@ -107,11 +86,11 @@ private:
 
 /** Time and memory of fields, beside Dijkstra's algorithm from the same vertices; of surfaces made
  * flat the slowest: SURFACE FACTOR METHOD. */
-void time(const Arguments& arguments)
+void time(const CaseArguments& arguments)
 {
   double ratio = 0.0;
   double bytes = 0.0;
-  for (const Surface& surface : arguments.surfaces(0))
+  for (const Surface& surface : surfacesOf(arguments, 0))
   {
     const auto mesh = meshOf(surface);
     HeapDijkstra dijkstra(*mesh);
@@ -150,14 +129,14 @@ void time(const Arguments& arguments)
 
 /** Errors of a field against exact distances: by CGAL, or by the method Exact: SURFACE FACTOR
  * METHOD TRUTH. */
-void error(const Arguments& arguments)
+void error(const CaseArguments& arguments)
 {
   double ofLargest = 0.0;
   double ofOwn = 0.0;
   double tooSmall = 0.0;
   double mean = 0.0;
   double unreached = 0.0;
-  for (const Surface& surface : arguments.surfaces(0))
+  for (const Surface& surface : surfacesOf(arguments, 0))
   {
     const auto mesh = meshOf(surface);
     const auto solver = solverOfName(arguments.word(2)).make(mesh);
@@ -211,9 +190,9 @@ void error(const Arguments& arguments)
 }
 
 /** How many times as long CGAL takes for the field of one point: SURFACE METHOD. */
-void cgal(const Arguments& arguments)
+void cgal(const CaseArguments& arguments)
 {
-  const Surface surface = arguments.surface(0);
+  const Surface surface = arguments.surface(0).surface;
   const auto mesh = meshOf(surface);
   const auto solver = solverOfName(arguments.word(1)).make(mesh);
   std::mt19937 random(2);
@@ -230,9 +209,9 @@ void cgal(const Arguments& arguments)
 }
 
 /** A path to a point about a part of the box's diagonal away: SURFACE PART METHOD. */
-void path(const Arguments& arguments)
+void path(const CaseArguments& arguments)
 {
-  const auto mesh = meshOf(arguments.surface(0));
+  const auto mesh = meshOf(arguments.surface(0).surface);
   const auto solver = solverOfName(arguments.word(2)).make(mesh);
   const Box box = boxOf(*mesh);
   const double reach = arguments.number(1) * norm(box.high - box.low);
@@ -279,9 +258,9 @@ void path(const Arguments& arguments)
 }
 
 /** Many random points as seeds: SURFACE COUNT METHOD. */
-void many(const Arguments& arguments)
+void many(const CaseArguments& arguments)
 {
-  const auto mesh = meshOf(arguments.surface(0));
+  const auto mesh = meshOf(arguments.surface(0).surface);
   std::mt19937 random(1);
   std::vector<Seed> seeds;
   for (Index i = 0; i < arguments.count(1); ++i)
@@ -304,9 +283,9 @@ void many(const Arguments& arguments)
 
 /** What a run really takes that must not take more than some gigabytes: SURFACE METHOD GIGABYTES.
  */
-void limit(const Arguments& arguments)
+void limit(const CaseArguments& arguments)
 {
-  const auto mesh = meshOf(arguments.surface(0));
+  const auto mesh = meshOf(arguments.surface(0).surface);
   const HeapMeter meter;
   const auto solver = solverOfName(arguments.word(1)).make(mesh);
   const Seed seed = seedOf(*mesh, mesh->numberOfVertices() / 2);
@@ -327,9 +306,9 @@ void limit(const Arguments& arguments)
 }
 
 /** How soon a run can be stopped: SURFACE METHOD SECONDS, after which it is. */
-void abort(const Arguments& arguments)
+void abort(const CaseArguments& arguments)
 {
-  const auto mesh = meshOf(arguments.surface(0));
+  const auto mesh = meshOf(arguments.surface(0).surface);
   print("points", mesh->numberOfVertices());
   std::unique_ptr<DistanceSolver> solver;
   {
@@ -372,7 +351,7 @@ void abort(const Arguments& arguments)
   }
 }
 
-const std::map<std::string, std::function<void(const Arguments&)>> Cases{
+const BenchmarkCases Cases{
   { "time", time },
   { "error", error },
   { "cgal", cgal },
@@ -386,18 +365,5 @@ const std::map<std::string, std::function<void(const Arguments&)>> Cases{
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    Arguments arguments{ { argv + 1, argv + argc } };
-    arguments.tiny = std::erase(arguments.words, "--tiny") > 0;
-    const std::string name = arguments.word(0);
-    arguments.words.erase(arguments.words.begin());
-    Cases.at(name)(arguments);
-  }
-  catch (const std::exception& exception)
-  {
-    std::printf("error %s\n", exception.what());
-    return 1;
-  }
-  return 0;
+  return runCase(Cases, argc, argv);
 }

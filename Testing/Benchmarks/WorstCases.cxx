@@ -5,11 +5,11 @@
 // Prints the name and number of all that is measured, a pair a line, as soon as it is known: a case
 // may not end. worst_suite.py runs them all and makes the document. To be run on one core.
 
+#include "BenchmarkCases.h"
 #include "FieldError.h"
 #include "PathStyles.h"
 #include "Trial.h"
 #include "WorstSeeds.h"
-#include "WorstSurfaces.h"
 
 #include <algorithm>
 #include <array>
@@ -27,30 +27,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-/** The words after the case's name, and the size of what it runs on. */
-struct Arguments
-{
-  const std::string& word(std::size_t i) const { return this->words.at(i); }
-  double number(std::size_t i) const { return std::stod(this->words.at(i)); }
-  /** Of a case's parts; a tiny case has fewer. */
-  Index count(std::size_t i) const
-  {
-    const Index count = static_cast<Index>(this->number(i));
-    return this->tiny ? std::min<Index>(count, 50) : count;
-  }
-  WorstSurface surface(std::size_t i) const { return worstSurface(this->word(i), this->tiny); }
-
-  std::vector<std::string> words;
-  bool tiny = false;
-};
-
-/** Prints a number under its name, at once. */
-void print(const std::string& name, double value)
-{
-  std::printf("%s %.6g\n", name.c_str(), value);
-  std::fflush(stdout);
-}
 
 void print(const RunCost& cost)
 {
@@ -80,7 +56,7 @@ void printUnitsOfOrdinarySurface(const Trial& trial)
 }
 
 /** Random vertices as seeds: SURFACE COUNT. */
-void seeds(const Arguments& arguments)
+void seeds(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -94,7 +70,7 @@ void seeds(const Arguments& arguments)
 }
 
 /** Any number of seeds inside one face: SURFACE COUNT. */
-void seedsOfOneFace(const Arguments& arguments)
+void seedsOfOneFace(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -118,7 +94,7 @@ std::vector<Segment> sliceOf(const TriangleMesh& mesh)
 }
 
 /** The line of a slice across a hilly grid: CELLS loose|curve. */
-void slice(const Arguments& arguments)
+void slice(const CaseArguments& arguments)
 {
   const Index cells = arguments.count(0);
   Trial trial(hillyGrid(cells, cells));
@@ -131,7 +107,7 @@ void slice(const Arguments& arguments)
 }
 
 /** All boundary edges, each for itself: SURFACE. */
-void border(const Arguments& arguments)
+void border(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -141,7 +117,7 @@ void border(const Arguments& arguments)
 }
 
 /** The segments of a contour of z, each for itself: SURFACE Z. */
-void contour(const Arguments& arguments)
+void contour(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -153,7 +129,7 @@ void contour(const Arguments& arguments)
 }
 
 /** Edges at random, each for itself: SURFACE COUNT. */
-void edges(const Arguments& arguments)
+void edges(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -182,7 +158,7 @@ std::vector<SurfacePoint> randomWalk(Trial& trial, Index count, int steps)
 }
 
 /** One curve that wanders from vertex to vertex and crosses itself: SURFACE BENDS. */
-void wanderingCurve(const Arguments& arguments)
+void wanderingCurve(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -192,7 +168,7 @@ void wanderingCurve(const Arguments& arguments)
 }
 
 /** Paths through waypoints, each some edges from the one before: SURFACE WAYPOINTS. */
-void waypoints(const Arguments& arguments)
+void waypoints(const CaseArguments& arguments)
 {
   constexpr int edges = 20;
   Trial trial(arguments.surface(0).surface);
@@ -212,7 +188,7 @@ void waypoints(const Arguments& arguments)
 }
 
 /** Triangles apart, some of them with a seed: TRIANGLES SEEDS. */
-void parts(const Arguments& arguments)
+void parts(const CaseArguments& arguments)
 {
   Trial trial(trianglesApart(arguments.count(0)));
   print("points", trial.mesh().numberOfVertices());
@@ -226,7 +202,7 @@ void parts(const Arguments& arguments)
 }
 
 /** Log-normal costs at random: SURFACE SIGMA. */
-void cost(const Arguments& arguments)
+void cost(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   std::normal_distribution<double> logarithm(0.0, arguments.number(1));
@@ -242,7 +218,7 @@ void cost(const Arguments& arguments)
 }
 
 /** The field of one seed: SURFACE POINT. */
-void field(const Arguments& arguments)
+void field(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnitsOfOrdinarySurface(trial);
@@ -250,7 +226,7 @@ void field(const Arguments& arguments)
 }
 
 /** A field as far as random vertices, with a seed at one vertex: SURFACE TARGETS. */
-void targets(const Arguments& arguments)
+void targets(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -268,7 +244,7 @@ void targets(const Arguments& arguments)
 }
 
 /** The path between the surface's two points: SURFACE. */
-void path(const Arguments& arguments)
+void path(const CaseArguments& arguments)
 {
   const WorstSurface surface = arguments.surface(0);
   Trial trial(surface.surface);
@@ -286,7 +262,7 @@ void path(const Arguments& arguments)
 }
 
 /** Paths from many points to the nearest of some: SURFACE STARTS ENDS. */
-void starts(const Arguments& arguments)
+void starts(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
@@ -317,7 +293,7 @@ void starts(const Arguments& arguments)
 constexpr std::array<double Vector3::*, 3> Axes{ &Vector3::x, &Vector3::y, &Vector3::z };
 
 /** One seed on a surface made flat; the worst of some seeds and all axes: SURFACE FACTOR METHOD. */
-void flat(const Arguments& arguments)
+void flat(const CaseArguments& arguments)
 {
   constexpr Index sources = 3;
   const Surface surface = arguments.surface(0).surface;
@@ -345,7 +321,7 @@ void flat(const Arguments& arguments)
 
 /** Errors of one seed's field on a surface made flat, the worst of all axes, beside those before:
  * SURFACE FACTOR METHOD. */
-void flatError(const Arguments& arguments)
+void flatError(const CaseArguments& arguments)
 {
   const Surface surface = arguments.surface(0).surface;
   print("points", static_cast<double>(surface.points.size()));
@@ -364,7 +340,7 @@ void flatError(const Arguments& arguments)
   print("mean_error", worst.mean);
 }
 
-const std::map<std::string, std::function<void(const Arguments&)>> Cases{
+const BenchmarkCases Cases{
   { "seeds", seeds },
   { "seeds-of-one-face", seedsOfOneFace },
   { "slice", slice },
@@ -387,18 +363,5 @@ const std::map<std::string, std::function<void(const Arguments&)>> Cases{
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    Arguments arguments{ { argv + 1, argv + argc } };
-    arguments.tiny = std::erase(arguments.words, "--tiny") > 0;
-    const std::string name = arguments.word(0);
-    arguments.words.erase(arguments.words.begin());
-    Cases.at(name)(arguments);
-  }
-  catch (const std::exception& exception)
-  {
-    std::printf("error %s\n", exception.what());
-    return 1;
-  }
-  return 0;
+  return runCase(Cases, argc, argv);
 }

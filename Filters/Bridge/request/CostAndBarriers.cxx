@@ -54,6 +54,17 @@ std::vector<double> costOfValues(const InputSurface& surface, std::span<const do
   return cost;
 }
 
+std::vector<double> costOfArray(
+  const InputSurface& surface, const ChosenArray& array, CostMeaning meaning)
+{
+  if (array.isOfCells)
+  {
+    throw std::invalid_argument(
+      array.role + " is a cell array; give a point array, for example by Cell Data to Point Data.");
+  }
+  return costOfValues(surface, array.values, meaning, array.role);
+}
+
 void excludePoints(const TriangleMesh& mesh, vtkIdList* ids, Barriers& barriers)
 {
   const vtkIdType count = ids ? ids->GetNumberOfIds() : 0;

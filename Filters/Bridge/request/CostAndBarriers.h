@@ -34,6 +34,10 @@ enum class CostMeaning
 std::vector<double> costOfValues(const InputSurface& surface, std::span<const double> values,
   CostMeaning meaning, const std::string& role);
 
+/** The same from an array of points. @throws std::invalid_argument for one of cells, too */
+std::vector<double> costOfArray(
+  const InputSurface& surface, const ChosenArray& array, CostMeaning meaning);
+
 /** The vertices and triangles that no front enters. */
 struct Barriers
 {
