@@ -28,7 +28,7 @@ using namespace geodesic::testing;
 namespace
 {
 
-void print(const RunCost& cost)
+void printCost(const RunCost& cost)
 {
   print("seconds", cost.seconds);
   print("silence", cost.silence);
@@ -66,7 +66,7 @@ void seeds(const CaseArguments& arguments)
     list.push_back(Seed::atPoint(trial.mesh().pointAtVertex(vertex)));
   }
   print("items", static_cast<double>(list.size()));
-  print(trial.solve(list));
+  printCost(trial.solve(list));
 }
 
 /** Any number of seeds inside one face: SURFACE COUNT. */
@@ -82,7 +82,7 @@ void seedsOfOneFace(const CaseArguments& arguments)
     list.push_back(Seed::atPoint(point));
   }
   print("items", static_cast<double>(list.size()));
-  print(trial.solve(list));
+  printCost(trial.solve(list));
 }
 
 std::vector<Segment> sliceOf(const TriangleMesh& mesh)
@@ -101,7 +101,7 @@ void slice(const CaseArguments& arguments)
   printUnits(trial);
   const std::vector<Segment> segments = sliceOf(trial.mesh());
   print("items", static_cast<double>(segments.size()));
-  print(trial.solve(arguments.word(1) == "loose"
+  printCost(trial.solve(arguments.word(1) == "loose"
       ? looseSeeds(segments)
       : std::vector<Seed>{ seedAlong(trial.mesh(), segments) }));
 }
@@ -113,7 +113,7 @@ void border(const CaseArguments& arguments)
   printUnits(trial);
   const std::vector<Segment> segments = boundarySegments(trial.mesh());
   print("items", static_cast<double>(segments.size()));
-  print(trial.solve(looseSeeds(segments)));
+  printCost(trial.solve(looseSeeds(segments)));
 }
 
 /** The segments of a contour of z, each for itself: SURFACE Z. */
@@ -125,7 +125,7 @@ void contour(const CaseArguments& arguments)
   const std::vector<Segment> segments =
     segmentsAtZero(trial.mesh(), [&](const Vector3& p) { return p.z - level; });
   print("items", static_cast<double>(segments.size()));
-  print(trial.solve(looseSeeds(segments)));
+  printCost(trial.solve(looseSeeds(segments)));
 }
 
 /** Edges at random, each for itself: SURFACE COUNT. */
@@ -136,7 +136,7 @@ void edges(const CaseArguments& arguments)
   const std::vector<Segment> segments =
     randomEdges(trial.mesh(), arguments.count(1), trial.random());
   print("items", static_cast<double>(segments.size()));
-  print(trial.solve(looseSeeds(segments)));
+  printCost(trial.solve(looseSeeds(segments)));
 }
 
 /** Vertices on a random walk along edges. @param steps from each to the next */
@@ -164,7 +164,7 @@ void wanderingCurve(const CaseArguments& arguments)
   printUnits(trial);
   const Index bends = arguments.count(1);
   print("items", bends);
-  print(trial.solve({ Seed::alongCurve(randomWalk(trial, bends, 1)) }));
+  printCost(trial.solve({ Seed::alongCurve(randomWalk(trial, bends, 1)) }));
 }
 
 /** Paths through waypoints, each some edges from the one before: SURFACE WAYPOINTS. */
@@ -175,7 +175,7 @@ void waypoints(const CaseArguments& arguments)
   printUnits(trial);
   const std::vector<SurfacePoint> points = randomWalk(trial, arguments.count(1), edges);
   print("items", static_cast<double>(points.size()));
-  print(trial.run(
+  printCost(trial.run(
     [&](const SolveOptions& options)
     {
       for (std::size_t i = 1; i < points.size(); ++i)
@@ -198,7 +198,7 @@ void parts(const CaseArguments& arguments)
     list.push_back(Seed::atPoint(randomPoint(trial.mesh(), trial.random())));
   }
   print("items", static_cast<double>(list.size()));
-  print(trial.solve(list));
+  printCost(trial.solve(list));
 }
 
 /** Log-normal costs at random: SURFACE SIGMA. */
@@ -213,7 +213,7 @@ void cost(const CaseArguments& arguments)
   print("dijkstra", trial.secondsOfDijkstra(costs));
   SolveOptions options;
   options.cost = costs;
-  print(trial.solve(
+  printCost(trial.solve(
     { Seed::atPoint(trial.mesh().pointAtVertex(trial.mesh().numberOfVertices() / 2)) }, options));
 }
 
@@ -222,7 +222,7 @@ void field(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnitsOfOrdinarySurface(trial);
-  print(trial.solve({ seedAt(trial.mesh(), static_cast<Index>(arguments.number(1))) }));
+  printCost(trial.solve({ seedAt(trial.mesh(), static_cast<Index>(arguments.number(1))) }));
 }
 
 /** A field as far as random vertices, with a seed at one vertex: SURFACE TARGETS. */
@@ -239,7 +239,7 @@ void targets(const CaseArguments& arguments)
   SolveOptions options;
   options.targets = list;
   options.targetMode = TargetMode::All;
-  print(trial.solve(
+  printCost(trial.solve(
     { Seed::atPoint(trial.mesh().pointAtVertex(trial.mesh().numberOfVertices() / 2)) }, options));
 }
 
@@ -251,7 +251,7 @@ void path(const CaseArguments& arguments)
   printUnitsOfOrdinarySurface(trial);
   const auto at = [&](Index point)
   { return trial.mesh().pointAtVertex(trial.mesh().vertexOfPoint(point)); };
-  print(trial.run(
+  printCost(trial.run(
     [&](const SolveOptions& options)
     {
       if (!shortestPath(trial.solver(), at(surface.from), at(surface.to), options, Straight))
@@ -276,7 +276,7 @@ void starts(const CaseArguments& arguments)
   const std::vector<SurfacePoint> from = points(arguments.count(1));
   const std::vector<SurfacePoint> to = points(arguments.count(2));
   print("items", static_cast<double>(from.size()));
-  print(trial.run(
+  printCost(trial.run(
     [&](const SolveOptions& options)
     {
       PathFinder finder(trial.solver(), to, options, Straight);
@@ -316,7 +316,7 @@ void flat(const CaseArguments& arguments)
     }
   }
   print("dijkstra", dijkstra);
-  print(worst);
+  printCost(worst);
 }
 
 /** Errors of one seed's field on a surface made flat, the worst of all axes, beside those before:
