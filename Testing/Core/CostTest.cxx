@@ -167,6 +167,40 @@ TEST(Cost, AConstantCostScalesTheField)
   }
 }
 
+// In the disc round a seed, where a varying cost begins with lengths of straight lines, these lead
+// round closed triangles, too.
+TEST(Cost, TheDiscRoundASeedEndsAtABarrier)
+{
+  const Surface plane = planeGrid(40, 40, 40.0, 40.0);
+  const auto mesh = meshOf(plane);
+  // A wall of one column of squares, open at its upper end only.
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles(), 0);
+  for (Index t = 0; t < closed.size(); ++t)
+  {
+    const Vector3 c = mesh->positionOf({ t, { 1.0 / 3, 1.0 / 3, 1.0 / 3 } });
+    closed[t] = c.x > 20.0 && c.x < 21.0 && c.y < 30.0;
+  }
+  std::vector<double> cost(mesh->numberOfVertices());
+  for (Index v = 0; v < cost.size(); ++v)
+  {
+    cost[v] = 1.0 + 1e-6 * mesh->position(v).x;
+  }
+  SolveOptions options;
+  options.closedTriangles = closed;
+  options.cost = cost;
+  const auto found =
+    distances<FastMarchingSolver>(mesh, { seedNear(mesh, { 19, 10, 0 }) }, options);
+  for (Index i = 0; i < plane.points.size(); ++i)
+  {
+    const Vector3& p = plane.points[i];
+    if (p.x >= 21.0 && p.y <= 20.0)
+    {
+      const double round = std::hypot(1.0, 20.0) + 1.0 + std::hypot(p.x - 21.0, 30.0 - p.y);
+      ASSERT_GE(found[i], (1.0 - 1e-2) * round) << p.x << ", " << p.y;
+    }
+  }
+}
+
 TEST(Cost, DijkstraTakesTheMeanOfTheEnds)
 {
   const auto mesh = meshOf({ { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } });

@@ -5,8 +5,10 @@
 
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
+#include "march/LabelBounds.h"
 #include "march/ReferenceSolver.h"
 #include "solve/Partition.h"
+#include "solve/SeedFront.h"
 
 #include <gtest/gtest.h>
 
@@ -167,4 +169,32 @@ TEST(LabelOrder, JumpingCostsKeepTheFieldOfTheReference)
   {
     expectNoOrder<ReferenceSolver>(number);
   }
+}
+
+// Of equal starts at a vertex a final one counts, of others the least, whichever comes first.
+TEST(LabelOrder, OfEqualStartsAFinalOneCounts)
+{
+  const auto mesh = meshOf(planeGrid(4, 4, 1.0, 1.0));
+  std::vector<Label> labels(3);
+  for (Index i = 0; i < labels.size(); ++i)
+  {
+    labels[i].seed = i;
+    labels[i].value = i < 2 ? 0.0 : 1.0;
+  }
+  const StartValue open{ 7, 0, 0.5, false };
+  const StartValue final{ 7, 1, 0.5, true };
+  const StartValue farther{ 7, 2, 0.5, true };
+  Partition whole;
+  const auto isFinal = [&](const std::vector<StartValue>& starts)
+  {
+    LabelBounds bounds;
+    bounds.begin(*mesh, labels, starts, whole);
+    EXPECT_EQ(bounds.starts().size(), 1u);
+    EXPECT_EQ(bounds.starts()[0].value, 0.5);
+    return bounds.starts()[0].isFinal;
+  };
+  EXPECT_TRUE(isFinal({ open, final }));
+  EXPECT_TRUE(isFinal({ final, open }));
+  EXPECT_FALSE(isFinal({ open, farther }));
+  EXPECT_FALSE(isFinal({ farther, open }));
 }

@@ -6,10 +6,14 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "path/PathFinder.h"
+#include "solve/DijkstraSolver.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <random>
 #include <vector>
 
 using namespace geodesic;
@@ -18,44 +22,56 @@ using namespace geodesic::testing;
 namespace
 {
 
-/** A strip of two triangles: their common edge goes from point 0 to point 2. */
 const Surface square{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
   { { 0, 1, 2 }, { 0, 2, 3 } } };
 
-double costOnSquare(const std::vector<double>& cost, const SurfacePath& path)
+/** A strip of two triangles, whose common edge goes from point 0 to point 2, with costs. */
+class PathCost : public ::testing::Test
 {
-  const auto mesh = meshOf(square);
-  SolveOptions options;
-  options.cost = cost;
-  SearchProgress progress(options);
-  return costOf(WeightedMesh(*mesh, options, progress), path);
-}
+protected:
+  PathPoint at(Index point) const { return PathPoint::atVertex(this->Mesh->vertexOfPoint(point)); }
+  PathPoint onDiagonal(double fraction) const
+  {
+    return PathPoint::onEdge(this->Mesh->vertexOfPoint(0), this->Mesh->vertexOfPoint(2), fraction);
+  }
+  double costOf(const SurfacePath& path, const std::vector<double>& costOfPoints = {}) const
+  {
+    std::vector<double> cost(costOfPoints.size());
+    for (Index point = 0; point < cost.size(); ++point)
+    {
+      cost[this->Mesh->vertexOfPoint(point)] = costOfPoints[point];
+    }
+    SolveOptions options;
+    options.cost = cost;
+    SearchProgress progress(options);
+    return geodesic::costOf(WeightedMesh(*this->Mesh, options, progress), path);
+  }
+
+  const std::shared_ptr<const TriangleMesh> Mesh = meshOf(square);
+};
 
 }
 
-TEST(PathCost, IsTheLengthWithoutCosts)
+TEST_F(PathCost, IsTheLengthWithoutCosts)
 {
-  const SurfacePath path{ PathPoint::atVertex(1), PathPoint::onEdge(0, 2, 0.5),
-    PathPoint::atVertex(3) };
-  EXPECT_NEAR(costOnSquare({}, path), std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(
+    this->costOf({ this->at(1), this->onDiagonal(0.5), this->at(3) }), std::sqrt(2.0), 1e-14);
 }
 
-TEST(PathCost, IsTheSumOfThoseInTheFaces)
+TEST_F(PathCost, IsTheSumOfThoseInTheFaces)
 {
   // Faces of costs (1 + 4 + 1) / 3 and (1 + 1 + 22) / 3.
   const std::vector<double> cost{ 1.0, 4.0, 1.0, 22.0 };
   const double half = std::sqrt(0.5);
-  const SurfacePath across{ PathPoint::atVertex(1), PathPoint::onEdge(0, 2, 0.5),
-    PathPoint::atVertex(3) };
-  EXPECT_NEAR(costOnSquare(cost, across), 2.0 * half + 8.0 * half, 1e-13);
+  EXPECT_NEAR(this->costOf({ this->at(1), this->onDiagonal(0.5), this->at(3) }, cost),
+    2.0 * half + 8.0 * half, 1e-13);
   // Along their common edge the cheaper one counts, along another edge its own face.
-  const SurfacePath along{ PathPoint::atVertex(0), PathPoint::onEdge(0, 2, 0.3),
-    PathPoint::atVertex(2), PathPoint::atVertex(3) };
-  EXPECT_NEAR(costOnSquare(cost, along), 2.0 * std::sqrt(2.0) + 8.0, 1e-13);
+  EXPECT_NEAR(this->costOf({ this->at(0), this->onDiagonal(0.3), this->at(2), this->at(3) }, cost),
+    2.0 * std::sqrt(2.0) + 8.0, 1e-13);
 }
 
 // The field's value at the start is what the path from there costs.
-TEST(PathCost, IsTheDistanceAtItsStart)
+TEST(PathOfCosts, CostsTheDistanceAtItsStart)
 {
   const auto mesh = meshOf(planeGrid(64, 64, 1.0, 1.0));
   std::vector<double> cost(mesh->numberOfVertices());
@@ -76,4 +92,35 @@ TEST(PathCost, IsTheDistanceAtItsStart)
   const double distance = finder.field().distance(start);
   EXPECT_NEAR(finder.cost(), distance, 5e-3 * distance);
   EXPECT_GT(finder.cost(), 1.3 * lengthOf(*mesh, *path));
+}
+
+// A path along edges of random costs costs what Dijkstra's field says: length times the mean of the
+// costs at both ends of each edge.
+TEST(PathOfCosts, AlongEdgesIsThatOfDijkstrasField)
+{
+  const auto mesh = meshOf(jitteredGrid(12, 12, 1.0, 1.0, 0.3, 4));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> magnitude(0.0, 3.0);
+  std::vector<double> cost(mesh->numberOfVertices());
+  std::generate(cost.begin(), cost.end(), [&] { return std::pow(10.0, magnitude(random)); });
+  SolveOptions options;
+  options.cost = cost;
+  DijkstraSolver solver(mesh);
+  const SurfacePoint to = mesh->pointAtVertex(0);
+  const std::vector<double> distances =
+    geodesic::testing::distances<DijkstraSolver>(mesh, { Seed::atPoint(to) }, options);
+  for (Index start = 1; start < mesh->numberOfVertices(); ++start)
+  {
+    const auto path = shortestPath(solver, mesh->pointAtVertex(start), to, options, AlongEdges);
+    ASSERT_TRUE(path);
+    double sum = 0.0;
+    for (std::size_t i = 1; i < path->size(); ++i)
+    {
+      const Index a = (*path)[i - 1].carriers()[0];
+      const Index b = (*path)[i].carriers()[0];
+      sum += 0.5 * (cost[a] + cost[b]) * norm(mesh->position(a) - mesh->position(b));
+    }
+    const double distance = distances[mesh->pointOfVertex(start)];
+    EXPECT_NEAR(sum, distance, 1e-12 * distance) << start;
+  }
 }

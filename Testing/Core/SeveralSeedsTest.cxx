@@ -6,6 +6,7 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "solve/DijkstraSolver.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -126,9 +127,10 @@ TEST(SeveralSeeds, TiesGoToTheSmallerNumber)
   const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 0), seedAt(*mesh, 0) };
   FastMarchingSolver march(mesh);
   DijkstraSolver edges(mesh);
-  for (FrontSolver* solver : std::initializer_list<FrontSolver*>{ &march, &edges })
+  ExactSolver exact(mesh);
+  for (DistanceSolver* solver : std::initializer_list<DistanceSolver*>{ &march, &edges, &exact })
   {
-    const DistanceField& field = solver->solve(seeds);
+    const DistanceField& field = solver->solve(seeds, {});
     EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(5)), 0u);
     EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(2)), 1u);
     EXPECT_EQ(field.nearestSeed(mesh->vertexOfPoint(8)), 0u);

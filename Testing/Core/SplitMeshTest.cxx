@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -124,6 +125,63 @@ TEST(SplitMesh, KeepsTheSurface)
       length += norm(split.mesh()->position(ends[0]) - split.mesh()->position(ends[1]));
     }
     EXPECT_NEAR(length, lengthOf(*base, curves[i]), 1e-7 * length);
+  }
+}
+
+// Of two points on an edge that are both near enough to a third one, the nearer one is taken.
+TEST(SplitMesh, APointOnAnEdgeBecomesTheNearestOne)
+{
+  const auto base = meshOf(planeGrid(1, 1, 1.0, 1.0));
+  // The diagonal is the edge between the corners that two triangles have in common.
+  const Index a = base->vertexOfPoint(0);
+  const Index b = base->vertexOfPoint(3);
+  const Index off = base->vertexOfPoint(1);
+  ASSERT_EQ(base->trianglesWith(std::array{ a, b }).size(), 2u);
+  const auto at = [&](double fraction) { return PathPoint::onEdge(a, b, fraction); };
+  constexpr double tolerance = 1e-9;
+  const double low = 0.25;
+  const double high = low + 1.5 * tolerance;
+  for (const auto& [place, nearer] :
+    { std::pair{ low + 0.6 * tolerance, low }, std::pair{ low + 0.9 * tolerance, high } })
+  {
+    const std::vector<SurfacePath> curves{ { PathPoint::atVertex(off), at(low) },
+      { PathPoint::atVertex(off), at(high) }, { PathPoint::atVertex(off), at(place) } };
+    const SplitMesh split(base, curves, {});
+    const auto endOf = [&](std::size_t curve)
+    { return PathPoint::at(*split.mesh(), split.curve(curve).back()).carriers()[0]; };
+    ASSERT_NE(endOf(0), endOf(1));
+    EXPECT_EQ(endOf(2), endOf(nearer == low ? 0 : 1));
+  }
+}
+
+// What stands for a vertex of the base mesh on a cut is excluded, new points on cuts are for paths
+// along edges only.
+TEST(SplitMesh, ExcludesVerticesOnCuts)
+{
+  const auto base = meshOf(planeGrid(4, 4, 1.0, 1.0));
+  // From the vertex at (0.25, 0.5) along an edge to (0.5, 0.5), and on into the square beside it.
+  const Index first = base->vertexOfPoint(11);
+  const Index second = base->vertexOfPoint(12);
+  const Index third = base->vertexOfPoint(13);
+  const Index beside = base->vertexOfPoint(18);
+  const SurfacePath cut{ PathPoint::atVertex(first), PathPoint::atVertex(second),
+    PathPoint::onEdge(third, beside, 0.5) };
+  const std::vector<SurfacePath> cuts{ cut };
+  std::vector<std::uint8_t> baseExcluded(base->numberOfVertices(), 0);
+  baseExcluded[beside] = 1;
+  const SplitMesh split(base, {}, cuts);
+  const auto excluded = split.excluded(baseExcluded);
+  const auto forEdges = split.excludedForEdges(baseExcluded);
+  for (Index v = 0; v < split.mesh()->numberOfVertices(); ++v)
+  {
+    const PathPoint& origin = split.origin(v);
+    const bool isOld = isVertex(origin);
+    const Index carrier = origin.carriers()[0];
+    const bool isOnCut = !isOld || carrier == first || carrier == second;
+    // The cut is one-sided at its ends; inside, one side keeps the vertex and the other is new.
+    const bool isKept = isOld && split.vertexOf(carrier) == v;
+    EXPECT_EQ(excluded[v] != 0, isKept && (isOnCut || carrier == beside)) << v;
+    EXPECT_EQ(forEdges[v] != 0, isOnCut || carrier == beside) << v;
   }
 }
 

@@ -213,6 +213,32 @@ TEST(TriangleMesh, CoincidentPointsMergeBesideAnOutlier)
   EXPECT_EQ(merged->numberOfVertices(), 2u * 41u * 41u - 41u + 1u);
 }
 
+// Triangles of the same corners are found all, by three, two or one of these.
+TEST(TriangleMesh, FindsTrianglesThatLieOnEachOther)
+{
+  const auto mesh = meshOf({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+    { { 0, 1, 2 }, { 2, 1, 0 }, { 1, 3, 2 } } });
+  const auto sourcesAt = [&](std::vector<Index> points)
+  {
+    for (Index& point : points)
+    {
+      point = mesh->vertexOfPoint(point);
+    }
+    std::vector<Index> sources;
+    for (const Index t : mesh->trianglesWith(points))
+    {
+      sources.push_back(mesh->sourceOfTriangle(t));
+    }
+    std::sort(sources.begin(), sources.end());
+    return sources;
+  };
+  const std::vector<Index> twins{ 0, 1 };
+  EXPECT_EQ(sourcesAt({ 0, 1, 2 }), twins);
+  EXPECT_EQ(sourcesAt({ 0, 1 }), twins);
+  EXPECT_EQ(sourcesAt({ 0 }), twins);
+  EXPECT_EQ(sourcesAt({ 1, 2 }), (std::vector<Index>{ 0, 1, 2 }));
+}
+
 TEST(TriangleMesh, PointAtVertexIsThere)
 {
   const auto mesh = meshOf(icosphere(3));

@@ -144,19 +144,23 @@ std::optional<SurfacePath> PathTracer::traceToAim(
   while (true)
   {
     const PathPoint here = path.back();
-    if (const auto last = this->stepToSeed(here))
-    {
-      path.push_back(last->point);
-      return path;
-    }
+    const auto last = this->stepToSeed(here, order);
     std::optional<Step> step;
-    if (order == PathOrder::Edges)
+    if (!last && order == PathOrder::Edges)
     {
       step = this->stepAhead(path, left);
     }
-    if (!step || !gains(step->left, left, leftBefore))
+    // Along edges of different costs the straight line to a seed beside may be a detour.
+    const bool mayBeDetour = order == PathOrder::Vertices && this->Surface.hasCosts();
+    if ((!last || mayBeDetour) && (!step || !gains(step->left, left, leftBefore)))
     {
       step = this->stepAlongEdges(here);
+    }
+    constexpr double rounding = 1e-12;
+    if (last && (!step || last->total <= step->total * (1.0 + rounding)))
+    {
+      path.push_back(last->point);
+      return path;
     }
     if (step)
     {
@@ -182,7 +186,8 @@ std::optional<SurfacePath> PathTracer::traceToAim(
   }
 }
 
-std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) const
+std::optional<PathTracer::Step> PathTracer::stepToSeed(
+  const PathPoint& point, PathOrder order) const
 {
   if (this->Aim != NoIndex && !mayShareFace(point, this->Seeds[this->Aim]))
   {
@@ -196,8 +201,10 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(const PathPoint& point) c
     if (seed != NoIndex && liesIn(this->Seeds[seed], face))
     {
       const PathPoint& end = this->Seeds[seed];
-      const double total =
-        this->Surface.costOf(face) * norm(end.position(mesh) - point.position(mesh));
+      const double cost = order == PathOrder::Edges
+        ? this->Surface.costOf(face)
+        : 0.5 * (costAt(this->Surface, point) + costAt(this->Surface, end));
+      const double total = cost * norm(end.position(mesh) - point.position(mesh));
       if (!best || total < best->total)
       {
         best = Step{ end, 0.0, total };
@@ -324,7 +331,8 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
     const auto [length, here] = queue.top();
     queue.pop();
     const bool isLower = this->Field.distance(here) < this->Field.distance(vertex);
-    if (here != vertex && (isLower || this->stepToSeed(PathPoint::atVertex(here))))
+    if (here != vertex &&
+      (isLower || this->stepToSeed(PathPoint::atVertex(here), PathOrder::Vertices)))
     {
       std::vector<Index> descent;
       for (Index v = here; v != vertex; v = visits[v].previous)

@@ -84,8 +84,9 @@ private:
     const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const;
   /** Whether the vertex has a distance, and its nearest seed is Aim or Aim is any. */
   bool leadsToAim(Index vertex) const;
-  /** The step to the nearest seed that shares an open face with the point; nothing if none does. */
-  std::optional<Step> stepToSeed(const PathPoint& point) const;
+  /** The straight step to the nearest seed that shares an open face with the point; nothing if none
+   * does. */
+  std::optional<Step> stepToSeed(const PathPoint& point, PathOrder order) const;
   /** The step from the end of a path to the point with the least total on the edges of the faces
    * round it. It goes back across the face of the last step only where no other one will do.
    * @param left  by the last step */
