@@ -183,6 +183,14 @@ std::optional<SurfacePath> PathTracer::traceToAim(
     {
       path.push_back(PathPoint::atVertex(vertex));
     }
+    const bool isLower =
+      this->Field.distance(descent.back()) < this->Field.distance(here.carriers()[0]);
+    if (const auto end = isLower ? std::nullopt : this->stepToSeed(path.back(), order))
+    {
+      // Other steps from there could lead back.
+      path.push_back(end->point);
+      return path;
+    }
   }
 }
 
