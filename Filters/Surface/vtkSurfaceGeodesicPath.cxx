@@ -502,7 +502,7 @@ void vtkSurfaceGeodesicPath::ReportMissing(
     (found == 0 ? "So there is no segment"
                 : "The other " + std::to_string(found) + " of " + std::to_string(segments) +
           " segments are in the output") +
-    ". Connect the parts of the surface, open the barriers, or move the points.");
+    ". Connect the parts of the surface, remove a part of the barriers, or move the points.");
 }
 
 //------------------------------------------------------------------------------

@@ -41,6 +41,7 @@ assert testing.output_of(isolines).GetLines().GetNumberOfCells() == 3
 
 isolines.DistanceArray = ["POINTS", "Nothing"]
 testing.expect_error(isolines, "Nothing")
+assert "Nothing" in testing.informed(isolines, "ErrorText")
 
 # The cost of Geodesic Distance is found by its note on the array, from a file as well.
 cost = simple.Calculator(Input=plane, ResultArrayName="Cost", Function="0.2")

@@ -181,8 +181,9 @@ std::optional<SurfacePath> PathFinder::pathFrom(const SurfacePoint& point)
   if (std::all_of(carriers.begin(), carriers.end(),
         [&](Index vertex) { return this->Surface.isExcluded(vertex); }))
   {
-    throw std::invalid_argument("The path begins at excluded point " +
-      std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
+    throw std::invalid_argument("The path begins at point " +
+      std::to_string(mesh.pointOfVertex(carriers[0])) +
+      ", which is on a barrier. Move the waypoint off the barrier.");
   }
   this->IsProvenShortest = false;
   try

@@ -3,6 +3,7 @@
 #ifndef geodesic_NearestPoint_h
 #define geodesic_NearestPoint_h
 
+#include "base/NumberText.h"
 #include "mesh/TriangleMesh.h"
 #include "search/ClosestPointTree.h"
 #include "search/NearestOrder.h"
@@ -64,7 +65,9 @@ public:
   {
     if (this->Point.triangle == NoIndex)
     {
-      throw std::invalid_argument("A point is too far from the surface to measure its distance.");
+      throw std::invalid_argument("The point (" + textOf(this->Query.x) + ", " +
+        textOf(this->Query.y) + ", " + textOf(this->Query.z) +
+        ") is too far from the surface to measure its distance. Correct its coordinates.");
     }
     ClosestPointTree::Result result;
     result.point = snapped(this->Point);

@@ -138,9 +138,9 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
     carriers.begin(), carriers.end(), [&](Index vertex) { return options.isExcluded(vertex); });
   if (allExcluded)
   {
-    throw std::invalid_argument(seed + " is at excluded point " +
+    throw std::invalid_argument(seed + " is at point " +
       std::to_string(mesh.pointOfVertex(*excluded)) +
-      ", where no front may be; move it off the barrier.");
+      ", which is on a barrier. Move it off the barrier.");
   }
   const bool isInside =
     carriers.size() == 3 && isClosed(mesh, closed, mesh.triangle(point.triangle));

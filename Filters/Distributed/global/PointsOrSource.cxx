@@ -20,7 +20,8 @@ std::vector<GlobalPoint> pointsOrSource(RankGroup& ranks, const DistributedSurfa
   if (!coordinates.empty())
   {
     throw std::invalid_argument(positions + " has " + std::to_string(coordinates.size()) +
-      " numbers, and " + sourceName + " is set as well: take one of them away.");
+      " numbers, and " + sourceName + " is set as well. Clear " + positions + ", or set " +
+      sourceName + " to None.");
   }
   return globalPointsOf(ranks, surface, source, sourceName);
 }
