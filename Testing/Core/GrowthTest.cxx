@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <span>
 #include <vector>
 
@@ -30,7 +32,7 @@ constexpr double MostGrowth = 5.5;
 
 /** @param work  called with a size */
 template <class Work>
-void expectLinear(Index size, const Work& work)
+void expectGrowth(double most, Index size, const Work& work)
 {
   const auto stepsOf = [&](Index n)
   {
@@ -40,7 +42,13 @@ void expectLinear(Index size, const Work& work)
   };
   const double steps = stepsOf(size);
   EXPECT_GT(steps, 0.0);
-  EXPECT_LT(stepsOf(4 * size) / steps, MostGrowth);
+  EXPECT_LT(stepsOf(4 * size) / steps, most);
+}
+
+template <class Work>
+void expectLinear(Index size, const Work& work)
+{
+  expectGrowth(MostGrowth, size, work);
 }
 
 /** The path between two points of the input. */
@@ -83,6 +91,36 @@ TEST(Growth, ExactDistancesFromTheRimOfADisc)
       const std::vector<double> found =
         distances<ExactSolver>(meshOf(surface), { seedAt(*meshOf(surface), 1) });
       EXPECT_LT(relativeError(found, straightLines(surface, surface.points[1])).largest, 1e-9);
+    });
+}
+
+// Each edge from the centre to the rim is far longer than the way from seed to seed. The areas
+// nearest to n seeds among 10 n edges cross some n^1.5 of these: 8 times as many.
+TEST(Growth, ExactDistancesFromManySeedsInADisc)
+{
+  expectGrowth(12.0, 1000,
+    [](Index around)
+    {
+      const Surface surface = disc(around);
+      const auto mesh = meshOf(surface);
+      std::mt19937 random(1);
+      std::uniform_real_distribution<double> part(0.0, 1.0);
+      std::uniform_int_distribution<Index> triangle(0, around - 1);
+      std::vector<Seed> seeds;
+      std::vector<double> truth(surface.points.size(), DistanceField::Unreached);
+      for (Index i = 0; i < around / 10; ++i)
+      {
+        const double a = part(random);
+        const double b = (1.0 - a) * part(random);
+        seeds.push_back(Seed::atPoint({ triangle(random), { a, b, 1.0 - a - b } }));
+        const Vector3 place = mesh->positionOf(seeds.back().points[0]);
+        for (Index point = 0; point < truth.size(); ++point)
+        {
+          truth[point] = std::min(truth[point], norm(surface.points[point] - place));
+        }
+      }
+      const std::vector<double> found = distances<ExactSolver>(mesh, seeds);
+      EXPECT_LT(relativeError(found, truth).largest, 1e-9);
     });
 }
 

@@ -22,6 +22,44 @@ double gigabytes(std::size_t bytes)
   return static_cast<double>(bytes) * 1e-9;
 }
 
+/** The mean area of a triangle; of many triangles, of a few thousand of them. */
+double meanArea(const TriangleMesh& mesh)
+{
+  constexpr Index most = 4096;
+  const Index step = mesh.numberOfTriangles() / most + 1;
+  double sum = 0.0;
+  Index count = 0;
+  for (Index t = 0; t < mesh.numberOfTriangles(); t += step)
+  {
+    const Triangle& corners = mesh.triangle(t);
+    const Vector3 side = mesh.position(corners[1]) - mesh.position(corners[0]);
+    sum += 0.5 * norm(cross(side, mesh.position(corners[2]) - mesh.position(corners[0])));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+/**
+ * The width of the queue's buckets: half an edge. Where several seeds share a triangle's length,
+ * as round a point of very many triangles, it follows the size of what each seed has for itself, or
+ * fronts would run through each other within a bucket.
+ */
+double bucketWidth(const TriangleMesh& mesh, std::size_t seeds)
+{
+  constexpr double ofEdge = 0.5;
+  constexpr double ofSeed = 0.05;
+  const double edge = mesh.meanLongestEdge();
+  double width = ofEdge * edge;
+  if (seeds > 1)
+  {
+    const double triangles =
+      static_cast<double>(mesh.numberOfTriangles()) / static_cast<double>(seeds);
+    const double sizeOfSeed = std::sqrt(triangles * meanArea(mesh));
+    width = sizeOfSeed < ofEdge * edge ? ofSeed * sizeOfSeed : width;
+  }
+  return width > 0.0 ? width : 1.0;
+}
+
 }
 
 WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
@@ -57,8 +95,8 @@ void WindowWorkspace::empty(std::span<const Index> reached)
 
 WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   const ClosedTriangles& closed, const PassableTriangles& passable, const SolveOptions& options,
-  double first, StopLimit& limit, DistanceField& field, WindowWorkspace& workspace,
-  const WindowMerging* merging)
+  std::size_t seeds, double first, StopLimit& limit, DistanceField& field,
+  WindowWorkspace& workspace, const WindowMerging* merging)
   : Mesh(mesh)
   , Edges(edges)
   , Closed(closed)
@@ -72,9 +110,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   , MostBytes(options.memoryLimit > 0 ? options.memoryLimit : machineMemory() / 4 * 3)
   , NextReport(options.progressInterval)
 {
-  constexpr double bucket = 0.5;
-  const double width = bucket * mesh.meanLongestEdge();
-  this->Work.queue.start(width > 0.0 ? width : 1.0, 4.0 * mesh.longestEdgeLength());
+  this->Work.queue.start(bucketWidth(mesh, seeds), 4.0 * mesh.longestEdgeLength());
   this->findTurnsAtBarriers();
   this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());

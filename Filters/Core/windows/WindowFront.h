@@ -97,14 +97,16 @@ public:
   static constexpr double PartOfOrder = 0.9;
 
   /**
+   * @param seeds  how many there are
    * @param first  the least key of any seed: its value, and the part of what is left from there
    * @param field  reset; gets distances and nearest seeds
    * @param merging  null: distances are exact. Else they are lower bounds, and the workspace's
    *                 excesses say by how much the shortest paths may be longer.
    */
   WindowFront(const TriangleMesh& mesh, const EdgeTable& edges, const ClosedTriangles& closed,
-    const PassableTriangles& passable, const SolveOptions& options, double first, StopLimit& limit,
-    DistanceField& field, WindowWorkspace& workspace, const WindowMerging* merging = nullptr);
+    const PassableTriangles& passable, const SolveOptions& options, std::size_t seeds, double first,
+    StopLimit& limit, DistanceField& field, WindowWorkspace& workspace,
+    const WindowMerging* merging = nullptr);
   /** Leaves the workspace empty. */
   ~WindowFront() { this->Work.empty(this->Field.reached()); }
   WindowFront(const WindowFront&) = delete;

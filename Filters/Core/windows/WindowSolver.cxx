@@ -31,7 +31,7 @@ bool WindowSolver::marchWindows(const char* distances, const WindowMerging* merg
   bool isFinished = false;
   {
     WindowFront front(this->mesh(), this->Edges, request.closed, *this->Passable, request.options,
-      leastKeyOf(labels, limit), limit, field, this->Workspace, merging);
+      request.seeds.size(), leastKeyOf(labels, limit), limit, field, this->Workspace, merging);
     isFinished = marchFrom(request.seeds, this->mesh(), front);
   }
   if (merging)
