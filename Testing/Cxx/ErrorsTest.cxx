@@ -262,7 +262,7 @@ TEST_F(PathErrors, ExcludedEndsAreNamed)
     mend, "Begin point id 7 is among the exclusion points");
   expectError(
     this->Filter.Get(), [&] { this->Filter->GetGeodesic()->SetExclusionPointIds(idList({ 24 })); },
-    mend, "begins at point 24, which is on a barrier");
+    mend, "is at point 24, which is on a barrier");
 }
 
 TEST_F(PathErrors, WhatCannotBeStraightened)

@@ -92,7 +92,7 @@ path.WaypointPositions = []
 path.WaypointSource = testing.polyline(square)
 expect_near(total(path), 2.0, 1e-6)
 path.WaypointPositions = square
-testing.expect_error(path, "WaypointPositions has 12 numbers", "WaypointSource", "take one")
+testing.expect_error(path, "WaypointPositions has 12 numbers", "WaypointSource", "Clear WaypointPositions, or set WaypointSource to None")
 path.WaypointSource = None
 expect_near(total(path), 2.0, 1e-7)
 
