@@ -55,6 +55,7 @@ expect("not a point array", harness.surface("torus", "slabs", False, harness.RAN
 expect("barrier", torus, SeedPositions=[0, 1, 0.4], BarrierArray=["POINTS", "PointNumber"])
 expect(harness.GLOBAL_IDS_FILTER, torus, SeedPointIds=[7])
 expect(harness.GLOBAL_IDS_FILTER, torus, SeedPositions=SEED, MergeCoincidentPoints=0)
+expect("but on several ranks ids must be 0 or more", harness.surface("torus", "slabs", -10), SeedPositions=SEED)
 expect("Seed point id 11 ", with_ids, SeedPointIds=[10, 11])
 expect("Destination point id 12 ", with_ids, SeedPointIds=[10], DestinationPointIds=[12])
 expect("multiple of 3", torus, SeedPositions=[1, 2])

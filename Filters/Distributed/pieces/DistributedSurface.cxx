@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pieces/DistributedSurface.h"
 
+#include "filter/VtkVersions.h"
+#include "input/BlockNumbering.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/PointKeys.h"
 #include "ranks/RankCache.h"
@@ -9,11 +11,28 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace geodesic::distributed
 {
 namespace
 {
+
+/**
+ * Refuses a negative global id, with which it would not be known on which other ranks the point is.
+ * Only points that VTK made inside curved faces may have -1: no other rank has them.
+ */
+void checkGlobalId(
+  const bridge::BlockNumbering& numbering, const bridge::InputBlocks& blocks, Index point)
+{
+  const vtkIdType id = numbering.idOfPoint(point);
+  if (id < -1 || !blocks[numbering.blockOfPoint(point)].outerSurface)
+  {
+    throw std::invalid_argument("A point of the surface has the global id " + std::to_string(id) +
+      ", but on several ranks ids must be 0 or more. Make the ids again for all ranks together, " +
+      bridge::MakeGlobalIds + ", or remove the array.");
+  }
+}
 
 std::vector<Key> keysOf(const bridge::InputSurface& surface, const bridge::InputBlocks& blocks,
   const bridge::PointIdentity& identity)
@@ -26,6 +45,10 @@ std::vector<Key> keysOf(const bridge::InputSurface& surface, const bridge::Input
   {
     const Index point = mesh.pointOfVertex(v);
     keys.push_back(pointKeys.of(point, mesh.position(v), surface.numbering().blockNumberOf(point)));
+    if (keys.back() == NoKey)
+    {
+      checkGlobalId(surface.numbering(), blocks, point);
+    }
   }
   return keys;
 }
