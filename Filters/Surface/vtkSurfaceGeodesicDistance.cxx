@@ -36,7 +36,6 @@
 #include "pieces/ThinTriangleNotice.h"
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
-#include "request/SeedResolver.h"
 #include "request/SolveSurface.h"
 #include "split/SplitMesh.h"
 
@@ -510,8 +509,12 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
     run.ranks, surface, vtkDataObject::GetData(run.inputVector[SEED_SOURCE_PORT])));
   // SolveSurface::seedsOf() sets the points of these seeds to those of the joined lines.
   seeds.insert(seeds.end(), numberOfLines, geodesic::Seed::alongCurve({}));
-  add(this->GatherArraySeeds(run));
-  add(this->GatherSelectedSeeds(run));
+  const char* array = this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME());
+  add(geodesic::distributed::seedsOfArray(run.ranks, surface, array ? array : "",
+    [&] { return this->GetChosenArray(SEED_ARRAY, run.blocks); }));
+  add(geodesic::distributed::seedsOfSelection(run.ranks, surface,
+    vtkSelection::GetData(run.inputVector[SEED_SELECTION_PORT]),
+    vtkDataObject::GetData(run.inputVector[SURFACE_PORT]), run.blocks));
   if (const auto* gathered = internal.Lined.gathered())
   {
     gathered->relocateRegions(run.ranks, internal.Lined.divided(), internal.Lined.split(), seeds);
@@ -521,55 +524,6 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
     throw std::invalid_argument("There is no seed to measure from. Pick one or more points on the "
                                 "surface, set SeedPositions to their x, y and z, or give "
                                 "SeedPointIds, SeedSource, SeedArray or SeedSelection.");
-  }
-  return seeds;
-}
-
-//------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherArraySeeds(const Run& run)
-{
-  geodesic::bridge::RegionsByValue regions;
-  bool isChosen = false;
-  run.ranks.together(
-    [&]
-    {
-      if (const auto array = this->GetChosenArray(SEED_ARRAY, run.blocks))
-      {
-        isChosen = true;
-        regions = geodesic::bridge::regionsOfArray(this->Internal->Surface->piece(), array);
-      }
-    });
-  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
-  if (run.ranks.isAny(isChosen) && seeds.empty())
-  {
-    const char* name = this->GetInputArrayInformation(SEED_ARRAY)->Get(vtkDataObject::FIELD_NAME());
-    throw std::invalid_argument("SeedArray \"" + std::string(name) +
-      "\" is 0 on the whole surface, so it gives no seed. Choose another array, or None.");
-  }
-  return seeds;
-}
-
-//------------------------------------------------------------------------------
-std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSelectedSeeds(const Run& run)
-{
-  geodesic::bridge::RegionsByValue regions;
-  bool isEmpty = true;
-  run.ranks.together(
-    [&]
-    {
-      if (vtkSelection* selection = vtkSelection::GetData(run.inputVector[SEED_SELECTION_PORT]))
-      {
-        vtkDataObject* input = vtkDataObject::GetData(run.inputVector[SURFACE_PORT]);
-        const geodesic::bridge::SelectedElements selected(selection, input, run.blocks);
-        isEmpty = selected.isEmpty;
-        regions = geodesic::bridge::regionsOfSelection(this->Internal->Surface->piece(), selected);
-      }
-    });
-  auto seeds = geodesic::distributed::seedsOfRegions(run.ranks, std::move(regions));
-  if (run.ranks.isAny(!isEmpty) && seeds.empty())
-  {
-    throw std::invalid_argument(
-      "SeedSelection has no point or cell of the surface. Select others.");
   }
   return seeds;
 }

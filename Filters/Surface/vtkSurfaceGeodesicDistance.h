@@ -328,8 +328,6 @@ private:
   };
   void Solve(const Run& run);
   std::vector<geodesic::Seed> GatherSeeds(const Run& run, std::size_t numberOfLines);
-  std::vector<geodesic::Seed> GatherArraySeeds(const Run& run);
-  std::vector<geodesic::Seed> GatherSelectedSeeds(const Run& run);
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
   /** Throws if UnreachedValue can be a distance. */
   void CheckUnreachedValue() const;

@@ -8,6 +8,7 @@
 #include <array>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace geodesic::distributed
 {
@@ -98,6 +99,53 @@ std::vector<Seed> seedsOfRegions(RankGroup& ranks, bridge::RegionsByValue region
   for (const double value : std::set<double>(all.begin(), all.end()))
   {
     seeds.push_back(Seed::onRegion(std::move(regions[value])));
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedsOfArray(RankGroup& ranks, const DistributedSurface& surface,
+  const std::string& name, const std::function<bridge::ChosenArray()>& choose)
+{
+  bridge::RegionsByValue regions;
+  bool isChosen = false;
+  ranks.together(
+    [&]
+    {
+      if (const auto array = choose())
+      {
+        isChosen = true;
+        regions = bridge::regionsOfArray(surface.piece(), array);
+      }
+    });
+  auto seeds = seedsOfRegions(ranks, std::move(regions));
+  if (ranks.isAny(isChosen) && seeds.empty())
+  {
+    throw std::invalid_argument("SeedArray \"" + name +
+      "\" is 0 on the whole surface, so it gives no seed. Choose another array, or None.");
+  }
+  return seeds;
+}
+
+std::vector<Seed> seedsOfSelection(RankGroup& ranks, const DistributedSurface& surface,
+  vtkSelection* selection, vtkDataObject* input, const bridge::InputBlocks& blocks)
+{
+  bridge::RegionsByValue regions;
+  bool isEmpty = true;
+  ranks.together(
+    [&]
+    {
+      if (selection)
+      {
+        const bridge::SelectedElements selected(selection, input, blocks);
+        isEmpty = selected.isEmpty;
+        regions = bridge::regionsOfSelection(surface.piece(), selected);
+      }
+    });
+  auto seeds = seedsOfRegions(ranks, std::move(regions));
+  if (ranks.isAny(!isEmpty) && seeds.empty())
+  {
+    throw std::invalid_argument(
+      "SeedSelection has no point or cell of the surface. Select others.");
   }
   return seeds;
 }
