@@ -90,7 +90,7 @@ check_labels()
 
 install_packages build test
 # Several builds compile the same sources with the same flags: once is enough.
-export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1
+export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
 if [[ ${1-} == bench ]]; then
   case ${2-} in
     '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks ExactBenchmarks RankBenchmarks) ;;

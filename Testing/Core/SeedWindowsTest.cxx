@@ -97,6 +97,39 @@ struct FoldedPlane
 
 }
 
+TEST(SeedWindows, PointsAreExactWhereAllAnglesAreTwoPi)
+{
+  // Round each point, rounding makes the angle a little more or a little less: a saddle or none.
+  const FoldedPlane plane(30);
+  const auto turnedAndMoved = [](Vector3 p, double by)
+  {
+    const Vector3 turned{ 0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z };
+    return Vector3{ turned.x, 0.28 * turned.y - 0.96 * turned.z,
+      0.96 * turned.y + 0.28 * turned.z } +
+      Vector3{ by, by, by };
+  };
+  for (const double by : { 0.0, 1e6 })
+  {
+    Surface surface = plane.folded;
+    for (Vector3& p : surface.points)
+    {
+      p = turnedAndMoved(p, by);
+    }
+    const auto mesh = meshOf(surface);
+    for (const Index source : { 0u, 17u, 480u })
+    {
+      const auto exact = distances<ExactSolver>(mesh, { seedAt(*mesh, source) });
+      const auto bounded = distances<BoundedSolver>(mesh, { seedAt(*mesh, source) });
+      for (std::size_t i = 0; i < exact.size(); ++i)
+      {
+        const double truth = norm(plane.flat.points[i] - plane.flat.points[source]);
+        ASSERT_NEAR(exact[i], truth, 1e-10 * 42.0) << "from " << source << " to " << i;
+        ASSERT_NEAR(bounded[i], truth, 1e-3 * truth + 1e-9) << "from " << source << " to " << i;
+      }
+    }
+  }
+}
+
 TEST(SeedWindows, CurvesAlongEdgesAreExactOnAFoldedPlane)
 {
   const FoldedPlane plane(24);

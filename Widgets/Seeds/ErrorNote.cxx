@@ -12,6 +12,8 @@
 #include <QScrollBar>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace seeds
 {
 namespace
@@ -27,6 +29,9 @@ Ancestor* ancestorOf(QWidget* widget)
   return qobject_cast<Ancestor*>(widget);
 }
 
+/** Narrower text is not read any more. */
+constexpr int LeastWidth = 80;
+
 }
 
 ErrorNote::ErrorNote(pqPropertyWidget* widget, const QString& message)
@@ -40,6 +45,10 @@ ErrorNote::ErrorNote(pqPropertyWidget* widget, const QString& message)
   this->setStyleSheet(styleFor(widget));
   this->connect(widget, &pqPropertyWidget::changeAvailable, this, &ErrorNote::dismiss);
   widget->installEventFilter(this);
+  if (auto* area = ancestorOf<QScrollArea>(widget))
+  {
+    area->viewport()->installEventFilter(this);
+  }
   this->place();
   this->show();
   // Once the panel has made room for it.
@@ -117,13 +126,25 @@ bool ErrorNote::eventFilter(QObject* object, QEvent* event)
   return QLabel::eventFilter(object, event);
 }
 
+int ErrorNote::seenWidth() const
+{
+  const int width = this->Widget->width();
+  const auto* area = ancestorOf<QScrollArea>(this->Widget);
+  if (!area)
+  {
+    return width;
+  }
+  const int left = this->Widget->mapTo(area->widget(), QPoint(0, 0)).x();
+  return std::clamp(area->viewport()->width() - left, std::min(width, LeastWidth), width);
+}
+
 void ErrorNote::place()
 {
   if (!this->Widget)
   {
     return;
   }
-  const int width = this->Widget->width();
+  const int width = this->seenWidth();
   const int height = this->heightForWidth(width);
   QMargins margins = this->Margins;
   margins.setBottom(margins.bottom() + height);

@@ -38,6 +38,8 @@ protected:
 private:
   void dismiss();
   void place();
+  /** How much of the property's widget is seen where the panel is wider than its scroll area. */
+  int seenWidth() const;
 
   QPointer<pqPropertyWidget> Widget;
   QMargins Margins;
