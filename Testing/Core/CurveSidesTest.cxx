@@ -47,14 +47,14 @@ public:
     }
     return joinedCurve(this->Solver, points, "Test line");
   }
-  std::vector<std::int8_t> sides(const std::vector<Positions>& lines)
+  std::vector<std::int8_t> sides(const std::vector<Positions>& lines, const Walls& walls = {})
   {
     std::vector<SurfacePath> paths;
     for (const Positions& positions : lines)
     {
       paths.push_back(this->line(positions));
     }
-    return curveSides(this->Regions, paths, "Lines");
+    return curveSides(this->Regions, paths, "Lines", walls);
   }
   int sideAt(const std::vector<Positions>& lines, const Vector3& position)
   {
@@ -241,6 +241,73 @@ TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
   expectContains(ring.errorOf({ { { 1.4, 0, 0 }, { 1, 0, 0.4 }, { 0.6, 0, 0 }, { 1, 0, -0.4 },
                    { 1.4, 0, 0 } } }),
     "line 0 has no inside");
+}
+
+// A tube with a line from end to end: without a wall, all round is one side.
+TEST(CurveSides, AreToldBetweenWallsOfEachKind)
+{
+  Subject tube(cylinder(36, 12, 1.0, 2.0));
+  const TriangleMesh& mesh = tube.mesh();
+  const Positions seam{ { 1, 0.03, 0 }, { 1, 0.1, 1 }, { 1, 0.03, 2 } };
+  expectContains(tube.errorOf({ seam }), "line 0 has no two sides");
+
+  const std::vector<SurfacePath> lines{ tube.line({ { -1, 0.03, 0 }, { -1, 0.05, 2 } }) };
+  std::vector<std::uint8_t> excluded(mesh.numberOfVertices(), 0);
+  std::vector<std::uint8_t> closed(mesh.numberOfTriangles(), 0);
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    excluded[v] = mesh.position(v).x < -1.0 + 1e-9 ? 1 : 0;
+  }
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    const Triangle& corners = mesh.triangle(t);
+    const Vector3 middle =
+      mesh.position(corners[0]) + mesh.position(corners[1]) + mesh.position(corners[2]);
+    closed[t] = middle.x < -2.9 && middle.y > 0.0 ? 1 : 0;
+  }
+  for (const Walls& walls :
+    { Walls{ lines, {}, {} }, Walls{ {}, excluded, {} }, Walls{ {}, {}, closed } })
+  {
+    const std::vector<std::int8_t> sides = tube.sides({ seam }, walls);
+    int told = 0;
+    for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+    {
+      // The side that the line and the wall, which are not just at y = 0, leave no doubt about.
+      if (std::abs(mesh.position(v).y) > 0.2)
+      {
+        ASSERT_EQ(sides[v], mesh.position(v).y > 0.0 ? -1 : 1) << v;
+        ++told;
+      }
+    }
+    EXPECT_GT(told, 350);
+  }
+
+  // One that ends half way is no wall.
+  for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    excluded[v] = mesh.position(v).z < 1.0 ? excluded[v] : 0;
+  }
+  EXPECT_THROW(tube.sides({ seam }, { {}, excluded, {} }), std::invalid_argument);
+}
+
+TEST(CurveSides, AWallIsLikeABorder)
+{
+  // Without it, the cap above the curve is the smaller side; with it, the belt is smaller.
+  Subject sphere(icosphere(3));
+  const std::vector<SurfacePath> walls{ sphere.line(parallel(0.1)) };
+  const std::vector<std::int8_t> sides = sphere.sides({ parallel(0.2) }, { walls, {}, {} });
+  for (Index v = 0; v < sphere.mesh().numberOfVertices(); ++v)
+  {
+    const double height = sphere.mesh().position(v).z;
+    if (height > 0.25)
+    {
+      EXPECT_EQ(sides[v], -1) << height;
+    }
+    else if (height < 0.0)
+    {
+      EXPECT_EQ(sides[v], 0) << height;
+    }
+  }
 }
 
 TEST(CurveSides, FacesMustBeTurnedAlikeForOpenCurvesOnly)

@@ -174,6 +174,34 @@ TEST_F(SignedDistance, GoesOnBehindBarriersAndStopsAtTheLimit)
   EXPECT_GT(unreached, 100);
 }
 
+// A tube with a line from end to end has one side, until a barrier on its back cuts it open.
+TEST_F(SignedDistance, ABarrierCanTellTwoSidesApart)
+{
+  const auto tube = polyDataOf(cylinder(72, 24, 1.0, 2.0));
+  this->setLines({ { { 1, 0.02, 0 }, { 1, 0.02, 2 } } });
+  this->Filter->SignedOn();
+  expectError(tube, "line 0 has no two sides");
+  vtkNew<vtkTrivialProducer> wall;
+  wall->SetOutput(linesOf({ { { -1, 0.02, 0 }, { -1, 0.02, 2 } } }));
+  this->Filter->SetBarrierSourceConnection(wall->GetOutputPort());
+  const std::vector<double> found = this->run(tube);
+  ASSERT_EQ(found.size(), static_cast<std::size_t>(tube->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    tube->GetPoint(i, p);
+    const double angle = std::atan2(p[1], p[0]);
+    if (std::abs(angle) < 3.0)
+    {
+      // Seen from outside, who goes up along the line has the larger angles on the right.
+      EXPECT_NEAR(found[i], 0.02 - angle, 0.002) << angle;
+    }
+  }
+  // Without the barrier it is refused again.
+  this->Filter->SetBarrierSourceConnection(nullptr);
+  expectError(tube, "line 0 has no two sides");
+}
+
 // Circles: the offset curves are circles as well.
 TEST_F(SignedDistance, ItsContoursAreOffsetCurvesOnBothSides)
 {

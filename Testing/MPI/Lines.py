@@ -31,6 +31,8 @@ SEED = [1.3, 0.2, 0.3]
 ROUND = [1.1, 0.3, 0.38, 0.2, 1.2, 0.3, -1.15, 0.25, -0.35]
 # Across the tube, so that the front has to go round the torus.
 RING = [0.03 + 1.4 * 0.7, 1.4 * 0.7, 0, 0.7, 0.72, 0.4, 0.42, 0.43, 0, 0.7, 0.72, -0.4]
+QUARTER_ON = np.reshape(RING, (-1, 3))[:, (1, 0, 2)] * (-1, 1, 1)
+QUARTER_ON = QUARTER_ON.ravel().tolist()
 SHORT = [0.5, 1.2, 0.2, 0.2, 1.2, 0.3]
 NECK = [-0.0807, 0.0717, 0.0138, -0.0633, 0.0807, 0.0433, -0.0413, 0.1057, 0.0399, -0.0307, 0.1260, 0.0136,
         -0.0492, 0.1156, -0.0155, -0.0728, 0.0901, -0.0156]
@@ -52,6 +54,13 @@ LINES = {
     "signed, open": ("thin", dict(SeedSource=line(0.41, -1, 0, 0.43, 1, 0), Signed=1)),
     "signed, parts": ("parts", dict(SeedSource=line(0.3, -9, 0, 0.35, 9, 0), Signed=1)),
     "signed, bunny": ("bunny", dict(SeedSource=line(*NECK, closed=1), Signed=1)),
+    # Round the tube, which is open where the wall is.
+    "signed, wall": ("torus", dict(SeedSource=line(*RING, closed=1), BarrierSource=line(*QUARTER_ON, closed=1),
+                                   Signed=1)),
+    "signed, wall of points": ("torus", dict(SeedSource=line(*RING, closed=1), BarrierArray=["POINTS", "Wall"],
+                                             Signed=1)),
+    "signed, wall of cells": ("torus", dict(SeedSource=line(*RING, closed=1), BarrierArray=["CELLS", "CellWall"],
+                                            Signed=1)),
     "region": ("sphere", dict(SeedArray=["POINTS", "Region"], BarrierSource=line(0.1, 0.2, 0.9, 0.8, 0.1, 0.1))),
     "bunny": ("bunny", dict(SeedSource=line(*cases.points_on("bunny", 3)))),
 }
@@ -61,10 +70,10 @@ for name, (surface, options) in LINES.items():
         cases.check(FOLDER, f"lines {name}/whole", harness.surface(surface, "whole"), options)
         continue
     cases.check(FOLDER, f"lines {name}/slabs", harness.surface(surface, "slabs"), options)
-    if name in ("curve and seeds", "barrier, edges", "both", "signed, ball"):
+    if name in ("curve and seeds", "barrier, edges", "both", "signed, ball", "signed, wall of points"):
         cases.check(FOLDER, f"lines {name}/random", harness.surface(surface, "random"), options)
         cases.check(FOLDER, f"lines {name}/all on the last", harness.surface(surface, "last"), options)
-    if name in ("curve, cost", "ring", "region"):
+    if name in ("curve, cost", "ring", "region", "signed, wall of cells"):
         cases.check(FOLDER, f"lines {name}/with ghosts", harness.ghosted(harness.surface(surface, "slabs", True)),
                      options)
 

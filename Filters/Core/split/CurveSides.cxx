@@ -17,6 +17,82 @@ namespace
 
 using Edge = std::pair<Index, Index>;
 
+bool isSet(std::span<const std::uint8_t> flags, Index at)
+{
+  return !flags.empty() && flags[at] != 0;
+}
+
+/** The corners of a triangle that are excluded. */
+Carriers excludedCorners(const TriangleMesh& mesh, Index triangle, const Walls& walls)
+{
+  Carriers excluded;
+  for (const Index corner : mesh.triangle(triangle))
+  {
+    if (isSet(walls.excluded, corner))
+    {
+      excluded.add(corner);
+    }
+  }
+  return excluded;
+}
+
+/** Whether no front comes into a triangle. */
+bool isWithinWalls(const TriangleMesh& mesh, Index triangle, const Walls& walls)
+{
+  return isSet(walls.closed, triangle) || excludedCorners(mesh, triangle, walls).size() == 3;
+}
+
+/** The flags of closed triangles, set for all with the same three corners if any of them is closed.
+ */
+std::vector<std::uint8_t> closedWithTwins(
+  const EdgeTable& edges, std::span<const std::uint8_t> closed)
+{
+  std::vector<std::uint8_t> all(closed.begin(), closed.end());
+  if (!all.empty())
+  {
+    for (const auto& [repeated, original] : edges.repetitions())
+    {
+      all[original] |= all[repeated];
+    }
+    for (const auto& [repeated, original] : edges.repetitions())
+    {
+      all[repeated] = all[original];
+    }
+  }
+  return all;
+}
+
+/** The curves, and then all that separates regions as they do. */
+std::vector<SurfacePath> withWalls(
+  const TriangleMesh& mesh, std::span<const SurfacePath> curves, const Walls& walls)
+{
+  std::vector<SurfacePath> lines(curves.begin(), curves.end());
+  lines.insert(lines.end(), walls.lines.begin(), walls.lines.end());
+  if (walls.excluded.empty() && walls.closed.empty())
+  {
+    return lines;
+  }
+  const auto add = [&](Index a, Index b) {
+    lines.push_back({ PathPoint::atVertex(a), PathPoint::atVertex(b) });
+  };
+  for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
+  {
+    const Carriers excluded = excludedCorners(mesh, triangle, walls);
+    const Triangle& corners = mesh.triangle(triangle);
+    if (isSet(walls.closed, triangle))
+    {
+      add(corners[0], corners[1]);
+      add(corners[1], corners[2]);
+      add(corners[2], corners[0]);
+    }
+    else if (excluded.size() == 2)
+    {
+      add(excluded[0], excluded[1]);
+    }
+  }
+  return lines;
+}
+
 /** A part of a curve along an edge. */
 struct Stretch
 {
@@ -45,13 +121,17 @@ struct Side
 class CurveSides::Collector
 {
 public:
-  Collector(const RegionMesh& mesh, const RegionCut& cut, std::size_t curves,
-    const std::string& name, std::span<const std::uint8_t> shared, CurveSides& sides)
+  /** @param lines  how many lines cut the regions: first the curves, then those of withWalls() */
+  Collector(const RegionMesh& mesh, const RegionCut& cut, std::size_t curves, std::size_t lines,
+    const std::string& name, const Walls& walls, std::span<const std::uint8_t> shared,
+    CurveSides& sides)
     : Mesh(mesh)
     , Cut(cut)
     , Name(name)
+    , Barriers(walls)
     , Shared(shared)
     , Sides(sides)
+    , OnWall(mesh.mesh().numberOfVertices(), false)
   {
     std::vector<Edge> ends;
     std::vector<std::vector<Index>> points;
@@ -70,6 +150,26 @@ public:
       }
     }
     this->leaveOutTwice();
+    for (std::size_t line = curves; line < lines; ++line)
+    {
+      const std::vector<Index> along = cut.pointsOf(line);
+      for (std::size_t i = 0; i < along.size(); ++i)
+      {
+        if (line < curves + walls.lines.size() && along[i] < this->OnWall.size())
+        {
+          this->OnWall[along[i]] = true;
+        }
+        if (i > 0)
+        {
+          this->WallEdges.push_back(std::minmax(along[i - 1], along[i]));
+        }
+      }
+    }
+    sortUnique(this->WallEdges);
+    for (Index vertex = 0; vertex < this->OnWall.size(); ++vertex)
+    {
+      this->OnWall[vertex] = this->OnWall[vertex] || isSet(walls.excluded, vertex);
+    }
   }
 
   void collect()
@@ -79,6 +179,10 @@ public:
       this->Sides.Graph.regions.push_back({ area, 0.0 });
     }
     this->measureBorder();
+    if (!this->WallEdges.empty())
+    {
+      this->measureWalls();
+    }
     this->addCrossings();
     this->addLinks();
   }
@@ -131,7 +235,9 @@ private:
     };
     for (const RegionCut::Piece& piece : this->Cut.pieces())
     {
-      for (int c = 0; c < 3 && !this->Mesh.edges().isRepeated(piece.triangle); ++c)
+      const bool isLeftOut =
+        this->Mesh.edges().isRepeated(piece.triangle) || this->isWithinWalls(piece.triangle);
+      for (int c = 0; c < 3 && !isLeftOut; ++c)
       {
         const Edge edge = std::minmax(piece.corners[c], piece.corners[(c + 1) % 3]);
         const auto found = std::lower_bound(this->Stretches.begin(), this->Stretches.end(), edge,
@@ -152,7 +258,8 @@ private:
       last = stretch.edge;
       for (Index triangle : mesh.trianglesWith(std::array{ last.first, last.second }))
       {
-        if (this->Cut.regionOf(triangle) != NoIndex && !this->Mesh.edges().isRepeated(triangle))
+        if (this->Cut.regionOf(triangle) != NoIndex && !this->Mesh.edges().isRepeated(triangle) &&
+          !this->isWithinWalls(triangle))
         {
           add(mesh.triangle(triangle), this->Cut.regionOf(triangle), last);
         }
@@ -240,18 +347,61 @@ private:
     }
   }
 
+  bool isWithinWalls(Index triangle) const
+  {
+    return geodesic::isWithinWalls(this->Mesh.mesh(), triangle, this->Barriers);
+  }
+
+  bool isWall(const Edge& edge) const
+  {
+    return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(), edge);
+  }
+
   bool isShared(Index vertex) const { return !this->Shared.empty() && this->Shared[vertex] != 0; }
 
   void addBorder(Index halfEdge, Index region, double length)
   {
     const Edge ends = this->Mesh.endsOf(halfEdge);
+    const bool isWall = this->isWall(ends) || this->isWithinWalls(EdgeTable::triangleOf(halfEdge));
     if (this->isShared(ends.first) && this->isShared(ends.second))
     {
-      this->Sides.SharedBorder.push_back({ ends, region, length });
+      this->Sides.SharedBorder.push_back({ ends, isWall ? NoIndex : region, length });
     }
-    else
+    else if (!isWall)
     {
       this->Sides.Graph.regions[region].border += length;
+    }
+  }
+
+  /** A wall is like a border: what it keeps out is on neither side. */
+  void measureWalls()
+  {
+    const TriangleMesh& mesh = this->Mesh.mesh();
+    const auto measure = [&](Index triangle, const Triangle& corners, Index region)
+    {
+      for (int c = 0; c < 3 && !this->isWithinWalls(triangle); ++c)
+      {
+        if (this->isWall(std::minmax(corners[c], corners[(c + 1) % 3])))
+        {
+          const Vector3 side = this->Cut.pointAt(corners[c]).position(mesh) -
+            this->Cut.pointAt(corners[(c + 1) % 3]).position(mesh);
+          this->Sides.Graph.regions[region].border += norm(side);
+        }
+      }
+    };
+    for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
+    {
+      if (this->Cut.regionOf(triangle) != NoIndex && !this->Mesh.edges().isRepeated(triangle))
+      {
+        measure(triangle, mesh.triangle(triangle), this->Cut.regionOf(triangle));
+      }
+    }
+    for (const RegionCut::Piece& piece : this->Cut.pieces())
+    {
+      if (!this->Mesh.edges().isRepeated(piece.triangle))
+      {
+        measure(piece.triangle, piece.corners, piece.region);
+      }
     }
   }
 
@@ -269,7 +419,7 @@ private:
         {
           continue;
         }
-        if (this->isShared(corner))
+        if (this->isShared(corner) && !this->OnWall[corner])
         {
           this->Sides.SharedRegions.emplace_back(corner, region);
         }
@@ -278,7 +428,8 @@ private:
         {
           known = region;
         }
-        else if (known != region && !this->Sides.OnCurve[corner] && !this->isShared(corner))
+        else if (known != region && !this->Sides.OnCurve[corner] && !this->OnWall[corner] &&
+          !this->isShared(corner))
         {
           graph.links.emplace_back(std::minmax(known, region));
         }
@@ -286,14 +437,17 @@ private:
     };
     for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
     {
-      if (this->Cut.regionOf(triangle) != NoIndex)
+      if (this->Cut.regionOf(triangle) != NoIndex && !this->isWithinWalls(triangle))
       {
         visit(mesh.triangle(triangle), this->Cut.regionOf(triangle));
       }
     }
     for (const RegionCut::Piece& piece : this->Cut.pieces())
     {
-      visit(piece.corners, piece.region);
+      if (!this->isWithinWalls(piece.triangle))
+      {
+        visit(piece.corners, piece.region);
+      }
     }
     sortUnique(graph.links);
     sortUnique(this->Sides.SharedRegions);
@@ -302,18 +456,26 @@ private:
   const RegionMesh& Mesh;
   const RegionCut& Cut;
   const std::string& Name;
+  const Walls& Barriers;
   std::span<const std::uint8_t> Shared;
   CurveSides& Sides;
+  /** Vertices at which regions stay apart, and which no front reaches. */
+  std::vector<bool> OnWall;
+  /** Sorted; between points of the cut. */
+  std::vector<Edge> WallEdges;
   /** Sorted; at most one for each chain and edge. */
   std::vector<Stretch> Stretches;
 };
 
 CurveSides::CurveSides(const std::shared_ptr<const RegionMesh>& mesh,
-  std::span<const SurfacePath> curves, const std::string& name,
+  std::span<const SurfacePath> curves, const std::string& name, const Walls& walls,
   std::span<const std::uint8_t> shared)
 {
-  const RegionCut cut(mesh, curves);
-  Collector(*mesh, cut, curves.size(), name, shared, *this).collect();
+  const std::vector<std::uint8_t> closed = closedWithTwins(mesh->edges(), walls.closed);
+  const Walls all{ walls.lines, walls.excluded, closed };
+  const std::vector<SurfacePath> lines = withWalls(mesh->mesh(), curves, all);
+  const RegionCut cut(mesh, lines);
+  Collector(*mesh, cut, curves.size(), lines.size(), name, all, shared, *this).collect();
 }
 
 std::vector<std::int8_t> CurveSides::signs(std::span<const std::int8_t> ofRegions) const
@@ -328,9 +490,9 @@ std::vector<std::int8_t> CurveSides::signs(std::span<const std::int8_t> ofRegion
 }
 
 std::vector<std::int8_t> curveSides(const std::shared_ptr<const RegionMesh>& mesh,
-  std::span<const SurfacePath> curves, const std::string& name)
+  std::span<const SurfacePath> curves, const std::string& name, const Walls& walls)
 {
-  const CurveSides sides(mesh, curves, name);
+  const CurveSides sides(mesh, curves, name, walls);
   return sides.signs(regionSigns(sides.graph(), sides.chains(), name));
 }
 

@@ -18,6 +18,17 @@
 namespace geodesic
 {
 
+/** What no front crosses, beside the surface's border: barriers. Each may be empty. */
+struct Walls
+{
+  /** Paths on the surface. */
+  std::span<const SurfacePath> lines;
+  /** A flag for each vertex. */
+  std::span<const std::uint8_t> excluded;
+  /** A flag for each triangle. */
+  std::span<const std::uint8_t> closed;
+};
+
 /**
  * On which side of curves each vertex of a surface is, for signed distances: -1 inside of closed
  * curves and to the right of open ones, 1 on their other side, as regionSigns() decides. The left
@@ -25,7 +36,9 @@ namespace geodesic
  * to; there the corners of each face are in counterclockwise order. On a curve the sign is 1. It is
  * 0 where one comes to no curve over the surface.
  *
- * Surfaces go on over edges with any number of faces and, beside curves, through single points.
+ * Surfaces go on over edges with any number of faces and, beside curves, through single points; not
+ * over walls, where a curve can end as at the border: lines, edges between two excluded vertices,
+ * and closed triangles.
  *
  * A surface may be in several pieces, one of which has all faces that curves run through. Then
  * regionSigns() needs the graph of all pieces, with what sharedRegions() and sharedBorder() say.
@@ -36,12 +49,13 @@ public:
   /**
    * @param curves paths on the surface; those with a common end follow on each other
    * @param name   what the curves are, for messages
+   * @param walls  they need not last longer than this call
    * @param shared a flag for each vertex: 1 if other pieces may have it; empty for one piece
    * @throws std::invalid_argument for a curve along an edge with three or more faces
    * Time O(n) for the mesh, with small constants, and O(k log k) for k points of curves.
    */
   CurveSides(const std::shared_ptr<const RegionMesh>& mesh, std::span<const SurfacePath> curves,
-    const std::string& name, std::span<const std::uint8_t> shared = {});
+    const std::string& name, const Walls& walls = {}, std::span<const std::uint8_t> shared = {});
 
   /** The regions of this piece, without what it shares. */
   const RegionGraph& graph() const { return this->Graph; }
@@ -56,6 +70,7 @@ public:
   struct BorderEdge
   {
     std::pair<Index, Index> ends;
+    /** NoIndex at a wall. */
     Index region;
     double length;
   };
@@ -81,7 +96,7 @@ private:
  * @throws as CurveSides and regionSigns()
  */
 std::vector<std::int8_t> curveSides(const std::shared_ptr<const RegionMesh>& mesh,
-  std::span<const SurfacePath> curves, const std::string& name);
+  std::span<const SurfacePath> curves, const std::string& name, const Walls& walls = {});
 
 }
 

@@ -15,6 +15,12 @@ namespace geodesic::distributed
 namespace
 {
 
+Walls wallsOf(const LinedSurface& surface)
+{
+  const bridge::Barriers& barriers = surface.barriers();
+  return { surface.barrierPaths(), barriers.excluded, barriers.closed };
+}
+
 /** What a rank sends to the first one: one value for each region, shared vertex, and so on. */
 struct Part
 {
@@ -150,8 +156,8 @@ private:
         this->AtVertices.push_back({ part.first, rank, first + part.region, 0.0 });
         break;
       case Part::Kind::BorderEdge:
-        this->AtEdges.push_back(
-          { std::minmax(part.first, part.second), rank, first + part.region, part.length });
+        this->AtEdges.push_back({ std::minmax(part.first, part.second), rank,
+          part.region == NoIndex ? NoIndex : first + part.region, part.length });
         break;
     }
   }
@@ -183,9 +189,15 @@ private:
       const auto last = std::find_if(first, this->AtEdges.end(),
         [&](const RegionAt<Edge>& part) { return part.place != first->place; });
       const bool isBorder = first->rank == std::prev(last)->rank;
+      const bool isWall =
+        std::any_of(first, last, [](const RegionAt<Edge>& part) { return part.region == NoIndex; });
       for (auto part = first; part != last; ++part)
       {
-        if (isBorder)
+        if (part->region == NoIndex)
+        {
+          continue;
+        }
+        if (isBorder || isWall)
         {
           this->Graph.regions[part->region].border += part->length;
         }
@@ -245,7 +257,7 @@ std::vector<std::int8_t> globalSides(RankGroup& ranks, const LinedSurface& surfa
 {
   if (ranks.size() == 1)
   {
-    return curveSides(mesh, surface.seedPaths(), name);
+    return curveSides(mesh, surface.seedPaths(), name, wallsOf(surface));
   }
   const SharedVertices shared(surface);
   std::optional<CurveSides> sides;
@@ -253,7 +265,7 @@ std::vector<std::int8_t> globalSides(RankGroup& ranks, const LinedSurface& surfa
   ranks.together(
     [&]
     {
-      sides.emplace(mesh, surface.seedPaths(), name, shared.flags());
+      sides.emplace(mesh, surface.seedPaths(), name, wallsOf(surface), shared.flags());
       own = partsOf(*sides, shared);
     });
   const std::vector<RankGroup::Message> parts = ranks.toFirst(own);

@@ -35,6 +35,7 @@ bridge::SolveSurface LinedSurface::update(RankGroup& ranks, const LinedRequest& 
   if (ranks.size() == 1)
   {
     this->Surface = request.surface;
+    this->Barriers = request.barriers;
     this->Lines.update(
       this->mesh(), localLines(request.seedLines), localLines(request.barrierLines));
   }

@@ -59,6 +59,13 @@ public:
   const SplitMesh* split() const { return this->Lines.split().get(); }
   /** The lines of seeds on mesh(); on several ranks, the first one has all of them. */
   const std::vector<SurfacePath>& seedPaths() const { return this->Lines.seeds(); }
+  /** The lines of barriers, likewise. */
+  const std::vector<SurfacePath>& barrierPaths() const { return this->Lines.barriers(); }
+  /** The other barriers, for the vertices and triangles of mesh(). */
+  const bridge::Barriers& barriers() const
+  {
+    return this->Gathered ? this->Gathered->barriers() : this->Barriers;
+  }
   /** The surface with moved triangles; null if there is only one rank, or no line. */
   const GatheredSurface* gathered() const { return this->Gathered.get(); }
   /** Returns points with their places on mesh(). */

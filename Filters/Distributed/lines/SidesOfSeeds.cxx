@@ -30,10 +30,14 @@ void SidesOfSeeds::update(
     this->Signs.clear();
   }
   const bool isNew = this->Signs.empty() && mesh->numberOfVertices() > 0;
-  if (ranks.isAny(isNew || this->Lines != surface.seedPaths()))
+  const bool isChanged = this->Lines != surface.seedPaths() ||
+    this->BarrierLines != surface.barrierPaths() || this->Barriers != surface.barriers();
+  if (ranks.isAny(isNew || isChanged))
   {
     this->Signs = globalSides(ranks, surface, this->Mesh, "SeedSource");
     this->Lines = surface.seedPaths();
+    this->BarrierLines = surface.barrierPaths();
+    this->Barriers = surface.barriers();
   }
 }
 

@@ -19,7 +19,7 @@ namespace geodesic::distributed
 
 /**
  * On which side of the lines of seeds each vertex of a surface is. It is kept from run to run, and
- * found again only where the mesh or the lines changed on any rank.
+ * found again only where the mesh, the lines or the barriers changed on any rank.
  */
 class SidesOfSeeds
 {
@@ -49,6 +49,8 @@ private:
   /** What the signs were found for. */
   std::shared_ptr<const RegionMesh> Mesh;
   std::vector<SurfacePath> Lines;
+  std::vector<SurfacePath> BarrierLines;
+  bridge::Barriers Barriers;
 };
 
 }
