@@ -8,6 +8,8 @@ install(DIRECTORY Plugin/Documentation/ DESTINATION "${documentation_directory}"
   COMPONENT runtime
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.gif" PATTERN "*.cff")
 install(DIRECTORY Plugin/Examples DESTINATION "${documentation_directory}" COMPONENT runtime)
+# What the guide shows.
+install(DIRECTORY Testing/Data DESTINATION "${documentation_directory}" COMPONENT runtime)
 foreach (package IN ITEMS python3-surfacegeodesics libsurfacegeodesics-dev)
   set(component development)
   if (package MATCHES "^python3")

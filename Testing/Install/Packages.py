@@ -45,6 +45,7 @@ EXPECTED = {
         "share/doc/paraview-surfacegeodesics/guide/install.md", "share/doc/paraview-surfacegeodesics/CITATION.cff",
         "share/doc/paraview-surfacegeodesics/pictures/regions.png",
         "share/doc/paraview-surfacegeodesics/pictures/live-drag.gif",
+        "share/doc/paraview-surfacegeodesics/Data/Bunny.vtp", "share/doc/paraview-surfacegeodesics/Data/README.md",
         "share/doc/paraview-surfacegeodesics/Examples/States/Path.py"],
     "python3-surfacegeodesics": [
         f"lib/python3/dist-packages/surfacegeodesics/{name}" for name in ("__init__.py", "measure.py", "py.typed")],
