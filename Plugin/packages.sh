@@ -42,6 +42,7 @@ test   all       gdb                       gdb
 test   all       imagemagick               ImageMagick
 test   all       libbenchmark-dev          Google Benchmark
 test   all       libcgal-dev               CGAL
+test   all       libclang-rt-dev           Clang'\''s sanitizers
 test   all       libeigen3-dev             Eigen
 test   all       libgmp-dev                GMP
 test   all       libgtest-dev              GoogleTest
