@@ -445,9 +445,7 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
 {
   geodesic::distributed::RankGroup& ranks = run.ranks;
   const Internals& internal = *this->Internal;
-  double farthest = -solved.largestDistance();
-  ranks.takeLeast({ &farthest, 1 });
-  this->MaximumDistanceReached = -farthest;
+  this->MaximumDistanceReached = ranks.largest(solved.largestDistance());
   const std::span<const geodesic::Index> reached = solved.reached();
   const auto visited = ranks.size() == 1
     ? geodesic::bridge::numberOfReachedPoints(
@@ -461,9 +459,8 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
   this->NumberOfUpdates = static_cast<vtkIdType>(work.updates);
   this->LongestChainOfUpdates = static_cast<vtkIdType>(work.longestChain);
   this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
-  double mostPoints = -static_cast<double>(numberOfPoints);
-  ranks.takeLeast({ &mostPoints, 1 });
-  this->MostPointsOnARank = static_cast<vtkIdType>(-mostPoints);
+  this->MostPointsOnARank =
+    static_cast<vtkIdType>(ranks.largest(static_cast<double>(numberOfPoints)));
   this->NoteSettling(ranks, solved);
 }
 
@@ -472,15 +469,14 @@ void vtkSurfaceGeodesicDistance::NoteSettling(
   geodesic::distributed::RankGroup& ranks, const geodesic::DistanceField& solved)
 {
   const bool isCancelled = solved.stopReason() == geodesic::StopReason::Cancelled;
-  double most = isCancelled ? 0.0 : -solved.raisedGain();
-  ranks.takeLeast({ &most, 1 });
-  if (most == 0.0)
+  const double gain = ranks.largest(isCancelled ? 0.0 : solved.raisedGain());
+  if (gain == 0.0)
   {
     return;
   }
   const std::string others =
     this->Method == FAST_MARCHING ? "Exact, Bounded or VirtualSources" : "Exact or Bounded";
-  const std::string notice = geodesic::bridge::settlingNotice(-most, this->GetSolver().name,
+  const std::string notice = geodesic::bridge::settlingNotice(gain, this->GetSolver().name,
     this->Internal->HasCost ? "Clean or remesh the surface."
                             : "Use the method " + others + ", or clean or remesh the surface.");
   this->NoticeText += (this->NoticeText.empty() ? "" : " ") + notice;

@@ -5,14 +5,17 @@
 #include "split/CurveSides.h"
 #include "LevelSides.h"
 #include "Solving.h"
+#include "base/DisjointSets.h"
 #include "march/FastMarchingSolver.h"
 #include "path/SurfaceCurve.h"
 #include "search/ClosestPointTree.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -288,6 +291,86 @@ TEST(CurveSides, AreToldBetweenWallsOfEachKind)
     excluded[v] = mesh.position(v).z < 1.0 ? excluded[v] : 0;
   }
   EXPECT_THROW(tube.sides({ seam }, { {}, excluded, {} }), std::invalid_argument);
+}
+
+// The truth is that without walls. They may make the other side of a closed curve the inside, but
+// within what a flood over open vertices reaches, for all of it.
+TEST(CurveSides, WallsKeepTheSidesUpToTheInside)
+{
+  std::mt19937 random(11);
+  const std::vector<Surface> surfaces{ readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"),
+    torus(40, 20, 1.0, 0.4), jitteredGrid(40, 40, 1.2, 1.0, 0.3, 3), icosphere(4) };
+  int told = 0;
+  int parts = 0;
+  for (const Surface& surface : surfaces)
+  {
+    const Subject subject(surface);
+    const TriangleMesh& mesh = subject.mesh();
+    for (int round = 0; round < 60; ++round)
+    {
+      const LevelSides truth = levelSides(mesh, randomLevels(mesh, random), random);
+      if (truth.curves.empty() || !truth.signs)
+      {
+        continue;
+      }
+      std::vector<bool> isBeside(mesh.numberOfVertices(), false);
+      for (const SurfacePath& curve : truth.curves)
+      {
+        for (const PathPoint& point : curve)
+        {
+          for (const Index vertex : point.carriers())
+          {
+            isBeside[vertex] = true;
+            for (const auto& slot : mesh.ring(vertex))
+            {
+              isBeside[slot.neighbour()] = true;
+            }
+          }
+        }
+      }
+      std::vector<std::uint8_t> excluded(mesh.numberOfVertices(), 0);
+      std::vector<std::uint8_t> closed(mesh.numberOfTriangles(), 0);
+      for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+      {
+        excluded[v] = !isBeside[v] && random() % 100 < 45u ? 1 : 0;
+      }
+      for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+      {
+        const Triangle& corners = mesh.triangle(t);
+        const bool isFree =
+          std::ranges::none_of(corners, [&](Index corner) { return isBeside[corner]; });
+        closed[t] = isFree && random() % 100 < 30u ? 1 : 0;
+      }
+      const auto sides =
+        curveSides(subject.regionMesh(), truth.curves, "Lines", { {}, excluded, closed });
+      DisjointSets reached(mesh.numberOfVertices());
+      for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+      {
+        const Triangle& corners = mesh.triangle(t);
+        for (int c = 0; c < 3 && !closed[t]; ++c)
+        {
+          if (!excluded[corners[c]] && !excluded[corners[(c + 1) % 3]])
+          {
+            reached.connect(corners[c], corners[(c + 1) % 3]);
+          }
+        }
+      }
+      std::map<Index, int> flips;
+      for (Index v = 0; v < mesh.numberOfVertices(); ++v)
+      {
+        if (!excluded[v])
+        {
+          const int flip = sides[v] * (*truth.signs)[v];
+          const auto [known, isNew] = flips.emplace(reached.rootOf(v), flip);
+          ASSERT_EQ(known->second, flip) << "round " << round << ", vertex " << v;
+          told += flip != 0 ? 1 : 0;
+          parts += isNew ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(told, 50000);
+  EXPECT_GT(parts, 1000);
 }
 
 TEST(CurveSides, AWallIsLikeABorder)

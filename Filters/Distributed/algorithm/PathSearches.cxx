@@ -220,10 +220,8 @@ void PathSearches::count(const DistributedPathFinder& finder)
 
 vtkIdType PathSearches::mostPointsOnARank()
 {
-  double most = -static_cast<double>(this->Request.mesh.mesh().numberOfPoints()) -
-    static_cast<double>(this->LargestCorridor);
-  this->Request.ranks.takeLeast({ &most, 1 });
-  return static_cast<vtkIdType>(-most);
+  const std::size_t own = this->Request.mesh.mesh().numberOfPoints() + this->LargestCorridor;
+  return static_cast<vtkIdType>(this->Request.ranks.largest(static_cast<double>(own)));
 }
 
 }

@@ -61,7 +61,7 @@ public:
   const std::vector<SurfacePath>& seedPaths() const { return this->Lines.seeds(); }
   /** The lines of barriers, likewise. */
   const std::vector<SurfacePath>& barrierPaths() const { return this->Lines.barriers(); }
-  /** The other barriers, for the vertices and triangles of mesh(). */
+  /** The barriers that are no lines, for the vertices and triangles of mesh(). */
   const bridge::Barriers& barriers() const
   {
     return this->Gathered ? this->Gathered->barriers() : this->Barriers;

@@ -130,6 +130,13 @@ double RankGroup::sum(double own)
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
+double RankGroup::largest(double own)
+{
+  double least = -own;
+  this->takeLeast({ &least, 1 });
+  return -least;
+}
+
 RankGroup::Message RankGroup::fromFirst(Message message)
 {
   if (this->size() > 1)

@@ -55,6 +55,8 @@ public:
   void takeLeast(std::span<double> values);
   /** Returns the sum over all ranks. */
   double sum(double own);
+  /** Returns the largest of all ranks. */
+  double largest(double own);
   /** Returns the first rank's message on every rank. The other ranks' messages are ignored. */
   Message fromFirst(Message message);
   /**
