@@ -89,8 +89,8 @@ check_labels()
 }
 
 install_packages build test
-# Several builds compile the same sources with the same flags: once is enough.
-export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+# Several builds compile the same sources with the same flags: once is enough, whatever language CTest sets.
+export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_SLOPPINESS=locale
 if [[ ${1-} == bench ]]; then
   case ${2-} in
     '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks ExactBenchmarks RankBenchmarks) ;;

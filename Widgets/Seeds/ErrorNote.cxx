@@ -112,7 +112,9 @@ pqPropertyWidget* ErrorNote::namedWidget(pqPropertyWidget* sibling, const QStrin
 QString ErrorNote::styleFor(const QWidget* widget)
 {
   const bool isDark = widget->palette().color(QPalette::Window).lightness() < 128;
-  return QString("QLabel { color: %1; border-left: 3px solid %1; padding: 2px 0 2px 4px; }")
+  // Qt 6 paints no border of border-left alone.
+  return QString("QLabel { color: %1; border: 0px solid %1; border-left-width: 3px;"
+                 " padding: 2px 0 2px 4px; }")
     .arg(isDark ? "#ff8a80" : "#b71c1c");
 }
 
