@@ -51,16 +51,24 @@ def read(log, begin, end):
     return [(event, float(moment), float(spent)) for event, moment, spent in lines if begin < float(moment) < end]
 
 
-def drag(seconds):
-    """Moves the pressed pointer along a curve for so many seconds; returns when it began."""
-    screen.move(*VIEW)
+def marker_near(place, color):
+    """The middle of the marker nearest to a place of the screen: where the view is depends on the version."""
+    places = np.column_stack(screen.places_of(color))
+    away = np.hypot(*(places - place).T)
+    nearest = places[away.argmin()]
+    return places[np.hypot(*(places - nearest).T) < 15].mean(axis=0).round().astype(int).tolist()
+
+
+def drag(marker, seconds):
+    """Moves the pressed pointer from a marker along a curve for so many seconds; returns when it began."""
+    screen.move(*marker)
     screen.button(1)
     begin = time.perf_counter()
     step = 0
     while time.perf_counter() - begin < seconds:
         step += 1
         angle = 0.01 * step
-        screen.move(VIEW[0] + int(100 * np.sin(angle)), VIEW[1] + int(60 * np.sin(0.7 * angle)))
+        screen.move(marker[0] + int(100 * np.sin(angle)), marker[1] + int(60 * np.sin(0.7 * angle)))
         time.sleep(0.01)
     screen.button(0)
     return begin
@@ -71,8 +79,9 @@ def report(case, events):
     solved = [(moment, spent) for event, moment, spent in events if event == "solved"][1:]
     pictures = len(solved) - 1
     assert pictures > 0, f"{case}: the drag gave no pictures"
-    solving = sum(moment if event == "solved" else -moment for event, moment, _ in events
-                  if solved[0][0] < moment <= solved[-1][0])
+    # A run that is aborted begins and does not end.
+    solving = sum(end[1] - begin[1] for begin, end in zip(events, events[1:])
+                  if (begin[0], end[0]) == ("solve", "solved") and begin[1] >= solved[0][0])
     elapsed, spent = np.subtract(solved[-1], solved[0])
     print(f"{case}: {pictures / elapsed:.1f} pictures a second; each {1000 * elapsed / pictures:.0f} ms, "
           f"{1000 * spent / pictures:.0f} ms of processor time, the filter's {1000 * solving / pictures:.0f} ms")
@@ -116,7 +125,7 @@ def measure(case):
         if PROFILE:
             perf = ["perf", "record", "-q", "-F", "499", "-g", "-p", str(paraview.pid), "-o", os.path.join(folder, "perf")]
             perf = [subprocess.Popen(perf)]
-        begin = drag(SECONDS)
+        begin = drag(marker_near(VIEW, COLORS[kind]), SECONDS)
         for process in perf:
             process.terminate()
             process.wait()

@@ -89,8 +89,10 @@ def start(paraview, script, folder, arguments=(), **environment):
     """Starts ParaView in a window as large as the screen, with settings of its own; returns the process."""
     os.makedirs(os.path.join(folder, "ParaView"))
     version = subprocess.run([paraview, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout.split()[-1]
-    with open(os.path.join(folder, "ParaView", f"ParaView{version}.ini"), "w", encoding="utf-8") as file:
-        file.write(SETTINGS)
+    # The file has the version in its name up to 5.13.
+    for name in f"ParaView{version}.ini", "ParaView.ini":
+        with open(os.path.join(folder, "ParaView", name), "w", encoding="utf-8") as file:
+            file.write(SETTINGS)
     return subprocess.Popen(
         [paraview, *arguments, "-qwindowgeometry", f"{WIDTH}x{HEIGHT}+0+0", f"--script={os.path.join(HERE, script)}"],
         env={**os.environ, **environment, "XDG_CONFIG_HOME": folder},
