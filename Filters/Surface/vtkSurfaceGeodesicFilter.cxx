@@ -7,13 +7,13 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ErrorMessage.h"
 #include "filter/SetUpReporter.h"
+#include "filter/VtkThreads.h"
 #include "filter/VtkVersions.h"
 #include "global/SharedCostAndBarriers.h"
 #include "input/ArrayValues.h"
@@ -290,8 +290,7 @@ std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfRun(geodesic::distributed::Ran
   {
     return static_cast<std::size_t>(this->NumberOfThreads);
   }
-  const auto ofVtk =
-    static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  const auto ofVtk = static_cast<std::size_t>(geodesic::bridge::threadsOfVtk());
   return this->NumberOfThreads == 0 ? all : std::min(all, ofVtk);
 }
 
