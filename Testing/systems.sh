@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs the README's two commands on the last commit of this checkout in a bare Debian 12 (ParaView 5.11), 13 (5.13) and
-# sid (6.1), and prints a table of what came of them.
+# sid (6.1), builds what needs no ParaView on the VTK (9.1, 9.3, 9.6) of another bare one, and prints a table of what came
+# of them.
 # usage: bash Testing/systems.sh [12|13|sid]...      (as root; without any, all three)
 # Needs debootstrap, and about 8 GB of disk and an hour or two for each system. Everything is kept in the folder of the
 # environment variable SYSTEMS, else /var/tmp/surfacegeodesics: what was downloaded and compiled for the next time, the
@@ -53,22 +54,31 @@ in_system()
     mount --rbind /sys "$root/sys"
     mount --rbind /dev "$root/dev"
     mount --bind /tmp "$root/tmp"
-    mount --bind "$2" "$root/var/cache/apt/archives"
+    mount --bind "$2.archives" "$root/var/cache/apt/archives"
     mkdir -p "$root/root/.cache/ccache"
-    mount --bind "$3" "$root/root/.cache/ccache"
+    mount --bind "$2.ccache" "$root/root/.cache/ccache"
     cp /etc/resolv.conf "$root/etc/resolv.conf"
     exec chroot "$root" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-      CCACHE_NOHASHDIR=1 bash -c "cd /SurfaceGeodesics && $4"
-  ' - "$1" "$1.archives" "$1.ccache" "$2"
+      CCACHE_NOHASHDIR=1 bash -c "cd /SurfaceGeodesics && $3"
+  ' - "$1" "${1%.vtk}" "$2"
 }
 
-# run_step SYSTEM STEP COMMAND
+# make_root ROOT SUITE
+# A bare system with this checkout.
+make_root()
+{
+  rm -rf --one-file-system "${1:?}"
+  cp -a --reflink=auto "$folder/$2.bare" "$1"
+  git clone --quiet . "$1/SurfaceGeodesics"
+}
+
+# run_step SYSTEM STEP COMMAND [ROOT]
 run_step()
 {
   local log=$folder/$1.$2.log result=passed
   SECONDS=0
   echo "Debian $1: $3, see $log"
-  in_system "$folder/$1" "$3" </dev/null >"$log" 2>&1 || result=FAILED
+  in_system "${4:-$folder/$1}" "$3" </dev/null >"$log" 2>&1 || result=FAILED
   printf '%s in %d min' "$result" $(((SECONDS + 59) / 60)) >"$folder/$1.$2.result"
 }
 
@@ -83,17 +93,18 @@ run_system()
   local system=$1 suite
   suite=$(suite_of "$system")
   make_bare "$suite"
-  rm -rf --one-file-system "${folder:?}/$system"
-  cp -a --reflink=auto "$folder/$suite.bare" "$folder/$system"
   mkdir -p "$folder/$system.archives/partial" "$folder/$system.ccache"
-  git clone --quiet . "$folder/$system/SurfaceGeodesics"
+  make_root "$folder/$system" "$suite"
   run_step "$system" demo 'bash Plugin/demo.sh'
   run_step "$system" tests 'bash Testing/run.sh'
+  # Debian's ParaView 5.11 and 5.13 cannot be installed beside Debian's VTK.
+  make_root "$folder/$system.vtk" "$suite"
+  run_step "$system" vtk 'bash Testing/Install/vtk_alone.sh /opt/surfacegeodesics' "$folder/$system.vtk"
 }
 
 print_row()
 {
-  printf '| %-6s | %-9s | %-20s | %-20s | %-16s |\n' "$@"
+  printf '| %-6s | %-9s | %-20s | %-20s | %-16s | %-20s |\n' "$@"
 }
 
 ((EUID == 0)) || { echo "Testing/systems.sh: only root can make systems" >&2; exit 1; }
@@ -108,14 +119,14 @@ for system in "${systems[@]}"; do
 done
 
 echo
-print_row Debian ParaView Plugin/demo.sh Testing/run.sh "the last tests"
-print_row ------ -------- -------------- -------------- --------------
+print_row Debian ParaView Plugin/demo.sh Testing/run.sh "the last tests" "VTK alone"
+print_row ------ -------- -------------- -------------- -------------- ---------
 failed=0
 for system in "${systems[@]}"; do
   # shellcheck disable=SC2016
   version=$(chroot "$folder/$system" dpkg-query -W -f '${Version}' paraview 2>/dev/null) || version='?'
   print_row "$system" "${version%%+*}" "$(cat "$folder/$system.demo.result")" "$(cat "$folder/$system.tests.result")" \
-    "$(count_of_tests "$folder/$system.tests.log")"
-  ! grep -q FAILED "$folder/$system".{demo,tests}.result || failed=1
+    "$(count_of_tests "$folder/$system.tests.log")" "$(cat "$folder/$system.vtk.result")"
+  ! grep -q FAILED "$folder/$system".{demo,tests,vtk}.result || failed=1
 done
 exit $failed
