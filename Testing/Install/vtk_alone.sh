@@ -7,10 +7,11 @@
 set -euo pipefail
 folder=$(realpath -m "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-read -ra packages < <(tr '\n' ' ' <Plugin/Documentation/tracing.md |
+packages=$(tr '\n' ' ' <Plugin/Documentation/tracing.md |
   sed -n 's/.*without ParaView on Debian 12, install `\([^`]*\)`.*/\1/p')
 apt-get update
-apt-get install -y --no-install-recommends "${packages[@]}"
+# shellcheck disable=SC2086
+apt-get install -y --no-install-recommends $packages
 cmake --preset vtk
 cmake --build --preset vtk
 cmake --install build/vtk --prefix "$folder"
