@@ -11,12 +11,14 @@
 #include "PathSurfaces.h"
 #include "path/PathFinder.h"
 #include "solve/DijkstraSolver.h"
+#include "survey/LandmarkOrder.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string_view>
 
@@ -293,10 +295,12 @@ void matrix(benchmark::State& state, const std::string& name)
   Subject& s = subject(name);
   for (auto _ : state)
   {
+    std::vector<Vector3> positions;
+    std::generate_n(std::back_inserter(positions), count, [&] { return s.randomPosition(); });
     std::vector<SurfacePoint> landmarks;
-    for (std::size_t i = 0; i < count; ++i)
+    for (const std::size_t number : landmarkOrder(positions))
     {
-      landmarks.push_back(s.pointAt(s.randomPosition()));
+      landmarks.push_back(s.pointAt(positions[number]));
     }
     std::vector<double> solves;
     for (const SurfacePoint& landmark : std::span(landmarks).first(5))

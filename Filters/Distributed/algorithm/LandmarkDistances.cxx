@@ -4,6 +4,7 @@
 
 #include "gather/CorridorMesh.h"
 #include "solve/DistanceSolver.h"
+#include "survey/LandmarkOrder.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,14 +50,27 @@ std::optional<std::vector<double>> distancesAmong(
   PathSearches& searches, std::span<const GlobalPoint> landmarks)
 {
   const std::size_t count = landmarks.size();
+  std::vector<Vector3> positions;
+  for (const GlobalPoint& landmark : landmarks)
+  {
+    positions.push_back(landmark.position);
+  }
+  const std::vector<std::size_t> order = landmarkOrder(positions);
+  std::vector<GlobalPoint> ordered;
+  for (const std::size_t number : order)
+  {
+    ordered.push_back(landmarks[number]);
+  }
   std::vector<double> matrix(count * count, 0.0);
   const auto areMade = searches.run(count - 1,
-    [&](std::size_t i, const PathRequest& request, const PathSearches::IsAborted& isAborted)
+    [&](std::size_t place, const PathRequest& request, const PathSearches::IsAborted& isAborted)
     {
-      findLengths(request, landmarks[i], landmarks.subspan(i + 1), isAborted,
+      const std::span<const GlobalPoint> others = std::span(ordered).subspan(place + 1);
+      findLengths(request, ordered[place], others, isAborted,
         [&](std::size_t later, double length)
         {
-          const std::size_t j = i + 1 + later;
+          const std::size_t i = order[place];
+          const std::size_t j = order[place + 1 + later];
           matrix[i * count + j] = matrix[j * count + i] = length;
         });
     });

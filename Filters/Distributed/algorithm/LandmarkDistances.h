@@ -15,12 +15,12 @@ namespace geodesic::distributed
 
 /**
  * The lengths of the shortest paths between all pairs of landmarks. A landmark shares its march
- * with all paths to the landmarks after it, and each pair is searched once, so that the matrix is
- * symmetric. Threads share the marches.
+ * with all paths to the landmarks after it in landmarkOrder(), and each pair is searched once, so
+ * that the matrix is symmetric. Threads share the marches.
  * @param landmarks  n points of the solver's mesh
  * @return n rows of n lengths, 0 on the diagonal and NaN where no path leads; nothing if the search
  *         was aborted. Only the first of several ranks has lengths above 0.
- * Time: n - 1 marches as far as the farthest landmark, and n (n - 1) / 2 traced paths.
+ * Time: n - 1 marches as far as the farthest landmark that is left, and n (n - 1) / 2 traced paths.
  */
 std::optional<std::vector<double>> distancesAmong(
   PathSearches& searches, std::span<const GlobalPoint> landmarks);
