@@ -75,7 +75,7 @@ TEST(LandmarkOrder, LeavesEverSmallerDiscs)
   std::vector<std::size_t> asTheyCome(points.size());
   std::iota(asTheyCome.begin(), asTheyCome.end(), std::size_t{ 0 });
   EXPECT_GT(areaMarched(points, asTheyCome), 0.97);
-  EXPECT_LT(areaMarched(points, landmarkOrder(points)), 5.0 / 6.0);
+  EXPECT_NEAR(areaMarched(points, landmarkOrder(points)), 5.0 / 6.0, 0.01);
 }
 
 }
