@@ -137,7 +137,12 @@ public:
     }
     while (!liesIn(this->End, this->Walked.back().corners()))
     {
-      if (this->Walked.size() > most || !(this->goesOnInStrip() || this->crossesEdge()))
+      if (this->Walked.size() > most)
+      {
+        return std::nullopt;
+      }
+      const PlanePoint apex = flatApex(this->Surface.mesh(), this->Walked.back());
+      if (!(this->goesOnInStrip(apex) || this->crossesEdge(apex)))
       {
         return std::nullopt;
       }
@@ -156,38 +161,36 @@ private:
     return orientation(this->From, this->To, place) < 0.0;
   }
 
-  /** Enters the next face of the old strip, if the walk is in that strip and does not leave it. */
-  bool goesOnInStrip()
+  /** Enters the next face of the old strip, if the walk is in that strip and does not leave it.
+   * @param apex  the last face's, laid flat */
+  bool goesOnInStrip(const PlanePoint& apex)
   {
     if (this->Place == 0 || this->Place + 1 == this->Faces.size())
     {
       return false;
     }
-    const StripFace before = this->Walked.back();
+    const StripFace& last = this->Walked.back();
     const StripFace& next = this->Faces[this->Place + 1];
-    if (before.isEnteredBy(next.left, next.right))
+    if (last.isEnteredBy(next.left, next.right))
     {
       return false;
     }
-    appendFace(this->Surface.mesh(), this->Walked, next.corners());
-    const StripFace& entered = this->Walked.back();
-    const bool isOnLeft = entered.left == before.apex;
-    if (isOnLeft ? this->isRight(entered.entry.left) : this->isLeft(entered.entry.right))
+    const Index side = next.left == last.apex ? next.right : next.left;
+    if (side == last.right ? this->isRight(apex) : this->isLeft(apex))
     {
-      this->Walked.pop_back();
       return false;
     }
+    this->Walked.push_back(faceBeyond(last, apex, side, next.apex));
     ++this->Place;
     return true;
   }
 
   /** Enters any face beyond the edge by which the line leaves the last one. @return whether there
-   * is one */
-  bool crossesEdge()
+   * is one. @param apex  the last face's, laid flat */
+  bool crossesEdge(const PlanePoint& apex)
   {
-    const TriangleMesh& mesh = this->Surface.mesh();
-    const StripFace last = this->Walked.back();
-    const bool byLeft = this->isRight(flatApex(mesh, last));
+    const StripFace& last = this->Walked.back();
+    const bool byLeft = this->isRight(apex);
     const Index side = byLeft ? last.left : last.right;
     const auto corner =
       cornerBeyond(this->Surface, side, last.apex, byLeft ? last.right : last.left);
@@ -195,7 +198,7 @@ private:
     {
       return false;
     }
-    appendFace(mesh, this->Walked, { side, last.apex, *corner });
+    this->Walked.push_back(faceBeyond(last, apex, side, *corner));
     if (!this->Table)
     {
       this->Table.emplace(this->Faces);

@@ -126,14 +126,9 @@ bool enterFace(const TriangleMesh& mesh, Strip& strip, Index a, Index b, Index a
     strip.push_back({ a, b, apex, { {}, { norm(mesh.position(b) - mesh.position(a)), 0.0 } } });
     return true;
   }
-  // One end of the edge stays, on its side; the other one is the corner of the last face.
   const StripFace& last = strip.back();
-  const PlanePoint corner = flatApex(mesh, last);
-  const bool swaps = b == last.left || a == last.right;
-  StripFace face = swaps ? StripFace{ b, a, apex } : StripFace{ a, b, apex };
-  face.entry =
-    face.left == last.left ? Portal{ last.entry.left, corner } : Portal{ corner, last.entry.right };
-  strip.push_back(face);
+  const Index side = a == last.left || a == last.right ? a : b;
+  strip.push_back(faceBeyond(last, flatApex(mesh, last), side, apex));
   return true;
 }
 

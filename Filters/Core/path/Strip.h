@@ -50,6 +50,18 @@ using Strip = std::vector<StripFace>;
  * Where the strip would turn back on itself, it becomes shorter instead. */
 void appendFace(const TriangleMesh& mesh, Strip& strip, const Triangle& face);
 
+/** The face beyond an edge of a face that is not the one by which that face is entered.
+ * @param flatApex  of @p last
+ * @param side  the end of the edge that is not the apex: last.left or last.right
+ * @param apex  the corner of the new face that is not on the edge */
+inline StripFace faceBeyond(
+  const StripFace& last, const PlanePoint& flatApex, Index side, Index apex)
+{
+  // The side stays where it is, and the corner of the last face is the other one.
+  return side == last.left ? StripFace{ side, last.apex, apex, { last.entry.left, flatApex } }
+                           : StripFace{ last.apex, side, apex, { flatApex, last.entry.right } };
+}
+
 /** Appends all faces of a strip, as appendFace(). What is flat is moved as a whole. Time O(number
  * of its faces). */
 void appendStrip(const TriangleMesh& mesh, Strip& strip, const Strip& other);
