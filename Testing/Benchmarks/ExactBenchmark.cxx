@@ -142,39 +142,44 @@ void error(const CaseArguments& arguments)
     const auto solver = solverOfName(arguments.word(2)).make(mesh);
     const auto exact = solverOfName("Exact").make(mesh);
     std::mt19937 random(1);
-    for (Index i = 0; i < (arguments.word(3) == "CGAL" ? 1 : Sources); ++i)
+    // Points that no triangle has are no vertices of the mesh.
+    for (const Index source :
+      randomVertices(*mesh, arguments.word(3) == "CGAL" ? 1 : Sources, random))
     {
-      const Index source = static_cast<Index>(random() % surface.points.size());
-      const Seed seed = seedAt(*mesh, source);
+      const Seed seed = seedOf(*mesh, source);
       std::vector<double> truth;
       if (arguments.word(3) == "CGAL")
       {
-        truth = exactDistances(surface, { source });
+        const std::vector<double> found = exactDistances(surface, { mesh->pointOfVertex(source) });
+        for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+        {
+          truth.push_back(found[mesh->pointOfVertex(vertex)]);
+        }
       }
       else
       {
         const DistanceField& field = exact->solve({ &seed, 1 }, {});
-        for (Index point = 0; point < surface.points.size(); ++point)
+        for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
         {
-          truth.push_back(field.distance(mesh->vertexOfPoint(point)));
+          truth.push_back(field.distance(vertex));
         }
       }
       const double largest = *std::max_element(truth.begin(), truth.end());
       const DistanceField& found = solver->solve({ &seed, 1 }, {});
       double sum = 0.0;
-      for (Index point = 0; point < truth.size(); ++point)
+      for (Index vertex = 0; vertex < truth.size(); ++vertex)
       {
-        const double distance = found.distance(mesh->vertexOfPoint(point));
+        const double distance = found.distance(vertex);
         if (!std::isfinite(distance))
         {
           ++unreached;
         }
-        else if (truth[point] > 0.0)
+        else if (truth[vertex] > 0.0)
         {
-          const double off = distance - truth[point];
+          const double off = distance - truth[vertex];
           ofLargest = std::max(ofLargest, std::abs(off) / largest);
-          ofOwn = std::max(ofOwn, off / truth[point]);
-          tooSmall = std::max(tooSmall, -off / truth[point]);
+          ofOwn = std::max(ofOwn, off / truth[vertex]);
+          tooSmall = std::max(tooSmall, -off / truth[vertex]);
           sum += std::abs(off) / largest;
         }
       }

@@ -4,6 +4,7 @@
 
 #include "ExactDistances.h"
 #include "Solving.h"
+#include "WorstSeeds.h"
 #include "methods/SolverTable.h"
 
 #include <algorithm>
@@ -20,19 +21,19 @@ FieldError errorOn(const Surface& surface, const std::string& method)
   const auto solver = solverOfName(method).make(mesh);
   std::mt19937 random(1);
   FieldError error;
-  for (Index i = 0; i < sources; ++i)
+  for (const Index source : randomVertices(*mesh, sources, random))
   {
-    const Index source = random() % static_cast<Index>(surface.points.size());
-    const std::vector<double> exact = exactDistances(surface, { source });
-    const Seed seed = seedAt(*mesh, source);
+    const std::vector<double> exact = exactDistances(surface, { mesh->pointOfVertex(source) });
+    const Seed seed = Seed::atPoint(mesh->pointAtVertex(source));
     const DistanceField& found = solver->solve({ &seed, 1 }, {});
-    for (Index point = 0; point < exact.size(); ++point)
+    for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
     {
-      if (exact[point] > 0.0)
+      const double truth = exact[mesh->pointOfVertex(vertex)];
+      if (truth > 0.0)
       {
-        const double off = found.distance(mesh->vertexOfPoint(point)) / exact[point] - 1.0;
+        const double off = found.distance(vertex) / truth - 1.0;
         error.tooSmall = std::max(error.tooSmall, -off);
-        error.mean += std::abs(off) / (sources * static_cast<double>(exact.size()));
+        error.mean += std::abs(off) / (sources * static_cast<double>(mesh->numberOfVertices()));
       }
     }
   }

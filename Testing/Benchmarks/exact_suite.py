@@ -28,6 +28,8 @@ def measured(program, command, tiny):
         run = subprocess.run([program, *tiny, *map(str, command)], stdout=subprocess.PIPE, text=True, timeout=LIMIT,
                              check=False)
         lines = run.stdout.splitlines()
+        if run.returncode not in (0, 1):
+            raise RuntimeError(f"{program} {' '.join(map(str, command))} ended with {run.returncode}")
     except subprocess.TimeoutExpired:
         lines = [f"error took more than {LIMIT} s"]
     found = {}
