@@ -45,18 +45,10 @@ WorstSurface sphereOfLatitudes(Index around, Index rings)
   return { surface, equator, equator + around / 2 };
 }
 
-/** Triangles that all share the edge between points 0 and 1. */
-WorstSurface pages(Index count)
+/** Triangles on one edge; a path between two of them. */
+WorstSurface booklet(Index count)
 {
-  Surface surface;
-  surface.points = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
-  for (Index i = 0; i < count; ++i)
-  {
-    const double angle = 2.0 * std::numbers::pi * i / count;
-    surface.points.push_back({ std::cos(angle), std::sin(angle), 0.5 });
-    surface.triangles.push_back({ 0, 1, 2 + i });
-  }
-  return { surface, 2, 2 + count / 2 };
+  return { pages(count), 2, 2 + count / 2 };
 }
 
 /** Triangles round point 0; a straight path between the two points crosses many of them. */
@@ -284,7 +276,7 @@ WorstSurface worstSurface(const std::string& name, bool tiny)
     { "strip 300k", [](bool small) { return strip(small ? 100 : 300000); } },
     { "sphere of latitudes 1M",
       [](bool small) { return small ? sphereOfLatitudes(20, 9) : sphereOfLatitudes(1000, 999); } },
-    { "pages 100k", [](bool small) { return pages(small ? 100 : 100000); } },
+    { "pages 100k", [](bool small) { return booklet(small ? 100 : 100000); } },
   };
   const auto found = makers.find(name);
   if (found == makers.end())

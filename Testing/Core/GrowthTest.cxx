@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <span>
 #include <vector>
@@ -121,6 +122,40 @@ TEST(Growth, ExactDistancesFromManySeedsInADisc)
       }
       const std::vector<double> found = distances<ExactSolver>(mesh, seeds);
       EXPECT_LT(relativeError(found, truth).largest, 1e-9);
+    });
+}
+
+// All triangles have one edge, and seeds that are nearer and nearer to it. Each could send a window
+// into each triangle, but only those that are nearest at a place of the edge may.
+TEST(Growth, ExactDistancesFromManySeedsAtOneEdge)
+{
+  expectLinear(1000,
+    [](Index count)
+    {
+      const Surface surface = pages(count);
+      const auto mesh = meshOf(surface);
+      const Index number = count / 10;
+      std::vector<Seed> seeds;
+      std::vector<double> truth(surface.points.size(), DistanceField::Unreached);
+      double nearest = DistanceField::Unreached;
+      for (Index i = 0; i < number; ++i)
+      {
+        nearest = 0.9 - 0.8 * i / number;
+        SurfacePoint place{ i, {} };
+        for (Index k = 0; k < 3; ++k)
+        {
+          const Index point = mesh->pointOfVertex(mesh->triangle(i)[k]);
+          place.weights[k] = point < 2 ? 0.5 * (1.0 - nearest) : nearest;
+          truth[point] = point < 2 ? truth[point] : 1.0 - nearest;
+        }
+        seeds.push_back(Seed::atPoint(place));
+      }
+      const std::vector<double> found = distances<ExactSolver>(mesh, seeds);
+      EXPECT_NEAR(found[0], std::hypot(nearest, 0.5), 1e-12);
+      for (Index point = 2; point < found.size(); ++point)
+      {
+        EXPECT_NEAR(found[point], std::min(truth[point], 1.0 + nearest), 1e-12);
+      }
     });
 }
 

@@ -187,6 +187,19 @@ Surface cylinder(Index around, Index along, double radius, double height)
   return surface;
 }
 
+Surface pages(Index count)
+{
+  Surface surface;
+  surface.points = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  for (Index i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    surface.points.push_back({ std::cos(angle), std::sin(angle), 0.5 });
+    surface.triangles.push_back({ 0, 1, 2 + i });
+  }
+  return surface;
+}
+
 Surface disc(Index around)
 {
   return cone(around, 1, 1.0, 1.0);

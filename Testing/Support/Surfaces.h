@@ -34,6 +34,9 @@ Surface subdivided(Surface surface, int times);
 Surface torus(Index around, Index across, double majorRadius, double minorRadius);
 /** Open cylinder round the z axis without a double seam; its cells touch the true surface. */
 Surface cylinder(Index around, Index along, double radius, double height);
+/** Triangles that all share the edge between points 0 and 1, of length 1; each goes as far from it.
+ */
+Surface pages(Index count);
 /** Unit disc of triangles round one point, point 0. */
 Surface disc(Index around);
 /** Open cone with its apex (point 0) at the origin; @p slope is the side's length. */

@@ -110,17 +110,49 @@ void WindowFront::letOfferedWait(Index halfEdge)
 {
   if (!this->Offered.empty())
   {
-    for (Index other = this->Edges.next(halfEdge); other != halfEdge;
-         other = this->Edges.next(other))
+    if (Junctions::isAt(this->Edges, halfEdge))
     {
-      if (this->Passable.contains(EdgeTable::triangleOf(other)))
-      {
-        this->waitAt(other);
-      }
+      this->waitAtJunction(halfEdge);
+    }
+    else
+    {
+      this->waitAt(this->Edges.next(halfEdge));
     }
   }
   this->Offered.clear();
   this->LeastKey = DistanceField::Unreached;
+}
+
+void WindowFront::waitAtJunction(Index halfEdge)
+{
+  if (const Junctions::Junction* junction = this->Work.junctions.wait(
+        this->Edges, this->Passable, halfEdge, this->Offered, this->LeastKey))
+  {
+    this->Work.queue.push(junction->sides[0], this->LeastKey - this->First);
+  }
+}
+
+bool WindowFront::passJunction(Index halfEdge)
+{
+  const Junctions::Junction& junction = this->Work.junctions.pass(halfEdge, this->Passing);
+  for (const Index side : junction.sides)
+  {
+    this->Crossing.clear();
+    WorkCount::add(this->Passing.size());
+    for (const auto& [window, from] : this->Passing)
+    {
+      if (from != side)
+      {
+        this->Crossing.insert(window);
+      }
+    }
+    this->crossTriangle(side);
+    if (!this->mayGoOn())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void WindowFront::waitAt(Index halfEdge)
@@ -267,24 +299,6 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
   this->letOfferedWait(side);
 }
 
-void WindowFront::dropKnown(Index halfEdge)
-{
-  WindowList& known = this->Work.crossed[halfEdge];
-  const std::size_t before = known.bytes();
-  this->Nearer.clear();
-  for (const Window& window : this->Crossing.windows())
-  {
-    known.appendNearer(window, this->Nearer);
-  }
-  this->Crossing.clear();
-  for (const Window& window : this->Nearer)
-  {
-    known.insert(window);
-    this->Crossing.insert(window);
-  }
-  this->Work.bytes += known.bytes() - before;
-}
-
 void WindowFront::keepForPaths(Index halfEdge, std::span<const Window> windows)
 {
   if (this->Work.kept.areWanted())
@@ -295,22 +309,21 @@ void WindowFront::keepForPaths(Index halfEdge, std::span<const Window> windows)
   }
 }
 
-void WindowFront::crossTriangle(Index halfEdge)
+void WindowFront::takeWaiting(Index halfEdge)
 {
   Index& place = this->Work.places[halfEdge];
-  WindowList& list = this->Work.waiting[place].list;
   this->Crossing.clear();
-  this->Crossing.swap(list);
-  if (const Index next = this->Edges.next(halfEdge); this->Edges.next(next) != halfEdge)
-  {
-    this->dropKnown(halfEdge);
-  }
+  this->Crossing.swap(this->Work.waiting[place].list);
+  this->Work.free.push_back(place);
+  place = NoIndex;
+}
+
+void WindowFront::crossTriangle(Index halfEdge)
+{
   if (this->Merging)
   {
     this->Merging->merge(this->Crossing);
   }
-  this->Work.free.push_back(place);
-  place = NoIndex;
   const std::span<const Window> windows = this->Crossing.windows();
   this->keepForPaths(halfEdge, windows);
   const LaidTriangle laid(this->Mesh, halfEdge);

@@ -75,11 +75,7 @@ WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
 
 void WindowWorkspace::empty(std::span<const Index> reached)
 {
-  for (const auto& [halfEdge, list] : this->crossed)
-  {
-    this->bytes -= list.bytes();
-  }
-  this->crossed.clear();
+  this->junctions.clear();
   this->free.clear();
   for (Index i = 0; i < this->waiting.size(); ++i)
   {
@@ -242,9 +238,10 @@ void WindowFront::queueVertex(Index vertex, double distance)
 
 void WindowFront::checkMemory() const
 {
-  if (this->Work.bytes > this->MostBytes)
+  const std::size_t bytes = this->Work.bytes + this->Work.junctions.bytes();
+  if (bytes > this->MostBytes)
   {
-    throw std::runtime_error("The windows take " + textOf(gigabytes(this->Work.bytes)) +
+    throw std::runtime_error("The windows take " + textOf(gigabytes(bytes)) +
       " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
       std::to_string(this->Field.reached().size()) + " of " +
       std::to_string(this->Mesh.numberOfVertices()) +
@@ -293,14 +290,13 @@ bool WindowFront::march()
       break;
     }
     queue.hasBefore(bucket + 1);
-    this->take(queue.take(room)[0]);
-    goesOn = this->mayGoOn();
+    goesOn = this->take(queue.take(room)[0]);
   }
   this->checkMemory();
   return goesOn;
 }
 
-void WindowFront::take(Index item)
+bool WindowFront::take(Index item)
 {
   const Index halfEdges = 3 * this->Mesh.numberOfTriangles();
   if (item >= halfEdges)
@@ -311,13 +307,18 @@ void WindowFront::take(Index item)
       this->Work.isToSend[vertex] = 0;
       this->sendFrom(vertex);
     }
-    return;
+  }
+  else if (Junctions::isAt(this->Edges, item))
+  {
+    return !this->Work.junctions.doWaitAt(item) || this->passJunction(item);
   }
   // None waits where a half-edge was queued twice, as a nearer window came.
-  if (this->Work.places[item] != NoIndex)
+  else if (this->Work.places[item] != NoIndex)
   {
+    this->takeWaiting(item);
     this->crossTriangle(item);
   }
+  return this->mayGoOn();
 }
 
 }

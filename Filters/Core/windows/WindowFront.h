@@ -14,6 +14,7 @@
 #include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
 #include "windows/Arrival.h"
+#include "windows/Junctions.h"
 #include "windows/KeptWindows.h"
 #include "windows/PathStarts.h"
 #include "windows/WindowList.h"
@@ -22,7 +23,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -52,9 +52,7 @@ struct WindowWorkspace
   /** For each half-edge the number of its entry in @ref waiting; NoIndex where no window waits. */
   std::vector<Index> places;
   std::vector<Waiting> waiting;
-  /** For half-edges of edges with more than two triangles the nearest of all windows that have
-   * crossed. */
-  std::unordered_map<Index, WindowList> crossed;
+  Junctions junctions;
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
   /** For each vertex how the shortest path comes there; with windows that were merged, a path no
@@ -69,7 +67,7 @@ struct WindowWorkspace
   std::vector<float> excesses;
   /** For each vertex whether paths from it are still to be sent. */
   std::vector<std::uint8_t> isToSend;
-  /** The memory of all lists, in bytes. */
+  /** The memory of all lists but the junctions', in bytes. */
   std::size_t bytes = 0;
   BucketQueue queue;
 };
@@ -81,13 +79,13 @@ struct WindowWorkspace
  * any order gives the same field.
  *
  * A window, or a part of it, is dropped where a path through an end of its edge is shorter, or
- * another window that waits at the same half-edge. At edges of more than two triangles, where a
- * front divides and its parts can cross each other's sheets for ever, so do all windows that have
- * crossed. The first is the filter of S. Xin, G. Wang, Improving Chen and Han's algorithm on the
- * discrete geodesic problem, ACM Trans. Graph. 28 (2009), applied to parts. Else windows that have
- * crossed a triangle are not kept; where paths are wanted (SolveOptions::pathStarts), each vertex
- * remembers the one that gave it its distance. Only windows that were merged are kept then, as they
- * do not tell the straight lines that they were merged from.
+ * another window that waits at the same half-edge. At edges of more than two triangles it must be
+ * nearer than all that came there before (see Junctions). The first is the filter of S. Xin, G.
+ * Wang, Improving Chen and Han's algorithm on the discrete geodesic problem, ACM Trans. Graph. 28
+ * (2009), applied to parts. Else windows that have crossed a triangle are not kept; where paths are
+ * wanted (SolveOptions::pathStarts), each vertex remembers the one that gave it its distance. Only
+ * windows that were merged are kept then, as they do not tell the straight lines that they were
+ * merged from.
  */
 class WindowFront
 {
@@ -162,12 +160,11 @@ private:
 
   /** Whether windows can go on from any other triangle of the half-edge's edge. */
   bool leadsOn(Index halfEdge) const;
-  /** Keeps of the windows that are about to cross what is nearer than all that have crossed, and
-   * notes it. */
-  void dropKnown(Index halfEdge);
   /** Keeps windows that are about to cross, merged, if paths are wanted. */
   void keepForPaths(Index halfEdge, std::span<const Window> windows);
-  /** Lets the windows that wait at a half-edge cross its triangle. */
+  /** Makes the windows that wait at a half-edge those that cross. */
+  void takeWaiting(Index halfEdge);
+  /** Lets the windows of @ref Crossing cross the triangle of a half-edge. */
   void crossTriangle(Index halfEdge);
   /** Gives the apex the distances of the windows that light it. */
   void reachApex(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
@@ -184,8 +181,14 @@ private:
   /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and puts
    * what is left to those that are offered to the edge. */
   void offer(const Target& target, Window window);
-  /** Lets the windows that were offered to an edge wait in all other triangles of it. */
+  /** Lets the windows that were offered to an edge wait to cross its other triangle, or at the
+   * junction of its triangles. */
   void letOfferedWait(Index halfEdge);
+  void waitAtJunction(Index halfEdge);
+  /** Lets the windows that wait at a junction cross all triangles but those that they come from.
+   * @param halfEdge  the first of the junction's sides
+   * @return false when cancelled */
+  bool passJunction(Index halfEdge);
   void waitAt(Index halfEdge);
   /** Gives a vertex a distance if that is less than what it has.
    * @param excess  by how much the shortest path may be longer */
@@ -194,8 +197,9 @@ private:
   /** Notes the windows that light points of a triangle from which paths are wanted. */
   void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
   void queueVertex(Index vertex, double distance);
-  /** Works on an item of the queue: a half-edge, or a vertex after these. */
-  void take(Index item);
+  /** Works on an item of the queue: a half-edge, or a vertex after these.
+   * @return false when cancelled */
+  bool take(Index item);
   void checkMemory() const;
 
   const TriangleMesh& Mesh;
@@ -212,15 +216,15 @@ private:
   std::vector<bool> Turning;
   /** Makes windows fewer before they cross; null where distances are exact. */
   const WindowMerging* Merging = nullptr;
-  /** The windows that cross a triangle now. */
+  /** The windows that cross a triangle. */
   WindowList Crossing;
   /** Where on the crossed edge the line of each of them to the apex passes. */
   std::vector<double> BesideApex;
   /** The windows that are offered to an edge, and their least key. */
   std::vector<Window> Offered;
   double LeastKey = DistanceField::Unreached;
-  /** What dropKnown() leaves of them. */
-  std::vector<Window> Nearer;
+  /** Those that pass a junction. */
+  std::vector<Junctions::Coming> Passing;
   std::size_t MostBytes;
   static constexpr std::size_t LookInterval = 1024;
   /** How many windows have crossed a triangle, and when mayGoOn() looks at things again. */

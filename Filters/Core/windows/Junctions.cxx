@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "windows/Junctions.h"
+
+#include "mesh/EdgeTable.h"
+#include "solve/PassableTriangles.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+bool Junctions::isAt(const EdgeTable& edges, Index halfEdge)
+{
+  return edges.next(edges.next(halfEdge)) != halfEdge;
+}
+
+Junctions::Junction& Junctions::at(
+  const EdgeTable& edges, const PassableTriangles& passable, Index halfEdge)
+{
+  const auto [place, isNew] =
+    this->Places.try_emplace(halfEdge, static_cast<Index>(this->All.size()));
+  if (isNew)
+  {
+    Junction& junction = this->All.emplace_back();
+    Index side = halfEdge;
+    do
+    {
+      this->Places[side] = static_cast<Index>(this->All.size() - 1);
+      if (passable.contains(EdgeTable::triangleOf(side)))
+      {
+        junction.sides.push_back(side);
+      }
+      side = edges.next(side);
+    } while (side != halfEdge);
+    return junction;
+  }
+  return this->All[place->second];
+}
+
+const Junctions::Junction* Junctions::wait(const EdgeTable& edges,
+  const PassableTriangles& passable, Index halfEdge, std::span<const Window> windows, double key)
+{
+  Junction& junction = this->at(edges, passable, halfEdge);
+  if (junction.sides.empty())
+  {
+    return nullptr;
+  }
+  const bool isNearer = junction.waiting.empty() || key < junction.key;
+  const std::size_t before = junction.waiting.capacity();
+  for (const Window& window : windows)
+  {
+    junction.waiting.push_back({ window, halfEdge });
+  }
+  this->Bytes += (junction.waiting.capacity() - before) * sizeof(Coming);
+  if (isNearer)
+  {
+    junction.key = key;
+    return &junction;
+  }
+  return nullptr;
+}
+
+bool Junctions::doWaitAt(Index halfEdge) const
+{
+  const auto place = this->Places.find(halfEdge);
+  if (place == this->Places.end())
+  {
+    return false;
+  }
+  const Junction& junction = this->All[place->second];
+  return !junction.waiting.empty() && junction.sides[0] == halfEdge;
+}
+
+const Junctions::Junction& Junctions::pass(Index halfEdge, std::vector<Coming>& passing)
+{
+  Junction& junction = this->All[this->Places.at(halfEdge)];
+  std::vector<Coming>& waiting = junction.waiting;
+  std::stable_sort(waiting.begin(), waiting.end(),
+    [](const Coming& a, const Coming& b)
+    { return a.window.leastDistance() < b.window.leastDistance(); });
+  const std::size_t before = junction.passed.bytes();
+  passing.clear();
+  for (const Coming& coming : waiting)
+  {
+    this->Nearer.clear();
+    junction.passed.appendNearer(coming.window, this->Nearer);
+    for (const Window& part : this->Nearer)
+    {
+      junction.passed.insert(part);
+      passing.push_back({ part, coming.from });
+    }
+  }
+  waiting.clear();
+  this->Bytes += junction.passed.bytes() - before;
+  return junction;
+}
+
+void Junctions::clear()
+{
+  this->All.clear();
+  this->Places.clear();
+  this->Bytes = 0;
+}
+
+}
