@@ -395,19 +395,18 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   Internals& internal = *this->Internal;
   geodesic::distributed::RankGroup& ranks = run.ranks;
   const bool gathers = this->Gathers(ranks);
-  if (internal.Lined.gathered())
+  if (internal.Lined.gathered() && !gathers)
   {
-    throw std::invalid_argument(std::string(gathers ? "GatherForExact" : "SpreadWork") +
-      " can't be used with BarrierSource or with lines of SeedSource. Turn it off" +
-      (gathers ? ", and bring the surface to one rank by Aggregate Dataset." : "."));
+    throw std::invalid_argument(
+      "SpreadWork can't be used with BarrierSource or with lines of SeedSource. Turn it off.");
   }
   geodesic::distributed::Dealing dealing{ gathers };
   if (gathers && this->UseMaximumDistance)
   {
     dealing.distance = this->MaximumDistance;
-    dealing.box = geodesic::distributed::boxOf(ranks, *internal.Surface, seeds);
+    dealing.box = geodesic::distributed::boxOf(ranks, internal.Lined.divided().mesh(), seeds);
   }
-  internal.Dealt.deal(ranks, internal.Surface, dealing);
+  internal.Dealt.deal(ranks, internal.Lined.sharedDivided(), dealing);
   const geodesic::distributed::DealtSurface& dealt = internal.Dealt.surface();
   geodesic::distributed::DealtRequest request(
     ranks, dealt, options, std::move(seeds), destinations);
@@ -429,7 +428,7 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
   internal.Field = &internal.Dealt.takeBack(ranks, field, reason);
   const geodesic::DistanceField none(0);
   this->ReportWork(run, partition, field ? *field : none,
-    internal.Surface->mesh().numberOfPoints() + dealt.mesh().numberOfPoints());
+    internal.Lined.mesh()->numberOfPoints() + dealt.mesh().numberOfPoints());
 }
 
 //------------------------------------------------------------------------------
@@ -446,13 +445,16 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
   geodesic::distributed::RankGroup& ranks = run.ranks;
   const Internals& internal = *this->Internal;
   this->MaximumDistanceReached = ranks.largest(solved.largestDistance());
-  const std::span<const geodesic::Index> reached = solved.reached();
+  const std::span<const geodesic::Index> reached = internal.Field->reached();
   const auto visited = ranks.size() == 1
     ? geodesic::bridge::numberOfReachedPoints(
         { internal.Surface->mesh(), solved, internal.Lined.split() })
     : std::count_if(reached.begin(), reached.end(),
         [&](geodesic::Index vertex)
-        { return partition.owns(vertex) && isOfInput(internal.Lined.split(), vertex); });
+        {
+          return internal.Lined.divided().shared().owns(vertex) &&
+            isOfInput(internal.Lined.split(), vertex);
+        });
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);

@@ -241,7 +241,7 @@ public:
    * Whether a method that needs the surface in one piece (Exact, VirtualSources, Bounded) may bring
    * it to the first of several ranks, which then solves alone: the triangles within MaximumDistance
    * of the box round the seeds, or all. Without it such a request is an error. Of no effect on one
-   * rank and with other methods. Not with lines of seeds and barriers. Default: off.
+   * rank and with other methods. Default: off.
    */
   vtkSetMacro(GatherForExact, bool);
   vtkGetMacro(GatherForExact, bool);

@@ -73,8 +73,6 @@ expect("barrier", torus, SeedSource=simple.PolyLineSource(Points=[0.02, 1.2, 0.3
 expect("SpreadWork can't be used with BarrierSource", torus, SeedPositions=SEED, SpreadWork=1,
        BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect(("Exact", "several ranks", "GatherForExact"), torus, SeedPositions=SEED, Method="Exact")
-expect("GatherForExact can't be used with BarrierSource", torus, SeedPositions=SEED, Method="Exact",
-       GatherForExact=1, BarrierSource=simple.PolyLineSource(Points=[0.5, 1.2, 0.2, 0.2, 1.2, 0.3]))
 expect("costs", torus, SeedPositions=SEED, Method="Exact", GatherForExact=1, CostArray=["POINTS", "Cost"])
 expect(("SeedSource's line 0", "open"), torus, Signed=1, SeedSource=simple.PolyLineSource(Points=SEED + [0.02, 1.2, 0.34]))
 expect("seed 0 is not a line", torus, Signed=1, SeedPositions=SEED)

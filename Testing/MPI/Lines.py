@@ -64,16 +64,24 @@ LINES = {
     "region": ("sphere", dict(SeedArray=["POINTS", "Region"], BarrierSource=line(0.1, 0.2, 0.9, 0.8, 0.1, 0.1))),
     "bunny": ("bunny", dict(SeedSource=line(*cases.points_on("bunny", 3)))),
 }
+# What one rank solves that the surface is brought to, split along its lines.
+for method, names in (("Exact", ("curve and seeds", "both", "ring", "signed, ball", "signed, wall of cells", "region")),
+                      ("Bounded", ("barrier", )), ("VirtualSources", ("barrier", ))):
+    LINES.update({f"gathered {method} {name}": (LINES[name][0], dict(LINES[name][1], Method=method, GatherForExact=1))
+                  for name in names})
+LINES["gathered Exact near"] = ("torus", dict(SeedSource=line(*SHORT), Method="Exact", GatherForExact=1,
+                                              UseMaximumDistance=1, MaximumDistance=0.5))
 
 for name, (surface, options) in LINES.items():
     if harness.RANKS == 1:
         cases.check(FOLDER, f"lines {name}/whole", harness.surface(surface, "whole"), options)
         continue
     cases.check(FOLDER, f"lines {name}/slabs", harness.surface(surface, "slabs"), options)
-    if name in ("curve and seeds", "barrier, edges", "both", "signed, ball", "signed, wall of points"):
+    if name.removeprefix("gathered Exact ") in ("curve and seeds", "barrier, edges", "both", "signed, ball",
+                                                "signed, wall of points"):
         cases.check(FOLDER, f"lines {name}/random", harness.surface(surface, "random"), options)
         cases.check(FOLDER, f"lines {name}/all on the last", harness.surface(surface, "last"), options)
-    if name in ("curve, cost", "ring", "region", "signed, wall of cells"):
+    if name.removeprefix("gathered Exact ") in ("curve, cost", "ring", "region", "signed, wall of cells"):
         cases.check(FOLDER, f"lines {name}/with ghosts", harness.ghosted(harness.surface(surface, "slabs", True)),
                      options)
 

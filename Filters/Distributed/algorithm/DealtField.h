@@ -4,7 +4,7 @@
 #define geodesic_distributed_DealtField_h
 
 #include "pieces/DealtSurface.h"
-#include "pieces/DistributedSurface.h"
+#include "pieces/DividedMesh.h"
 #include "ranks/RankGroup.h"
 #include "solve/DistanceField.h"
 
@@ -22,14 +22,14 @@ class DealtField
 {
 public:
   /** Deals the surface out, unless it is dealt out so already. Collective. */
-  void deal(RankGroup& ranks, const std::shared_ptr<const DistributedSurface>& surface,
-    const Dealing& dealing)
+  void deal(
+    RankGroup& ranks, const std::shared_ptr<const DividedMesh>& pieces, const Dealing& dealing)
   {
     if (ranks.isAny(
-          !this->Dealt || this->Dealt->origin() != surface || !(this->Dealt->dealing() == dealing)))
+          !this->Dealt || this->Dealt->origin() != pieces || !(this->Dealt->dealing() == dealing)))
     {
-      this->Dealt = std::make_unique<const DealtSurface>(ranks, surface, dealing);
-      this->OfPiece.emplace(surface->mesh().numberOfVertices());
+      this->Dealt = std::make_unique<const DealtSurface>(ranks, pieces, dealing);
+      this->OfPiece.emplace(pieces->mesh().numberOfVertices());
     }
   }
 

@@ -40,9 +40,8 @@ std::vector<double> loosePoints(const bridge::PointSource& source)
 
 }
 
-BoundingBox boxOf(RankGroup& ranks, const DistributedSurface& surface, std::span<const Seed> seeds)
+BoundingBox boxOf(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Seed> seeds)
 {
-  const TriangleMesh& mesh = surface.mesh();
   BoundingBox own;
   for (const Seed& seed : seeds)
   {

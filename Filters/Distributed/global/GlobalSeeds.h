@@ -22,7 +22,7 @@ namespace geodesic::distributed
 {
 
 /** Returns the box round the points and regions of seeds, the same on all ranks. Collective. */
-BoundingBox boxOf(RankGroup& ranks, const DistributedSurface& surface, std::span<const Seed> seeds);
+BoundingBox boxOf(RankGroup& ranks, const TriangleMesh& mesh, std::span<const Seed> seeds);
 
 /** Makes one seed at each point. */
 std::vector<Seed> seedsAt(std::vector<GlobalPoint> points);

@@ -50,7 +50,7 @@ bridge::SolveSurface LinedSurface::update(RankGroup& ranks, const LinedRequest& 
   {
     if (!this->Divided)
     {
-      this->Divided = std::make_unique<const DividedMesh>(
+      this->Divided = std::make_shared<const DividedMesh>(
         ranks, surface.mesh(), this->Gathered->keysOf(*surface.mesh(), this->split()));
     }
     shareExcluded(ranks, *this->Divided, surface.excluded());
@@ -117,9 +117,9 @@ const std::shared_ptr<const TriangleMesh>& LinedSurface::mesh() const
   return this->Gathered ? this->Gathered->mesh() : this->Surface->piece().mesh();
 }
 
-const DividedMesh& LinedSurface::divided() const
+const std::shared_ptr<const DividedMesh>& LinedSurface::sharedDivided() const
 {
-  return this->Divided ? *this->Divided : this->Surface->divided();
+  return this->Divided ? this->Divided : this->Surface->sharedDivided();
 }
 
 std::vector<GlobalPoint> LinedSurface::relocated(std::vector<GlobalPoint> points) const

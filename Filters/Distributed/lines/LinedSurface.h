@@ -54,7 +54,8 @@ public:
    */
   const std::shared_ptr<const TriangleMesh>& mesh() const;
   /** The mesh that is solved on. */
-  const DividedMesh& divided() const;
+  const DividedMesh& divided() const { return *this->sharedDivided(); }
+  const std::shared_ptr<const DividedMesh>& sharedDivided() const;
   /** The split mesh; null if this rank has split nothing. */
   const SplitMesh* split() const { return this->Lines.split().get(); }
   /** The lines of seeds on mesh(); on several ranks, the first one has all of them. */
@@ -92,7 +93,7 @@ private:
   std::vector<double> Cost;
   bridge::SurfaceLines Lines;
   std::unique_ptr<const GatheredSurface> Gathered;
-  std::unique_ptr<const DividedMesh> Divided;
+  std::shared_ptr<const DividedMesh> Divided;
 };
 
 }

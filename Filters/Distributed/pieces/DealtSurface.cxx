@@ -7,6 +7,7 @@
 #include "ranks/KeyMatches.h"
 
 #include <algorithm>
+#include <array>
 
 namespace geodesic::distributed
 {
@@ -102,8 +103,8 @@ bool Dealing::operator==(const Dealing& other) const
 }
 
 DealtSurface::DealtSurface(
-  RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface, const Dealing& dealing)
-  : Origin(std::move(surface))
+  RankGroup& ranks, std::shared_ptr<const DividedMesh> pieces, const Dealing& dealing)
+  : Origin(std::move(pieces))
   , How(dealing)
   , ToRank(ranks.size())
 {
@@ -128,12 +129,11 @@ void DealtSurface::cut(const RankGroup& ranks)
       }
     }
   }
-  for (Dealt& dealt : this->ToRank)
+  // Vertices whose triangles have moved to the first rank get their distances from there.
+  const int ofBare = this->How.isToFirst ? 0 : ranks.rank();
+  for (int rank = 0; rank < ranks.size(); ++rank)
   {
-    if (dealt.triangles.empty())
-    {
-      continue;
-    }
+    Dealt& dealt = this->ToRank[rank];
     std::vector<bool> isUsed(piece.numberOfVertices(), false);
     for (const Index t : dealt.triangles)
     {
@@ -144,7 +144,7 @@ void DealtSurface::cut(const RankGroup& ranks)
     }
     for (Index v = 0; v < piece.numberOfVertices(); ++v)
     {
-      if (isUsed[v])
+      if (isUsed[v] || (rank == ofBare && piece.ring(v).empty()))
       {
         dealt.vertices.push_back(v);
       }
@@ -209,6 +209,15 @@ void DealtSurface::deal(RankGroup& ranks)
         vertexOfPoint[point] = vertex;
       }
       mesh = std::make_shared<const TriangleMesh>(points, corners, kinds, team, piece.measurer());
+      std::vector<Index> vertexOfKind(points.size(), NoIndex);
+      for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+      {
+        vertexOfKind[kinds[mesh->pointOfVertex(v)]] = v;
+      }
+      for (const Index ofPoint : kinds)
+      {
+        this->VertexOfPoint.push_back(vertexOfKind[ofPoint]);
+      }
       for (Index v = 0; v < mesh->numberOfVertices(); ++v)
       {
         const GlobalVertex& vertex = vertexOfPoint[mesh->pointOfVertex(v)];
@@ -231,7 +240,10 @@ std::vector<double> DealtSurface::ofVertices(RankGroup& ranks, std::span<const d
   {
     for (std::size_t i = 0; i < fromRank[rank].size(); ++i)
     {
-      got[this->vertexAt(this->FromRank[rank], i)] = fromRank[rank][i];
+      if (const Index vertex = this->vertexAt(this->FromRank[rank], i); vertex != NoIndex)
+      {
+        got[vertex] = fromRank[rank][i];
+      }
     }
   }
   return got;
@@ -298,35 +310,58 @@ DealtSurface::Places DealtSurface::places(RankGroup& ranks, const Places& points
       continue;
     }
     isKnown[p] = true;
-    std::vector<std::pair<Index, double>> carriers;
+    std::vector<Carrier> carriers;
     for (std::size_t c = i + 1; c < i + sent; c += 3)
     {
-      if (all[c + 2] > 0.0)
-      {
-        const GlobalVertex vertex{ static_cast<int>(all[c]), static_cast<Index>(all[c + 1]) };
-        carriers.emplace_back(this->find(vertex), all[c + 2]);
-      }
+      carriers.emplace_back(
+        GlobalVertex{ static_cast<int>(all[c]), static_cast<Index>(all[c + 1]) }, all[c + 2]);
     }
-    std::vector<Index> corners;
-    for (const auto& [vertex, weight] : carriers)
+    if (const auto place = this->placeOf(carriers))
     {
-      corners.push_back(vertex);
-    }
-    const bool isHere = std::find(corners.begin(), corners.end(), NoIndex) == corners.end();
-    const std::vector<Index> triangles =
-      isHere ? this->mesh().trianglesWith(corners) : std::vector<Index>{};
-    if (!triangles.empty())
-    {
-      SurfacePoint& place = found[p].emplace_back(SurfacePoint{ triangles.front(), {} });
-      for (const auto& [vertex, weight] : carriers)
-      {
-        const Triangle& triangle = this->mesh().triangle(place.triangle);
-        place.weights[std::find(triangle.begin(), triangle.end(), vertex) - triangle.begin()] =
-          weight;
-      }
+      found[p].push_back(*place);
     }
   }
   return found;
+}
+
+std::optional<SurfacePoint> DealtSurface::placeOf(std::span<const Carrier> carriers) const
+{
+  std::vector<Index> corners;
+  std::vector<double> weights;
+  for (const auto& [vertex, weight] : carriers)
+  {
+    if (weight > 0.0)
+    {
+      corners.push_back(this->find(vertex));
+      weights.push_back(weight);
+    }
+  }
+  const bool isHere = std::find(corners.begin(), corners.end(), NoIndex) == corners.end();
+  const std::vector<Index> triangles =
+    isHere ? this->mesh().trianglesWith(corners) : std::vector<Index>{};
+  if (triangles.empty())
+  {
+    return std::nullopt;
+  }
+  SurfacePoint place{ triangles.front(), {} };
+  const Triangle& triangle = this->mesh().triangle(place.triangle);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    place.weights[std::find(triangle.begin(), triangle.end(), corners[i]) - triangle.begin()] =
+      weights[i];
+  }
+  return place;
+}
+
+std::optional<SurfacePoint> DealtSurface::placeOf(const SurfacePoint& point) const
+{
+  std::array<Carrier, 3> carriers;
+  for (int c = 0; c < 3; ++c)
+  {
+    const Index corner = this->Origin->mesh().triangle(point.triangle)[c];
+    carriers[c] = { this->Origin->shared().globalOf(corner), point.weights[c] };
+  }
+  return this->placeOf(carriers);
 }
 
 std::vector<Seed> DealtSurface::seeds(RankGroup& ranks, std::vector<Seed> seeds) const
@@ -335,7 +370,9 @@ std::vector<Seed> DealtSurface::seeds(RankGroup& ranks, std::vector<Seed> seeds)
   std::vector<std::vector<SentRegionVertex>> toRank(this->ToRank.size());
   for (Index s = 0; s < seeds.size(); ++s)
   {
-    points.push_back(seeds[s].points);
+    // The ranks have different points of a curve, but one point in different places.
+    points.push_back(
+      seeds[s].kind == Seed::Kind::Curve ? std::vector<SurfacePoint>{} : seeds[s].points);
     for (const Index vertex : seeds[s].vertices)
     {
       for (std::size_t rank = 0; rank < this->ToRank.size(); ++rank)
@@ -353,14 +390,25 @@ std::vector<Seed> DealtSurface::seeds(RankGroup& ranks, std::vector<Seed> seeds)
   Places found = this->places(ranks, points);
   for (std::size_t s = 0; s < seeds.size(); ++s)
   {
-    seeds[s].points = std::move(found[s]);
+    if (seeds[s].kind != Seed::Kind::Curve)
+    {
+      seeds[s].points = std::move(found[s]);
+      continue;
+    }
+    for (SurfacePoint& point : seeds[s].points)
+    {
+      point = this->placeOf(point).value();
+    }
   }
   const auto fromRank = exchanged(ranks, std::move(toRank));
   for (std::size_t rank = 0; rank < fromRank.size(); ++rank)
   {
     for (const SentRegionVertex& sent : fromRank[rank])
     {
-      seeds[sent.seed].vertices.push_back(this->vertexAt(this->FromRank[rank], sent.number));
+      if (const Index vertex = this->vertexAt(this->FromRank[rank], sent.number); vertex != NoIndex)
+      {
+        seeds[sent.seed].vertices.push_back(vertex);
+      }
     }
   }
   for (Seed& seed : seeds)
@@ -381,8 +429,10 @@ void DealtSurface::takeBack(
                                                : static_cast<Index>(this->Points.size());
     for (Index point = first; point < last; ++point)
     {
-      const Index vertex = this->mesh().vertexOfPoint(point);
-      toRank[rank].push_back({ dealt->distance(vertex), dealt->nearestSeed(vertex) });
+      const Index vertex = this->VertexOfPoint[point];
+      toRank[rank].push_back(vertex == NoIndex
+          ? SentDistance{ DistanceField::Unreached, NoIndex }
+          : SentDistance{ dealt->distance(vertex), dealt->nearestSeed(vertex) });
     }
   }
   ofPiece.reset();
@@ -408,9 +458,8 @@ Index DealtSurface::find(const GlobalVertex& vertex) const
 {
   const auto place =
     std::lower_bound(this->Points.begin(), this->Points.end(), std::pair(vertex, Index{ 0 }));
-  return place != this->Points.end() && place->first == vertex
-    ? this->mesh().vertexOfPoint(place->second)
-    : NoIndex;
+  return place != this->Points.end() && place->first == vertex ? this->VertexOfPoint[place->second]
+                                                               : NoIndex;
 }
 
 }

@@ -4,7 +4,6 @@
 #define geodesic_distributed_DealtSurface_h
 
 #include "base/BoundingBox.h"
-#include "pieces/DistributedSurface.h"
 #include "pieces/DividedMesh.h"
 #include "pieces/SharedPoints.h"
 #include "ranks/RankGroup.h"
@@ -13,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -45,11 +45,11 @@ class DealtSurface
 {
 public:
   /** Cuts and deals. Time O(n log n). */
-  DealtSurface(RankGroup& ranks, std::shared_ptr<const DistributedSurface> surface,
-    const Dealing& dealing = {});
+  DealtSurface(
+    RankGroup& ranks, std::shared_ptr<const DividedMesh> pieces, const Dealing& dealing = {});
 
-  /** The surface that was dealt. */
-  const std::shared_ptr<const DistributedSurface>& origin() const { return this->Origin; }
+  /** The pieces of the surface that was dealt. */
+  const std::shared_ptr<const DividedMesh>& origin() const { return this->Origin; }
   const Dealing& dealing() const { return this->How; }
   /** The patches of this rank. */
   const DividedMesh& divided() const { return *this->Divided; }
@@ -70,7 +70,8 @@ public:
    * @param points their places on this rank's piece
    */
   Places places(RankGroup& ranks, const Places& points) const;
-  /** Returns point seeds and regions with their places on mesh(). */
+  /** Returns seeds with their places on mesh(). Curves must be on the first rank, and all triangles
+   * beside them dealt to it. */
   std::vector<Seed> seeds(RankGroup& ranks, std::vector<Seed> seeds) const;
 
   /**
@@ -98,19 +99,28 @@ private:
 
   void cut(const RankGroup& ranks);
   void deal(RankGroup& ranks);
-  /** Returns the vertex of mesh() at the point with a number among those that a rank dealt. */
+  /** Returns the vertex of mesh() at the point with a number among those that a rank dealt; NoIndex
+   * where no triangle of the vertex was dealt. */
   Index vertexAt(const Got& from, std::size_t number) const
   {
-    return this->mesh().vertexOfPoint(from.firstPoint + static_cast<Index>(number));
+    return this->VertexOfPoint[from.firstPoint + static_cast<Index>(number)];
   }
   Index find(const GlobalVertex& vertex) const;
+  /** A vertex that carries a point, and by which weight. */
+  using Carrier = std::pair<GlobalVertex, double>;
+  /** Returns the place on mesh() of a point, if it has one. */
+  std::optional<SurfacePoint> placeOf(std::span<const Carrier> carriers) const;
+  /** Returns the place on mesh() of a point of the piece, if it has one. */
+  std::optional<SurfacePoint> placeOf(const SurfacePoint& point) const;
 
-  std::shared_ptr<const DistributedSurface> Origin;
+  std::shared_ptr<const DividedMesh> Origin;
   Dealing How;
   std::vector<Dealt> ToRank;
   std::vector<Got> FromRank;
   /** The points of mesh(), sorted by what vertex of the surface they are. */
   std::vector<std::pair<GlobalVertex, Index>> Points;
+  /** Also of points that none of their sender's triangles has, but another's; NoIndex if none. */
+  std::vector<Index> VertexOfPoint;
   std::unique_ptr<const DividedMesh> Divided;
 };
 

@@ -103,7 +103,7 @@ DistributedSurface::DistributedSurface(RankGroup& ranks,
   {
     ranks.together([&] { keys = keysOf(*this->Piece, blocks, identity); });
   }
-  this->Divided = std::make_unique<const DividedMesh>(ranks, this->Piece->mesh(), keys);
+  this->Divided = std::make_shared<const DividedMesh>(ranks, this->Piece->mesh(), keys);
 }
 
 }

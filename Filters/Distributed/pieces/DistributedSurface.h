@@ -41,6 +41,7 @@ public:
   const std::shared_ptr<const bridge::InputSurface>& sharedPiece() const { return this->Piece; }
   const TriangleMesh& mesh() const { return *this->Piece->mesh(); }
   const DividedMesh& divided() const { return *this->Divided; }
+  const std::shared_ptr<const DividedMesh>& sharedDivided() const { return this->Divided; }
   const SharedPoints& shared() const { return this->Divided->shared(); }
 
   /** The largest number of points on any rank. */
@@ -48,7 +49,7 @@ public:
 
 private:
   std::shared_ptr<const bridge::InputSurface> Piece;
-  std::unique_ptr<const DividedMesh> Divided;
+  std::shared_ptr<const DividedMesh> Divided;
   vtkIdType MostPoints = 0;
 };
 
