@@ -130,9 +130,10 @@ public:
 
   ///@{
   /**
-   * The most memory that the windows of EXACT and BOUNDED may take, in gigabytes (1e9 bytes); a run
-   * that needs more ends with an error that says how far it came. 0: three quarters of the
-   * machine's. Other methods need little. At least 0, else the run ends with an error. Default: 0.
+   * The most memory that EXACT and BOUNDED may take beside the surface, in gigabytes (1e9 bytes); a
+   * run that needs more ends with an error that says how far it came. 0: three quarters of the
+   * machine's. Other methods don't look at it. At least 0, else the run ends with an error.
+   * Default: 0.
    */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);

@@ -48,7 +48,7 @@ ASKED_OF_CGAL = {"Bunny 35k": (15, 50), "icosphere 10k": (20, 60)}
 ASKED_OF_PATHS = {0.01: (5e-3, 1e-3), 0.05: (0.1, 0.02)}
 MANY = [("hilly grid 40k", 10000), ("hilly grid 160k", 100000), ("fan 100k", 1), ("fan 100k", 10000),
         ("pages 100k", 1), ("pages 100k", 10000), ("parts 100k", 100000), ("strip 100k", 1), ("strip 100k", 100000)]
-LIMITS = [("icosphere 160k", 0.01), ("torus 250k", 0.05), ("Bunny 35k", 0.002), ("strip 300k", 0.01)]
+LIMITS = [("icosphere 160k", 0.02), ("torus 250k", 0.05), ("Bunny 35k", 0.005), ("strip 300k", 0.03)]
 ABORTED = "icosphere 2.6M"
 SECONDS_TO_ABORT = 10
 

@@ -157,7 +157,7 @@ TEST(BoundedPath, KeptWindowsCountForTheMemoryLimit)
   const Seed seed = Seed::atPoint(mesh->pointAtVertex(0));
   const SurfacePoint start = mesh->pointAtVertex(mesh->numberOfVertices() - 1);
   SolveOptions options;
-  options.memoryLimit = 1'000'000;
+  options.memoryLimit = 2'000'000;
   solver.solve({ &seed, 1 }, options);
   options.pathStarts = { &start, 1 };
   EXPECT_NE(errorOf<std::runtime_error>(

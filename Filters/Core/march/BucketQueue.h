@@ -218,6 +218,18 @@ public:
     return items.subspan(this->Next, std::min(most, items.size() - this->Next));
   }
 
+  /** The memory of the items, also of those that have room only. Time linear in the number of
+   * buckets. */
+  std::size_t bytes() const
+  {
+    std::size_t items = 0;
+    for (const std::vector<Index>& bucket : this->Buckets)
+    {
+      items += bucket.capacity();
+    }
+    return items * sizeof(Index) + this->Heap.capacity() * sizeof(Entry);
+  }
+
 private:
   /** How many items are taken at a time by value: of more, later ones would often gain by the first
    * ones. */

@@ -52,6 +52,12 @@ public:
    */
   bool canTurn(Index vertex) const { return this->Turning[vertex] != 0; }
 
+  std::size_t bytes() const
+  {
+    return (this->Starts.size() + this->Around.size() + this->Next.size()) * sizeof(Index) +
+      this->Turning.size();
+  }
+
 private:
   void collectTriangles(const TriangleMesh& mesh);
   void linkEdges(const TriangleMesh& mesh);

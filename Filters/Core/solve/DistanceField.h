@@ -101,6 +101,11 @@ public:
   /** Makes vertices farther than @p limit unreached; sets largestDistance() and stopReason(). */
   void finish(double limit, StopReason reason);
 
+  std::size_t bytes() const
+  {
+    return this->Distances.size() * (sizeof(double) + 2 * sizeof(Index));
+  }
+
 private:
   /** Whether every vertex was reached. */
   bool isWhole() const { return this->Reached.size() == this->Distances.size(); }

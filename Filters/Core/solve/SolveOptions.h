@@ -91,8 +91,8 @@ struct SolveOptions
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;
-  /** The most memory that the windows of exact distances may take, in bytes. 0: three quarters of
-   * the machine's. Other methods need little and don't look at it. */
+  /** The most memory that exact and bounded distances may take beside the mesh, in bytes. 0: three
+   * quarters of the machine's. Other methods don't look at it. */
   std::size_t memoryLimit = 0;
   /** By how much distances may be too large, in parts of each distance itself; above 0. For
    * BoundedSolver only. */

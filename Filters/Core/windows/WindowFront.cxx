@@ -73,6 +73,14 @@ WindowWorkspace::WindowWorkspace(const TriangleMesh& mesh)
   }
 }
 
+std::size_t WindowWorkspace::allBytes() const
+{
+  return this->bytes + this->junctions.bytes() + this->queue.bytes() +
+    this->waiting.capacity() * sizeof(Waiting) + this->arrivals.size() * sizeof(Arrival) +
+    (this->places.capacity() + this->free.capacity()) * sizeof(Index) +
+    this->excesses.capacity() * sizeof(float) + this->isToSend.capacity();
+}
+
 void WindowWorkspace::empty(std::span<const Index> reached)
 {
   this->junctions.clear();
@@ -238,10 +246,10 @@ void WindowFront::queueVertex(Index vertex, double distance)
 
 void WindowFront::checkMemory() const
 {
-  const std::size_t bytes = this->Work.bytes + this->Work.junctions.bytes();
+  const std::size_t bytes = this->bytes();
   if (bytes > this->MostBytes)
   {
-    throw std::runtime_error("The windows take " + textOf(gigabytes(bytes)) +
+    throw std::runtime_error("The method takes " + textOf(gigabytes(bytes)) +
       " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
       std::to_string(this->Field.reached().size()) + " of " +
       std::to_string(this->Mesh.numberOfVertices()) +

@@ -37,6 +37,8 @@ struct WindowWorkspace
 {
   explicit WindowWorkspace(const TriangleMesh& mesh);
 
+  /** The memory of all but the mesh. */
+  std::size_t allBytes() const;
   /** Drops what still waits. @param reached the vertices that the front reached */
   void empty(std::span<const Index> reached);
 
@@ -132,7 +134,7 @@ public:
   /**
    * Marches until no window below the limit is left.
    * @return false when cancelled
-   * @throws std::runtime_error where the windows need more memory than SolveOptions::memoryLimit
+   * @throws std::runtime_error where the run needs more memory than SolveOptions::memoryLimit
    */
   bool march();
 
@@ -200,6 +202,11 @@ private:
   /** Works on an item of the queue: a half-edge, or a vertex after these.
    * @return false when cancelled */
   bool take(Index item);
+  /** The memory of the run but for the mesh. */
+  std::size_t bytes() const
+  {
+    return this->Edges.bytes() + this->Field.bytes() + this->Work.allBytes();
+  }
   void checkMemory() const;
 
   const TriangleMesh& Mesh;
