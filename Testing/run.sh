@@ -6,7 +6,8 @@
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
 #        bash Testing/run.sh bench [distances|paths|worst|exact|ranks]
 # Runs the benchmarks instead, for about half an hour, and writes benchmarks.md, path_benchmarks.md and
-# worst_cases.md in Plugin/Documentation, exact_benchmarks.md with the table of guide/methods.md, and the tables of counts in clusters.md.
+# worst_cases.md in Plugin/Documentation, exact_benchmarks.md with the table of guide/methods.md, and the tables of counts in
+# cluster_benchmarks.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh

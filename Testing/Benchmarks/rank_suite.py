@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: SurfaceGeodesics authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Counts what fields on many ranks take, all in one process, and puts the tables into the page of the clusters.
+"""Counts what fields on many ranks take, all in one process, and puts the tables into cluster_benchmarks.md.
 
 usage: rank_suite.py RANK_COUNTS DOCUMENT.md [--tiny]
 The tables stand in the page between two comments. --tiny: on tiny surfaces, to try whether it runs; the page stays.
