@@ -7,8 +7,7 @@
 set -euo pipefail
 folder=$(realpath -m "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-packages=$(tr '\n' ' ' <Plugin/Documentation/tracing.md |
-  sed -n 's/.*without ParaView on Debian 12, install `\([^`]*\)`.*/\1/p')
+packages=$(sed -n 's/^    apt-get install \(libvtk9-dev .*\)/\1/p' Plugin/Documentation/tracing.md)
 apt-get update
 # shellcheck disable=SC2086
 apt-get install -y --no-install-recommends $packages
