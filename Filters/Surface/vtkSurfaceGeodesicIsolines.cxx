@@ -312,11 +312,14 @@ void vtkSurfaceGeodesicIsolines::Trace(
   }
   const std::vector<double> cost = this->CostOf(blocks, *surface, name);
   const std::vector<double> levels = this->LevelsOf(distances, isSigned);
+  const double prepared = this->GetProgress();
   std::size_t done = 0;
   const auto curves = geodesic::isolines(mesh, *internal.Edges, distances, cost, levels,
     [&]
     {
-      this->UpdateProgress(static_cast<double>(done++) / static_cast<double>(levels.size()));
+      this->UpdateProgress(std::max(this->GetProgress(),
+        prepared +
+          (1.0 - prepared) * static_cast<double>(done++) / static_cast<double>(levels.size())));
       return !geodesic::bridge::checkAbort(*this);
     });
   writeCurves(curves, name.c_str(), output);

@@ -187,7 +187,7 @@ int vtkSurfaceGeodesicRegion::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     geodesic::distributed::RankGroup ranks(vtkMultiProcessController::GetGlobalController());
-    constexpr double shareOfSetUp = 0.9;
+    constexpr double shareOfSetUp = 0.2;
     std::optional<geodesic::bridge::SetUpReporter> setUp;
     if (ranks.size() == 1)
     {
@@ -270,7 +270,7 @@ void vtkSurfaceGeodesicRegion::RunOnAll(geodesic::distributed::RankGroup& ranks,
 //------------------------------------------------------------------------------
 bool vtkSurfaceGeodesicRegion::GoesOn(double progress)
 {
-  this->UpdateProgress(progress);
+  this->UpdateProgress(std::max(this->GetProgress(), progress));
   return !geodesic::bridge::checkAbort(*this);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/RegionOutput.h"
 
+#include "base/Interruption.h"
 #include "filter/VtkVersions.h"
 #include "output/TupleRuns.h"
 
@@ -51,6 +52,7 @@ void RegionOutput::findRegions()
   const TriangleMesh& mesh = *this->Surface.mesh();
   for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     Index& region = this->RegionOfCell[this->Surface.cellOfTriangle(triangle)];
     const Index own = this->Regions.regionOf(triangle);
     region = own == NoIndex || (region != NoIndex && region != own) ? Cut : own;
@@ -71,6 +73,7 @@ void RegionOutput::collectParts()
   const TriangleMesh& mesh = *this->Surface.mesh();
   for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     const Index region = this->Regions.regionOf(triangle);
     const Index cell = this->Surface.cellOfTriangle(triangle);
     if (region != NoIndex && this->isCut(cell))
@@ -119,6 +122,7 @@ public:
       points->SetPoint(
         this->PointRuns.size() + static_cast<vtkIdType>(i), position.x, position.y, position.z);
     }
+    Interruption::check();
     output->DeleteCells();
     output->DeleteLinks();
     output->SetPoints(points);
@@ -126,7 +130,9 @@ public:
     output->SetLines(this->Whole.KeepsAll ? this->Input->GetLines() : nullptr);
     output->SetPolys(this->cellsOf(this->Polygons));
     output->SetStrips(this->cellsOf(this->Strips));
+    Interruption::check();
     this->writePointData(output->GetPointData());
+    Interruption::check();
     this->writeCellData(output->GetCellData());
   }
 
@@ -181,6 +187,7 @@ private:
         to.points.reserve(connectivity.size());
         for (vtkIdType i = 0; i < count; ++i)
         {
+          Interruption::checkAt(i);
           const Index region = this->Whole.RegionOfCell[this->FirstCell + first + i];
           const auto begin = static_cast<vtkIdType>(offsets[i]);
           const auto end = static_cast<vtkIdType>(offsets[i + 1]);
@@ -302,6 +309,7 @@ private:
     }
     for (vtkIdType point = 0; point < count; ++point)
     {
+      Interruption::checkAt(point);
       if (this->OutputPoint[point] >= 0)
       {
         this->OutputPoint[point] = this->PointRuns.size();
@@ -335,6 +343,7 @@ private:
   {
     vtkPointData* input = this->Input->GetPointData();
     this->PointRuns.copyArrays(*input, *output, static_cast<vtkIdType>(this->New.size()));
+    Interruption::check();
     vtkDataArray* globalIds =
       this->Whole.Blocks.haveGlobalPointIds() ? this->globalIdsOf(*input, *output) : nullptr;
     for (int i = 0; i < output->GetNumberOfArrays(); ++i)

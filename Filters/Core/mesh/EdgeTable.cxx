@@ -107,6 +107,7 @@ void EdgeTable::linkEdges(const TriangleMesh& mesh)
     {
       if (sides[i].higher != sides[first].higher)
       {
+        this->noteFirst(sides[first].halfEdge);
         first = i;
         firstWithApex = i;
       }
@@ -121,6 +122,28 @@ void EdgeTable::linkEdges(const TriangleMesh& mesh)
         std::swap(this->Next[sides[first].halfEdge], this->Next[sides[i].halfEdge]);
       }
     }
+    if (!sides.empty())
+    {
+      this->noteFirst(sides[first].halfEdge);
+    }
+  }
+}
+
+void EdgeTable::noteFirst(Index halfEdge)
+{
+  if (this->next(this->next(halfEdge)) == halfEdge)
+  {
+    return;
+  }
+  std::vector<Index> circle{ halfEdge };
+  for (Index other = this->next(halfEdge); other != halfEdge; other = this->next(other))
+  {
+    circle.push_back(other);
+  }
+  const Index least = *std::min_element(circle.begin(), circle.end());
+  for (const Index other : circle)
+  {
+    this->FirstOfMany.emplace(other, least);
   }
 }
 

@@ -6,8 +6,11 @@
 #include "base/BulkVector.h"
 #include "base/Index.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -22,7 +25,8 @@ class TriangleMesh;
  * triangle that has it: two on a manifold, one at a border, more where sheets meet.
  *
  * Of triangles with the same three corners only the first has a place in the circles: what crosses
- * the others crosses it as well. Memory: 4 bytes for each half-edge and each corner, 5 a vertex.
+ * the others crosses it as well. Memory: 4 bytes for each half-edge and each corner, 5 a vertex,
+ * and more where an edge has more than two triangles.
  */
 class EdgeTable
 {
@@ -36,6 +40,14 @@ public:
 
   /** The next half-edge of the same edge; @p halfEdge itself if its triangle is the only one. */
   Index next(Index halfEdge) const { return this->Next[halfEdge]; }
+  /** Whether an edge has more than two triangles. */
+  bool isOfMany(Index halfEdge) const { return this->next(this->next(halfEdge)) != halfEdge; }
+  /** The least half-edge of the same edge. Time O(1). */
+  Index first(Index halfEdge) const
+  {
+    return this->isOfMany(halfEdge) ? this->FirstOfMany.at(halfEdge)
+                                    : std::min(halfEdge, this->next(halfEdge));
+  }
   /** The triangles that have a vertex. */
   std::span<const Index> trianglesAt(Index vertex) const
   {
@@ -61,12 +73,16 @@ public:
 private:
   void collectTriangles(const TriangleMesh& mesh);
   void linkEdges(const TriangleMesh& mesh);
+  /** Notes the least half-edge of an edge, if it has more than two triangles. */
+  void noteFirst(Index halfEdge);
   void addRepetition(Index triangle, Index first);
   void findTurns(const TriangleMesh& mesh);
 
   std::vector<Index> Starts;
   BulkVector<Index> Around;
   BulkVector<Index> Next;
+  /** For half-edges of edges with more than two triangles. */
+  std::unordered_map<Index, Index> FirstOfMany;
   std::vector<bool> Repeated;
   std::vector<std::pair<Index, Index>> Repetitions;
   std::vector<std::uint8_t> Turning;

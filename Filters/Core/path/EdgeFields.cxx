@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/EdgeFields.h"
 
+#include "base/Interruption.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -134,8 +136,10 @@ void EdgeFields::choose(std::span<const Index> faces)
   std::vector<std::uint8_t> sources(hasCost ? halfEdges : 0, 0);
   std::vector<double> costOfSource(hasCost ? halfEdges : 0, none);
   std::vector<double> cheapest(hasCost ? halfEdges : 0, none);
-  for (const Index face : faces)
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    Interruption::checkAt(i);
+    const Index face = faces[i];
     const FlatFace flat = this->Field.flat(face);
     const FaceField field = this->Field.inFace(face, flat);
     const bool isOfOneSign = this->Field.signOfFace(face) != 0;
@@ -176,6 +180,7 @@ void EdgeFields::choose(std::span<const Index> faces)
   this->Cost.assign(hasCost ? halfEdges : 0, 1.0);
   for (Index h = 0; h < halfEdges; ++h)
   {
+    Interruption::checkAt(h);
     const Index edge = this->Field.edgeOf(h);
     this->IsRound[h] = preference[edge] >= 0.0;
     // Under costs that vary one face may look so by chance.

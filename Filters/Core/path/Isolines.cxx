@@ -3,6 +3,7 @@
 #include "path/Isolines.h"
 
 #include "base/DisjointSets.h"
+#include "base/Interruption.h"
 #include "path/EdgeFields.h"
 #include "path/FaceField.h"
 #include "path/FlatFace.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace geodesic
@@ -21,15 +23,69 @@ namespace geodesic
 namespace
 {
 
+/** Things by the first of some levels that is above a value of theirs. */
+template <class Thing>
+class ByLevel
+{
+public:
+  /** @param levels in increasing order */
+  explicit ByLevel(std::span<const double> levels)
+    : Levels(levels)
+    , Starts(levels.size() + 1, 0)
+  {
+  }
+
+  /** The number of the first level above a value; that of all levels if there is none. */
+  std::size_t firstAbove(double value) const
+  {
+    return std::upper_bound(this->Levels.begin(), this->Levels.end(), value) - this->Levels.begin();
+  }
+  /** @param level below the number of levels */
+  void add(std::size_t level, const Thing& thing)
+  {
+    this->Added.emplace_back(level, thing);
+    ++this->Starts[level + 1];
+  }
+  /** To be called once all are there. */
+  void order()
+  {
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end());
+    this->Things.resize(this->Added.size());
+    for (std::size_t i = 0; i < this->Added.size(); ++i)
+    {
+      Interruption::checkAt(i);
+      const auto& [level, thing] = this->Added[i];
+      this->Things[next[level]++] = thing;
+    }
+    this->Added = {};
+  }
+  std::span<const Thing> of(std::size_t level) const
+  {
+    return std::span(this->Things)
+      .subspan(this->Starts[level], this->Starts[level + 1] - this->Starts[level]);
+  }
+
+private:
+  std::span<const double> Levels;
+  std::vector<std::pair<std::size_t, Thing>> Added;
+  std::vector<std::size_t> Starts;
+  std::vector<Thing> Things;
+};
+
 class Tracer
 {
 public:
-  explicit Tracer(const SurfaceField& field)
+  /** @param levels in increasing order; kept */
+  Tracer(const SurfaceField& field, std::span<const double> levels)
     : Field(field)
     , Mesh(field.mesh)
     , Values(field.values)
     , Faces(facesOf(field))
     , Edges(field, Faces)
+    , Levels(levels)
+    , Ranges(levels)
+    , Events(levels)
     , Below(field.mesh.numberOfVertices())
     , AreaBelow(field.mesh.numberOfVertices(), 0.0)
   {
@@ -37,19 +93,21 @@ public:
     this->findEvents();
   }
 
-  /** Levels must come in increasing order. */
-  void trace(double level, std::vector<Isoline>& isolines)
+  /** To be called for each level in turn. */
+  void trace(std::size_t number, std::vector<Isoline>& isolines)
   {
+    const double level = this->Levels[number];
     this->Level = level;
-    this->raise();
+    this->raise(number);
     this->Pieces.clear();
     this->Sets.emplace(0);
     this->SetAreas.clear();
     this->HasSource.clear();
     this->SetOfKey.clear();
-    for (const Index range : this->Active)
+    for (std::size_t i = 0; i < this->Active.size(); ++i)
     {
-      this->cut(this->Ranges[range].face);
+      Interruption::checkAt(i);
+      this->cut(this->Active[i].face);
     }
     this->leaveOutGhosts();
     std::vector<double> areas(this->SetAreas.size(), 0.0);
@@ -66,16 +124,15 @@ public:
   }
 
 private:
+  /** The levels up to @p high may cross a face. */
   struct Range
   {
-    double low;
     double high;
     Index face;
   };
-  /** From this value on two or three corners of a face are below the level. */
+  /** Two or three corners of a face are below the level. */
   struct Event
   {
-    double value;
     Index face;
     bool isWhole;
   };
@@ -85,6 +142,7 @@ private:
     std::vector<Index> faces;
     for (Index face = 0; face < field.mesh.numberOfTriangles(); ++face)
     {
+      Interruption::checkAt(face);
       if (field.hasField(face))
       {
         faces.push_back(face);
@@ -95,8 +153,10 @@ private:
 
   void findRanges()
   {
-    for (const Index face : this->Faces)
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
+      Interruption::checkAt(i);
+      const Index face = this->Faces[i];
       const auto values = this->Field.valuesOf(face);
       const auto [least, most] = std::minmax_element(values.begin(), values.end());
       // A distance can be nearer to 0 inside of the face than at each corner.
@@ -108,22 +168,33 @@ private:
         cost = std::max(cost, this->Edges.cost(h));
       }
       const double size = cost * this->Mesh.longestEdgeAround(this->Mesh.triangle(face)[0]);
-      this->Ranges.push_back({ std::max(low, *least - size), std::min(high, *most + size), face });
+      const std::size_t first = this->Ranges.firstAbove(std::max(low, *least - size));
+      const double last = std::min(high, *most + size);
+      if (first < this->Levels.size() && this->Levels[first] <= last)
+      {
+        this->Ranges.add(first, { last, face });
+      }
     }
-    std::ranges::sort(this->Ranges, {}, &Range::low);
+    this->Ranges.order();
   }
 
   void findEvents()
   {
-    for (const Index face : this->Faces)
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
-      auto values = this->Field.valuesOf(face);
+      Interruption::checkAt(i);
+      auto values = this->Field.valuesOf(this->Faces[i]);
       std::sort(values.begin(), values.end());
-      this->Events.push_back({ values[1], face, false });
-      this->Events.push_back({ values[2], face, true });
+      for (const bool isWhole : { false, true })
+      {
+        const std::size_t first = this->Events.firstAbove(values[isWhole ? 2 : 1]);
+        if (first < this->Levels.size())
+        {
+          this->Events.add(first, { this->Faces[i], isWhole });
+        }
+      }
     }
-    std::ranges::sort(
-      this->Events, {}, [](const Event& e) { return std::pair(e.value, e.isWhole); });
+    this->Events.order();
   }
 
   void connect(Index a, Index b)
@@ -136,13 +207,13 @@ private:
   }
 
   /** Brings all that depends on the level to it. */
-  void raise()
+  void raise(std::size_t number)
   {
-    for (;
-         this->NextEvent < this->Events.size() && this->Events[this->NextEvent].value < this->Level;
-         ++this->NextEvent)
+    const std::span<const Event> events = this->Events.of(number);
+    for (std::size_t i = 0; i < events.size(); ++i)
     {
-      const Event& event = this->Events[this->NextEvent];
+      Interruption::checkAt(i);
+      const Event& event = events[i];
       Triangle t = this->Mesh.triangle(event.face);
       std::sort(
         t.begin(), t.end(), [&](Index a, Index b) { return this->Values[a] < this->Values[b]; });
@@ -152,13 +223,9 @@ private:
         this->AreaBelow[this->Below.rootOf(t[0])] += this->Field.areaOf(event.face);
       }
     }
-    for (; this->NextRange < this->Ranges.size() && this->Ranges[this->NextRange].low < this->Level;
-         ++this->NextRange)
-    {
-      this->Active.push_back(this->NextRange);
-    }
-    std::erase_if(
-      this->Active, [&](Index range) { return this->Ranges[range].high < this->Level; });
+    const std::span<const Range> ranges = this->Ranges.of(number);
+    this->Active.insert(this->Active.end(), ranges.begin(), ranges.end());
+    std::erase_if(this->Active, [&](const Range& range) { return range.high < this->Level; });
   }
 
   /** The set of a vertex below the level, or of what an edge or a face has below it.
@@ -389,12 +456,11 @@ private:
   /** Those that have a field. */
   std::vector<Index> Faces;
   EdgeFields Edges;
-  std::vector<Range> Ranges;
-  std::vector<Event> Events;
-  std::size_t NextEvent = 0;
-  std::size_t NextRange = 0;
+  std::span<const double> Levels;
+  ByLevel<Range> Ranges;
+  ByLevel<Event> Events;
   /** The ranges that can have the level. */
-  std::vector<Index> Active;
+  std::vector<Range> Active;
   /** The vertices below the level, connected over faces, and the area of whole faces by root. */
   DisjointSets Below;
   std::vector<double> AreaBelow;
@@ -413,9 +479,9 @@ std::vector<Isoline> isolines(const TriangleMesh& mesh, const EdgeTable& edges,
   std::span<const double> values, std::span<const double> cost, std::span<const double> levels,
   const std::function<bool()>& goesOn)
 {
-  Tracer tracer({ mesh, edges, values, cost });
+  Tracer tracer({ mesh, edges, values, cost }, levels);
   std::vector<Isoline> found;
-  for (const double level : levels)
+  for (std::size_t level = 0; level < levels.size(); ++level)
   {
     if (!goesOn())
     {

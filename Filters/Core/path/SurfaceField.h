@@ -77,15 +77,7 @@ struct SurfaceField
       !this->edges.isRepeated(face) && this->areaOf(face) > 0.0;
   }
   /** A half-edge that is the same for all faces with its edge. */
-  Index edgeOf(Index halfEdge) const
-  {
-    Index least = halfEdge;
-    for (Index at = this->edges.next(halfEdge); at != halfEdge; at = this->edges.next(at))
-    {
-      least = std::min(least, at);
-    }
-    return least;
-  }
+  Index edgeOf(Index halfEdge) const { return this->edges.first(halfEdge); }
   /** The ends of a half-edge's edge, smaller vertex first. */
   std::pair<Index, Index> endsOf(Index halfEdge) const
   {

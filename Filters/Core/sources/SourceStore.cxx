@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sources/SourceStore.h"
 
+#include "base/Interruption.h"
 #include "mesh/TriangleMesh.h"
 
 #include <cmath>
@@ -17,6 +18,7 @@ SourceStore::SourceStore(const TriangleMesh& mesh)
   double sum = 0.0;
   for (const Triangle& corners : mesh.triangles())
   {
+    Interruption::checkAt(this->Sides.size() / 3);
     double shortest = std::numeric_limits<double>::infinity();
     for (Index k = 0; k < 3; ++k)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "split/CurveSides.h"
 
+#include "base/Interruption.h"
 #include "base/SortUnique.h"
 #include "split/LineChains.h"
 #include "split/RegionCut.h"
@@ -77,6 +78,7 @@ std::vector<SurfacePath> withWalls(
   };
   for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     const Carriers excluded = excludedCorners(mesh, triangle, walls);
     const Triangle& corners = mesh.triangle(triangle);
     if (isSet(walls.closed, triangle))
@@ -391,6 +393,7 @@ private:
     };
     for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
     {
+      Interruption::checkAt(triangle);
       if (this->Cut.regionOf(triangle) != NoIndex && !this->Mesh.edges().isRepeated(triangle))
       {
         measure(triangle, mesh.triangle(triangle), this->Cut.regionOf(triangle));
@@ -437,6 +440,7 @@ private:
     };
     for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
     {
+      Interruption::checkAt(triangle);
       if (this->Cut.regionOf(triangle) != NoIndex && !this->isWithinWalls(triangle))
       {
         visit(mesh.triangle(triangle), this->Cut.regionOf(triangle));

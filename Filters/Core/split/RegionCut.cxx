@@ -3,6 +3,7 @@
 #include "split/RegionCut.h"
 
 #include "base/DisjointSets.h"
+#include "base/Interruption.h"
 #include "base/SortUnique.h"
 #include "split/PieceWeights.h"
 
@@ -210,6 +211,7 @@ void RegionCut::connectTriangles(DisjointSets& parts) const
   const auto sides = static_cast<Index>(this->IsClosed.size());
   for (Index side = 0; side < sides; ++side)
   {
+    Interruption::checkAt(side);
     const Index next = edges.next(side);
     const bool isDone = next == side || (next < side && edges.next(next) == side);
     const Index triangle = EdgeTable::triangleOf(side);
@@ -246,6 +248,7 @@ void RegionCut::number(DisjointSets& parts)
   };
   for (Index triangle = 0; triangle < triangles; ++triangle)
   {
+    Interruption::checkAt(triangle);
     if (this->Regions[triangle] != NoIndex)
     {
       this->Regions[triangle] = take(triangle, this->Mesh->areaOf(triangle));
@@ -295,6 +298,7 @@ void RegionCut::collectSharedSides(const std::vector<Edge>& lines)
   const auto sides = static_cast<Index>(3 * this->Regions.size());
   for (Index side = 0; side < sides; ++side)
   {
+    Interruption::checkAt(side);
     const Index triangle = EdgeTable::triangleOf(side);
     const Edge edge = this->Mesh->endsOf(side);
     if (this->Regions[triangle] != NoIndex && !this->Mesh->edges().isRepeated(triangle) &&

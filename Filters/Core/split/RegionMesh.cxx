@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "split/RegionMesh.h"
 
+#include "base/Interruption.h"
+
 namespace geodesic
 {
 
@@ -12,6 +14,7 @@ RegionMesh::RegionMesh(std::shared_ptr<const TriangleMesh> mesh)
   this->Areas.reserve(this->Mesh->numberOfTriangles());
   for (Index triangle = 0; triangle < this->Mesh->numberOfTriangles(); ++triangle)
   {
+    Interruption::checkAt(triangle);
     const auto [a, b, c] = this->Mesh->triangle(triangle);
     const Vector3& apex = this->Mesh->position(a);
     this->Areas.push_back(

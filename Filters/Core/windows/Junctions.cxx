@@ -10,42 +10,32 @@
 namespace geodesic
 {
 
-bool Junctions::isAt(const EdgeTable& edges, Index halfEdge)
-{
-  return edges.next(edges.next(halfEdge)) != halfEdge;
-}
-
 Junctions::Junction& Junctions::at(
   const EdgeTable& edges, const PassableTriangles& passable, Index halfEdge)
 {
   const auto [place, isNew] =
-    this->Places.try_emplace(halfEdge, static_cast<Index>(this->All.size()));
-  if (isNew)
+    this->Places.try_emplace(edges.first(halfEdge), static_cast<Index>(this->All.size()));
+  if (!isNew)
   {
-    Junction& junction = this->All.emplace_back();
-    Index side = halfEdge;
-    do
-    {
-      this->Places[side] = static_cast<Index>(this->All.size() - 1);
-      if (passable.contains(EdgeTable::triangleOf(side)))
-      {
-        junction.sides.push_back(side);
-      }
-      side = edges.next(side);
-    } while (side != halfEdge);
-    return junction;
+    return this->All[place->second];
   }
-  return this->All[place->second];
+  Junction& junction = this->All.emplace_back();
+  Index side = halfEdge;
+  do
+  {
+    if (passable.contains(EdgeTable::triangleOf(side)))
+    {
+      junction.sides.push_back(side);
+    }
+    side = edges.next(side);
+  } while (side != halfEdge);
+  return junction;
 }
 
-const Junctions::Junction* Junctions::wait(const EdgeTable& edges,
-  const PassableTriangles& passable, Index halfEdge, std::span<const Window> windows, double key)
+bool Junctions::wait(const EdgeTable& edges, const PassableTriangles& passable, Index halfEdge,
+  std::span<const Window> windows, double key)
 {
   Junction& junction = this->at(edges, passable, halfEdge);
-  if (junction.sides.empty())
-  {
-    return nullptr;
-  }
   const bool isNearer = junction.waiting.empty() || key < junction.key;
   const std::size_t before = junction.waiting.capacity();
   for (const Window& window : windows)
@@ -53,28 +43,19 @@ const Junctions::Junction* Junctions::wait(const EdgeTable& edges,
     junction.waiting.push_back({ window, halfEdge });
   }
   this->Bytes += (junction.waiting.capacity() - before) * sizeof(Coming);
-  if (isNearer)
-  {
-    junction.key = key;
-    return &junction;
-  }
-  return nullptr;
+  junction.key = isNearer ? key : junction.key;
+  return isNearer;
 }
 
-bool Junctions::doWaitAt(Index halfEdge) const
+bool Junctions::doWaitAt(Index first) const
 {
-  const auto place = this->Places.find(halfEdge);
-  if (place == this->Places.end())
-  {
-    return false;
-  }
-  const Junction& junction = this->All[place->second];
-  return !junction.waiting.empty() && junction.sides[0] == halfEdge;
+  const auto place = this->Places.find(first);
+  return place != this->Places.end() && !this->All[place->second].waiting.empty();
 }
 
-const Junctions::Junction& Junctions::pass(Index halfEdge, std::vector<Coming>& passing)
+const Junctions::Junction& Junctions::pass(Index first, std::vector<Coming>& passing)
 {
-  Junction& junction = this->All[this->Places.at(halfEdge)];
+  Junction& junction = this->All[this->Places.at(first)];
   std::vector<Coming>& waiting = junction.waiting;
   std::stable_sort(waiting.begin(), waiting.end(),
     [](const Coming& a, const Coming& b)

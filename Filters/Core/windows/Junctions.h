@@ -47,22 +47,19 @@ public:
     WindowList passed;
   };
 
-  /** Whether an edge has more than two triangles. */
-  static bool isAt(const EdgeTable& edges, Index halfEdge);
-
   /** Lets windows wait. @param key the least of any of them
-   * @return the junction, if it is to be queued with that key by the first of its sides; else null
-   */
-  const Junction* wait(const EdgeTable& edges, const PassableTriangles& passable, Index halfEdge,
+   * @return whether the edge is to be queued with that key, by its first half-edge */
+  bool wait(const EdgeTable& edges, const PassableTriangles& passable, Index halfEdge,
     std::span<const Window> windows, double key);
 
-  /** Whether a half-edge is the first of the sides of a junction at which windows wait. */
-  bool doWaitAt(Index halfEdge) const;
+  /** Whether windows wait at the junction of an edge. @param first  its first half-edge */
+  bool doWaitAt(Index first) const;
 
   /** Lets those parts of the waiting windows pass that are nearest, the nearest windows first.
+   * @param first    the edge's first half-edge
    * @param passing  gets them
-   * @return the junction; its key is that of the windows */
-  const Junction& pass(Index halfEdge, std::vector<Coming>& passing);
+   * @return the junction */
+  const Junction& pass(Index first, std::vector<Coming>& passing);
 
   void clear();
   /** The memory of the windows. */
@@ -73,7 +70,7 @@ private:
 
   /** In blocks, as a junction stays in place while others are added. */
   std::deque<Junction> All;
-  /** For each half-edge of theirs the number of its junction. */
+  /** For the first half-edge of each edge the number of its junction. */
   std::unordered_map<Index, Index> Places;
   std::vector<Window> Nearer;
   std::size_t Bytes = 0;

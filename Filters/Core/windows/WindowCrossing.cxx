@@ -110,7 +110,7 @@ void WindowFront::letOfferedWait(Index halfEdge)
 {
   if (!this->Offered.empty())
   {
-    if (Junctions::isAt(this->Edges, halfEdge))
+    if (this->Edges.isOfMany(halfEdge))
     {
       this->waitAtJunction(halfEdge);
     }
@@ -125,16 +125,16 @@ void WindowFront::letOfferedWait(Index halfEdge)
 
 void WindowFront::waitAtJunction(Index halfEdge)
 {
-  if (const Junctions::Junction* junction = this->Work.junctions.wait(
+  if (this->Work.junctions.wait(
         this->Edges, this->Passable, halfEdge, this->Offered, this->LeastKey))
   {
-    this->Work.queue.push(junction->sides[0], this->LeastKey - this->First);
+    this->Work.queue.push(this->Edges.first(halfEdge), this->LeastKey - this->First);
   }
 }
 
-bool WindowFront::passJunction(Index halfEdge)
+bool WindowFront::passJunction(Index first)
 {
-  const Junctions::Junction& junction = this->Work.junctions.pass(halfEdge, this->Passing);
+  const Junctions::Junction& junction = this->Work.junctions.pass(first, this->Passing);
   for (const Index side : junction.sides)
   {
     this->Crossing.clear();

@@ -316,7 +316,7 @@ bool WindowFront::take(Index item)
       this->sendFrom(vertex);
     }
   }
-  else if (Junctions::isAt(this->Edges, item))
+  else if (this->Edges.isOfMany(item))
   {
     return !this->Work.junctions.doWaitAt(item) || this->passJunction(item);
   }

@@ -188,9 +188,9 @@ private:
   void letOfferedWait(Index halfEdge);
   void waitAtJunction(Index halfEdge);
   /** Lets the windows that wait at a junction cross all triangles but those that they come from.
-   * @param halfEdge  the first of the junction's sides
+   * @param first  the first half-edge of the junction's edge
    * @return false when cancelled */
-  bool passJunction(Index halfEdge);
+  bool passJunction(Index first);
   void waitAt(Index halfEdge);
   /** Gives a vertex a distance if that is less than what it has.
    * @param excess  by how much the shortest path may be longer */

@@ -16,7 +16,7 @@ namespace
 
 /**
  * The number of patches of a piece. With more the ranks' work is hardly more even, and more points
- * are shared; counts and times are in Plugin/Documentation/clusters.md.
+ * are shared; counts and times are in Plugin/Documentation/cluster_benchmarks.md.
  */
 constexpr int PatchesOfPiece = 8;
 
