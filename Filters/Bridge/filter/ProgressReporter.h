@@ -48,7 +48,8 @@ public:
     }
     this->Reported = std::max(this->Reported, fraction);
     this->LastReport = now;
-    this->Filter.UpdateProgress(this->Reported);
+    // What was prepared since the march was ordered may have come further.
+    this->Filter.UpdateProgress(std::max(this->Filter.GetProgress(), this->Reported));
     return !checkAbort(this->Filter);
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/StopReach.h"
 
+#include "base/Interruption.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
@@ -87,6 +88,7 @@ std::vector<float> ownReaches(
   std::vector<float> reaches(sides.begin(), sides.end());
   for (Index vertex = 0; vertex < reaches.size(); ++vertex)
   {
+    Interruption::checkAt(vertex);
     reaches[vertex] *= PartsOfLongestSide;
     if (!cost.empty())
     {
@@ -110,6 +112,7 @@ std::vector<float> stopReaches(
   ReachSpreader spreader(mesh, cost, reaches);
   for (Index vertex = 0; vertex < reaches.size(); ++vertex)
   {
+    Interruption::checkAt(vertex);
     spreader.raiseNeighbours(vertex);
   }
   bool isRaised = true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/SurfaceCurve.h"
 
+#include "base/Interruption.h"
 #include "path/PathFinder.h"
 #include "solve/DistanceSolver.h"
 
@@ -14,6 +15,12 @@ SurfacePath joinedCurve(
   DistanceSolver& solver, std::span<const SurfacePoint> points, const std::string& name)
 {
   const TriangleMesh& mesh = solver.mesh();
+  SolveOptions options;
+  options.onProgress = [](std::size_t)
+  {
+    Interruption::check();
+    return true;
+  };
   SurfacePath curve{ PathPoint::at(mesh, points[0]) };
   for (std::size_t i = 1; i < points.size(); ++i)
   {
@@ -24,7 +31,7 @@ SurfacePath joinedCurve(
       curve.push_back(next);
       continue;
     }
-    const auto path = shortestPath(solver, points[i - 1], points[i], {}, {});
+    const auto path = shortestPath(solver, points[i - 1], points[i], options, {});
     if (!path)
     {
       throwUnjoined(name, i);

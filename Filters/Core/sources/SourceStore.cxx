@@ -31,6 +31,9 @@ SourceStore::SourceStore(const TriangleMesh& mesh)
     }
     sum += shortest;
   }
+  // The pages are used when they are needed. To move all sources to more room takes long.
+  constexpr double mostOfSide = 1.5;
+  this->Sources.reserve(static_cast<std::size_t>(mostOfSide * this->Sides.size()));
   this->MeanShortestSide = this->Sides.empty() ? 0.0 : sum / mesh.numberOfTriangles();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey/CentreSearch.h"
 
+#include "base/Interruption.h"
 #include "base/NumberText.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceSolver.h"
@@ -51,12 +52,19 @@ public:
     std::vector<Index> order;
     for (Index vertex = 0; vertex < isOpen.size(); ++vertex)
     {
+      Interruption::checkAt(vertex);
       if (isOpen[vertex])
       {
         order.push_back(vertex);
       }
     }
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return this->comesFirst(a, b); });
+    std::size_t compared = 0;
+    std::sort(order.begin(), order.end(),
+      [&](Index a, Index b)
+      {
+        Interruption::checkAt(compared++);
+        return this->comesFirst(a, b);
+      });
     std::vector<std::uint8_t> isKnown(isOpen.size(), 0);
     std::vector<PartExtent> parts;
     std::size_t done = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey/FarthestVertices.h"
 
+#include "base/Interruption.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ void FarthestVertices::setLevel(double level)
   {
     for (const Waiting& waiting : this->Heap)
     {
+      Interruption::checkAt(this->AtLevel.size());
       this->tie(waiting.vertex);
     }
     this->Heap.clear();
@@ -115,12 +117,14 @@ bool FarthestVertices::lowerFloor()
   double most = 0.0;
   for (std::size_t vertex = 0; vertex < this->Distances.size(); ++vertex)
   {
+    Interruption::checkAt(vertex);
     most = this->IsOpen[vertex] ? std::max(most, this->Distances[vertex]) : most;
   }
   this->Floor = FloorPart * most;
   this->Heap.clear();
   for (Index vertex = 0; most > 0.0 && vertex < this->Distances.size(); ++vertex)
   {
+    Interruption::checkAt(vertex);
     if (this->IsOpen[vertex] && this->Distances[vertex] >= this->Floor)
     {
       this->Heap.push_back({ this->Distances[vertex], vertex });

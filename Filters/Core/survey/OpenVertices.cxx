@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey/OpenVertices.h"
 
+#include "base/Interruption.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
@@ -16,6 +17,7 @@ std::vector<std::uint8_t> openVertices(const TriangleMesh& mesh, const SolveOpti
   std::vector<std::uint8_t> isOpen(mesh.numberOfVertices(), 0);
   for (Index vertex = 0; vertex < isOpen.size(); ++vertex)
   {
+    Interruption::checkAt(vertex);
     isOpen[vertex] = closed.hasOpenTriangle(vertex) ? 1 : 0;
   }
   std::vector<StartValue> shared;
