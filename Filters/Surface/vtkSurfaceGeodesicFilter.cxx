@@ -12,6 +12,7 @@
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ErrorMessage.h"
+#include "filter/InputTimes.h"
 #include "filter/SetUpReporter.h"
 #include "filter/VtkThreads.h"
 #include "filter/VtkVersions.h"
@@ -80,6 +81,14 @@ void vtkSurfaceGeodesicFilter::SetOutputClass(
     const auto output = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(className));
     outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), output);
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesicFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  geodesic::bridge::takeTimesOfInputs(this->GetNumberOfInputPorts(), inputVector, outputVector);
+  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 
 #include "filter/ErrorMessage.h"
+#include "filter/InputTimes.h"
 #include "filter/SetUpReporter.h"
 #include "filter/VtkVersions.h"
 #include "input/InputBlocks.h"
@@ -172,6 +173,14 @@ int vtkSurfaceGeodesicRegion::RequestDataObject(vtkInformation* vtkNotUsed(reque
     const auto output = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(className));
     outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
   }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesicRegion::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  geodesic::bridge::takeTimesOfInputs(this->GetNumberOfInputPorts(), inputVector, outputVector);
   return 1;
 }
 
