@@ -130,6 +130,7 @@ TIMED = {
         Case("10,000 seeds in one face", ["seeds-of-one-face", "hilly grid 40k", 10000]),
         Case("every vertex a target", ["targets", "hilly grid 40k", 40000]),
         Case("100,000 triangles on one edge, path between two", ["path", "pages 100k"]),
+        Case("100,000 triangles on one edge, 10,000 random vertices as seeds", ["seeds", "pages 100k", 10000]),
     ],
 }
 

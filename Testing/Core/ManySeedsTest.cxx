@@ -12,6 +12,7 @@
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
 #include "solve/SeedFront.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -252,6 +253,52 @@ TEST(ManySeeds, ACrowdInOneFaceIsNearTheLeast)
     ASSERT_NEAR(field.distance(v), truth, 0.5 * edge);
     ASSERT_NEAR(norm(places[field.nearestSeed(v)] - mesh->position(v)), truth, edge);
   }
+}
+
+// Thousands of sheets at one edge: each value that goes on from its ends goes into all of them.
+TEST(ManySeeds, AnEdgeOfManySheetsPassesOnTheNearest)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> height(-0.5, 1.5);
+  const auto pagesOfRandomHeights = [&](Index count)
+  {
+    Surface surface = pages(count);
+    for (Index point = 2; point < surface.points.size(); ++point)
+    {
+      surface.points[point].z = height(random);
+    }
+    return meshOf(surface);
+  };
+  const auto seedsOn = [](const TriangleMesh& mesh)
+  {
+    std::vector<Seed> seeds;
+    for (Index point = 2; point < mesh.numberOfPoints(); point += 4)
+    {
+      seeds.push_back(seedAt(mesh, point));
+    }
+    return seeds;
+  };
+  const auto mesh = pagesOfRandomHeights(2000);
+  const std::vector<Seed> seeds = seedsOn(*mesh);
+  const auto truth = distances<ExactSolver>(mesh, seeds);
+  const auto found = distances<FastMarchingSolver>(mesh, seeds);
+  const auto reference = distances<ReferenceSolver>(mesh, seeds);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    ASSERT_NEAR(found[i], truth[i], 0.1 * mesh->meanLongestEdge());
+    ASSERT_NEAR(found[i], reference[i], 1e-9);
+    sum += std::abs(found[i] - truth[i]);
+  }
+  EXPECT_LT(sum / static_cast<double>(found.size()), 0.01 * mesh->meanLongestEdge());
+  const auto stepsOn = [&](Index count)
+  {
+    const auto larger = pagesOfRandomHeights(count);
+    FastMarchingSolver solver(larger);
+    return static_cast<double>(stepsOf(solver, seedsOn(*larger)));
+  };
+  const double steps = stepsOn(5000);
+  EXPECT_LT(stepsOn(20000), 5.5 * steps);
 }
 
 TEST(ManySeeds, BothTiersAgree)

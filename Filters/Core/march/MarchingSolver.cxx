@@ -3,6 +3,7 @@
 #include "march/MarchingSolver.h"
 
 #include "march/EdgeLowering.h"
+#include "march/HubVertices.h"
 #include "march/LabelDensity.h"
 #include "march/LabelReach.h"
 #include "march/StopReach.h"
@@ -27,6 +28,8 @@ namespace
  * are dense: parts of the vertex's reach and of the distance. */
 constexpr double ExcessOfReach = 0.15;
 constexpr double ExcessOfDistance = 0.01;
+/** The same at hubVertices(), in parts of the distance: what rounding makes. */
+constexpr double ExcessAtHub = 1e-9;
 
 /** The largest distance of a field on all pieces. Collective. */
 double farthestOf(const DistanceField& field, Partition& partition)
@@ -254,11 +257,16 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     if (areDense)
     {
       const double farthest = farthestOf(field, request.partition);
+      const std::vector<Index> hubs = hubVertices(this->mesh(), request.partition);
       this->LabelsWithin.take(field,
         labelReaches(
           this->mesh(), request.front, request.options.cost, farthest, request.partition),
         [&](Index vertex)
-        { return ExcessOfReach * cost.reach(vertex) + ExcessOfDistance * field.distance(vertex); });
+        {
+          return std::binary_search(hubs.begin(), hubs.end(), vertex)
+            ? ExcessAtHub * field.distance(vertex)
+            : ExcessOfReach * cost.reach(vertex) + ExcessOfDistance * field.distance(vertex);
+        });
     }
     else
     {

@@ -7,6 +7,7 @@
 #include "march/CandidateLists.h"
 #include "march/CandidateScan.h"
 #include "march/EikonalUpdate.h"
+#include "march/HubTies.h"
 #include "march/NeighbourValues.h"
 #include "march/SourceFront.h"
 #include "march/UpdateBatch.h"
@@ -164,6 +165,14 @@ private:
     if (taken.vertex == NoIndex)
     {
       return;
+    }
+    if constexpr (Values::hasOtherLabels)
+    {
+      if (!this->Ties.goesOn(
+            taken.vertex, ring.size(), taken.label->number(), taken.label->distance(taken.value)))
+      {
+        return;
+      }
     }
     constexpr std::size_t step = UpdateBatch::Size - 1;
     for (std::size_t first = 0; first + 1 < ring.size(); first += step)
@@ -479,6 +488,7 @@ private:
   const Cost& TriangleCost;
   Values& FrontValues;
   CandidateLists Candidates;
+  HubTies Ties;
   /** What propose() proposes. Places behind the last proposal are written too, a Quad's at most. */
   std::array<Proposal, 4 * UpdateBatch::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;

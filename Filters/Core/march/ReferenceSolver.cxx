@@ -4,6 +4,7 @@
 
 #include "march/BucketQueue.h"
 #include "march/EikonalUpdate.h"
+#include "march/HubTies.h"
 #include "march/LabelBounds.h"
 #include "march/ReferenceValues.h"
 #include "march/SourceFront.h"
@@ -148,6 +149,10 @@ private:
   void updateNeighbours(const ReferenceValue& from)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(from.vertex);
+    if (!this->Ties.goesOn(from.vertex, ring.size(), from.label, this->distance(from)))
+    {
+      return;
+    }
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       if (this->Closed.isOpen(from.vertex, i))
@@ -284,6 +289,7 @@ private:
   /** Holds the numbers of values (see ReferenceValues), roughly in order of distance. */
   BucketQueue Queue;
   ReferenceValues Values;
+  HubTies Ties;
 };
 
 }

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/HubVertices.h"
+
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+#include "solve/StartValue.h"
+
+#include <algorithm>
+#include <map>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr double MostTriangles = 1000.0;
+
+double trianglesAt(const TriangleMesh& mesh, Index vertex)
+{
+  const auto ring = mesh.ring(vertex);
+  return static_cast<double>(std::count_if(
+    ring.begin(), ring.end(), [](const RingEntry& entry) { return entry.opensTriangle(); }));
+}
+
+}
+
+std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition)
+{
+  std::map<Index, double> counts;
+  std::vector<StartValue> own;
+  for (const Index vertex : partition.sharedVertices())
+  {
+    own.push_back({ vertex, 0, trianglesAt(mesh, vertex), false });
+    counts[vertex] = own.back().value;
+  }
+  for (const StartValue& other : partition.exchange(own))
+  {
+    counts[other.vertex] += other.value;
+  }
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (static_cast<double>(mesh.ring(vertex).size()) > MostTriangles)
+    {
+      counts.try_emplace(vertex, trianglesAt(mesh, vertex));
+    }
+  }
+  std::vector<Index> hubs;
+  for (const auto& [vertex, count] : counts)
+  {
+    if (count > MostTriangles)
+    {
+      hubs.push_back(vertex);
+    }
+  }
+  return hubs;
+}
+
+}
