@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -276,7 +277,8 @@ std::size_t vtkSurfaceGeodesicFilter::GetMemoryLimitInBytes() const
     throw std::invalid_argument("MemoryLimit is " + geodesic::textOf(this->MemoryLimit) +
       "; give gigabytes from 0 (three quarters of the machine's memory) to 1e9.");
   }
-  return static_cast<std::size_t>(this->MemoryLimit * bytes);
+  // A limit of less than a byte is one, too.
+  return static_cast<std::size_t>(std::ceil(this->MemoryLimit * bytes));
 }
 
 //------------------------------------------------------------------------------

@@ -141,6 +141,7 @@ MISTAKES = [
     (dict(NumberOfThreads=-2), "NumberOfThreads is -2", "a number from 1 to 1024"),
     (dict(NumberOfThreads=1025), "NumberOfThreads is 1025", "a number from 1 to 1024"),
     (dict(Method="Bounded", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
+    (dict(Method="Exact", MemoryLimit=1e-13), "more than the memory limit of 1e-09 GB", "Raise the limit"),
     (dict(Method="Exact", MemoryLimit=1e-9), "more than the memory limit of 1e-09 GB", "Raise the limit"),
 ]
 RIGHT = dict(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "split/MeshSplitter.h"
 
+#include "base/Interruption.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -192,8 +194,10 @@ void MeshSplitter::split()
   {
     this->SplitTriangles.insert(face);
   }
+  std::size_t count = 0;
   for (Index triangle : this->SplitTriangles)
   {
+    Interruption::checkAt(count++);
     this->splitTriangle(triangle);
   }
 }
@@ -329,6 +333,7 @@ void MeshSplitter::cutAlong(std::span<const std::size_t> curves)
   std::map<Index, std::vector<Index>> piecesAt;
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
+    Interruption::checkAt(p);
     for (Index point : this->Pieces[p])
     {
       if (point >= this->Base.numberOfVertices() && this->isOnCut(point))
@@ -361,37 +366,50 @@ void MeshSplitter::openAt(
 {
   // A side of the cuts consists of pieces round the point that are connected over edges which
   // are no cuts.
-  std::vector<Index> todo = pieces;
-  for (bool isFirst = true; !todo.empty(); isFirst = false)
+  std::map<Index, std::vector<Index>> atEdgeTo;
+  for (const Index piece : pieces)
   {
-    std::vector<Index> side{ todo.back() };
-    todo.pop_back();
+    for (const Index corner : uncut[piece])
+    {
+      if (corner != point && this->CutEdges.count(edgeOf(corner, point)) == 0)
+      {
+        atEdgeTo[corner].push_back(piece);
+      }
+    }
+  }
+  std::set<Index> done;
+  bool isFirst = true;
+  for (auto first = pieces.rbegin(); first != pieces.rend(); ++first)
+  {
+    if (!done.insert(*first).second)
+    {
+      continue;
+    }
+    std::vector<Index> side{ *first };
     for (std::size_t i = 0; i < side.size(); ++i)
     {
-      const Triangle& triangle = uncut[side[i]];
-      const auto isBeside = [&](Index other)
+      for (const Index corner : uncut[side[i]])
       {
-        return std::any_of(triangle.begin(), triangle.end(),
-          [&](Index corner)
+        const auto beside = atEdgeTo.extract(corner);
+        for (const Index other : beside ? beside.mapped() : std::vector<Index>{})
+        {
+          if (done.insert(other).second)
           {
-            return corner != point && this->CutEdges.count(edgeOf(corner, point)) == 0 &&
-              std::find(uncut[other].begin(), uncut[other].end(), corner) != uncut[other].end();
-          });
-      };
-      const auto beside =
-        std::partition(todo.begin(), todo.end(), [&](Index other) { return !isBeside(other); });
-      side.insert(side.end(), beside, todo.end());
-      todo.erase(beside, todo.end());
+            side.push_back(other);
+          }
+        }
+      }
     }
     if (!isFirst)
     {
       const Index twin = this->addPoint(this->origin(point));
       this->OnCut.insert(twin);
-      for (Index p : side)
+      for (const Index piece : side)
       {
-        std::replace(this->Pieces[p].begin(), this->Pieces[p].end(), point, twin);
+        std::replace(this->Pieces[piece].begin(), this->Pieces[piece].end(), point, twin);
       }
     }
+    isFirst = false;
   }
 }
 

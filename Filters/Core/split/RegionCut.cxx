@@ -160,10 +160,15 @@ std::vector<RegionCut::Side> RegionCut::sidesAtLines(const std::vector<Edge>& li
         mesh.numberOfTriangles() + p });
     }
   }
+  std::set<Index> edgesOfMany;
   for (Index triangle : this->Splitter.splitTriangles())
   {
     for (Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
     {
+      if (edges.isOfMany(side) && !edgesOfMany.insert(edges.first(side)).second)
+      {
+        continue;
+      }
       for (Index at = edges.next(side); at != side; at = edges.next(at))
       {
         if (this->Regions[EdgeTable::triangleOf(at)] != NoIndex)

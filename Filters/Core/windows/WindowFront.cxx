@@ -253,7 +253,7 @@ void WindowFront::checkMemory() const
       " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
       std::to_string(this->Field.reached().size()) + " of " +
       std::to_string(this->Mesh.numberOfVertices()) +
-      " vertices. Raise the limit, set a maximum distance, coarsen the surface, or use the method "
+      " vertices. Raise the limit, coarsen the surface, or use the method "
       "FastMarching.");
   }
 }
