@@ -15,8 +15,8 @@ class TriangleMesh;
 
 /**
  * The vertices of more than a thousand triangles, counted in all pieces, in ascending order: poles,
- * centres of fans, ends of edges at which many sheets meet. Each value that goes on from there costs
- * as much as a small field. Collective. Time O(n).
+ * centres of fans, ends of edges at which many sheets meet. Each value that goes on from there
+ * costs as much as a small field. Collective. Time O(n).
  */
 std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition);
 
