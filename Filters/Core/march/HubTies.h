@@ -13,9 +13,9 @@ namespace geodesic
 {
 
 /**
- * Of labels that are equally near at a vertex of very many triangles (see hubVertices()), lets only
- * that of the smallest number go on: thousands of seeds round a pole would all go on into each of
- * its triangles.
+ * Of dense labels that are equally near at a vertex of very many triangles (see hubVertices()),
+ * lets only that of the smallest number go on: thousands of seeds round a pole would all go on into
+ * each of its triangles.
  */
 class HubTies
 {

@@ -193,6 +193,9 @@ public:
     return 2 * this->context().field.reached().size() + this->Sets.numberOfOthers();
   }
 
+  /** Whether labels are dense, so that bounds are set (see LabelBounds). */
+  bool hasBounds() const { return this->Bounds != nullptr; }
+
   /** The vertex of an item of the queues. */
   Index vertexOf(Index taken) const
   {

@@ -168,8 +168,9 @@ private:
     }
     if constexpr (Values::hasOtherLabels)
     {
-      if (!this->Ties.goesOn(
-            taken.vertex, ring.size(), taken.label->number(), taken.label->distance(taken.value)))
+      if (this->FrontValues.hasBounds() &&
+        !this->Ties.goesOn(
+          taken.vertex, ring.size(), taken.label->number(), taken.label->distance(taken.value)))
       {
         return;
       }

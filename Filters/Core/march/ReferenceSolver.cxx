@@ -149,7 +149,8 @@ private:
   void updateNeighbours(const ReferenceValue& from)
   {
     const std::span<const RingEntry> ring = this->Mesh.ring(from.vertex);
-    if (!this->Ties.goesOn(from.vertex, ring.size(), from.label, this->distance(from)))
+    if (this->Bounds &&
+      !this->Ties.goesOn(from.vertex, ring.size(), from.label, this->distance(from)))
     {
       return;
     }
