@@ -12,8 +12,9 @@ namespace geodesic
 namespace
 {
 
-/** By which fraction a window must be nearer than one that is there. Of equal ones the first
- * stays. */
+/** By which fraction of the lengths that make its distance a window must be nearer than one that is
+ * there. Of equal ones the first stays. Of the distance itself it would be nothing beside a seed:
+ * where sheets lie on each other, rounding would then cut windows into ever more. */
 constexpr double LeastGain = 1e-14;
 
 /** Whether the same straight lines make two windows, except for rounding. */
@@ -40,6 +41,8 @@ public:
   Contest(const Window& present, const Window& added)
     : Present(present)
     , Added(added)
+    , Size(std::abs(present.offset) + present.last +
+        (present.isStraight ? 0.0 : std::abs(present.x) + present.y))
   {
   }
 
@@ -53,7 +56,7 @@ public:
   /** Whether the added window counts at a point. */
   bool wins(double at) const
   {
-    return this->excess(at) < -LeastGain * this->Present.distanceAt(at);
+    return this->excess(at) < -LeastGain * this->Size;
   }
 
   /** A point from @p from to @p to where both are equally near. @pre they differ in who wins */
@@ -85,7 +88,7 @@ private:
   bool isTie(double at) const
   {
     constexpr double rounding = 1e-13;
-    return std::abs(this->excess(at)) <= rounding * this->Present.distanceAt(at);
+    return std::abs(this->excess(at)) <= rounding * this->Size;
   }
 
   /** Where the edge's line may cross the hyperbola of points to which both are equally near. */
@@ -131,6 +134,8 @@ private:
 
   const Window& Present;
   const Window& Added;
+  /** The lengths that make the present window's distances. */
+  double Size;
 };
 
 /** Joins the parts of windows that are kept, one after the other, into windows. */
