@@ -121,7 +121,10 @@ void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> t
   options.targets = targets;
   options.targetMode = TargetMode::All;
   options.onlyTowardsTargets = this->goesTowardsStart();
-  options.pathStarts = this->Starts;
+  if (this->Solver.findsPaths())
+  {
+    options.pathStarts = this->Starts;
+  }
   if (options.onProgress)
   {
     options.onProgress = [this](std::size_t taken) { return this->Progress.report(taken); };
