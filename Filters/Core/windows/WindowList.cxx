@@ -54,10 +54,7 @@ public:
   }
 
   /** Whether the added window counts at a point. */
-  bool wins(double at) const
-  {
-    return this->excess(at) < -LeastGain * this->Size;
-  }
+  bool wins(double at) const { return this->excess(at) < -LeastGain * this->Size; }
 
   /** A point from @p from to @p to where both are equally near. @pre they differ in who wins */
   double crossing(double from, double to) const
