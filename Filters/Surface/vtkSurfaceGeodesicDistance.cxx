@@ -37,28 +37,14 @@
 #include "ranks/RankGroup.h"
 #include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
-#include "split/SplitMesh.h"
 
-#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
-
-namespace
-{
-
-/** Whether a vertex belongs to points of the input, and was not made by splitting the mesh. */
-bool isOfInput(const geodesic::SplitMesh* split, geodesic::Index vertex)
-{
-  return !split || geodesic::isVertex(split->origin(vertex));
-}
-
-}
 
 /** The state that is kept from run to run, so that only what changed is computed again. */
 struct vtkSurfaceGeodesicDistance::Internals
@@ -445,16 +431,10 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
   geodesic::distributed::RankGroup& ranks = run.ranks;
   const Internals& internal = *this->Internal;
   this->MaximumDistanceReached = ranks.largest(solved.largestDistance());
-  const std::span<const geodesic::Index> reached = internal.Field->reached();
-  const auto visited = ranks.size() == 1
+  const vtkIdType visited = ranks.size() == 1
     ? geodesic::bridge::numberOfReachedPoints(
         { internal.Surface->mesh(), solved, internal.Lined.split() })
-    : std::count_if(reached.begin(), reached.end(),
-        [&](geodesic::Index vertex)
-        {
-          return internal.Lined.divided().shared().owns(vertex) &&
-            isOfInput(internal.Lined.split(), vertex);
-        });
+    : static_cast<vtkIdType>(internal.Lined.numberOfOwnReached(*internal.Field));
   this->NumberOfVisitedPoints = static_cast<vtkIdType>(ranks.sum(static_cast<double>(visited)));
   const geodesic::distributed::DistributedWork work = partition.work();
   this->NumberOfRounds = static_cast<vtkIdType>(work.rounds);

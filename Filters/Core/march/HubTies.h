@@ -4,6 +4,7 @@
 #define geodesic_HubTies_h
 
 #include "base/Index.h"
+#include "march/HubVertices.h"
 
 #include <cmath>
 #include <cstddef>
@@ -13,9 +14,8 @@ namespace geodesic
 {
 
 /**
- * Of dense labels that are equally near at a vertex of very many triangles (see hubVertices()),
- * lets only that of the smallest number go on: thousands of seeds round a pole would all go on into
- * each of its triangles.
+ * Of dense labels that are equally near at a hub, lets only that of the smallest number go on:
+ * thousands of seeds round a pole would all go on into each of its triangles.
  */
 class HubTies
 {
@@ -23,7 +23,7 @@ public:
   /** Whether a value goes on from a vertex. @param entries  in the vertex's ring */
   bool goesOn(Index vertex, std::size_t entries, Index label, double distance)
   {
-    if (entries <= MostEntries)
+    if (entries <= MostTrianglesElsewhere)
     {
       return true;
     }
@@ -47,7 +47,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t MostEntries = 1000;
   static constexpr double Rounding = 1e-9;
 
   struct Label
@@ -55,7 +54,7 @@ private:
     Index label;
     double distance;
   };
-  /** For each such vertex the nearest that went on. */
+  /** For each hub the nearest that went on. */
   std::unordered_map<Index, Label> Passed;
 };
 

@@ -14,8 +14,6 @@ namespace geodesic
 namespace
 {
 
-constexpr double MostTriangles = 1000.0;
-
 double trianglesAt(const TriangleMesh& mesh, Index vertex)
 {
   const auto ring = mesh.ring(vertex);
@@ -40,7 +38,7 @@ std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition)
   }
   for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    if (static_cast<double>(mesh.ring(vertex).size()) > MostTriangles)
+    if (mesh.ring(vertex).size() > MostTrianglesElsewhere)
     {
       counts.try_emplace(vertex, trianglesAt(mesh, vertex));
     }
@@ -48,7 +46,7 @@ std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition)
   std::vector<Index> hubs;
   for (const auto& [vertex, count] : counts)
   {
-    if (count > MostTriangles)
+    if (count > static_cast<double>(MostTrianglesElsewhere))
     {
       hubs.push_back(vertex);
     }

@@ -5,6 +5,7 @@
 
 #include "base/Index.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace geodesic
@@ -13,11 +14,11 @@ namespace geodesic
 class Partition;
 class TriangleMesh;
 
-/**
- * The vertices of more than a thousand triangles, counted in all pieces, in ascending order: poles,
- * centres of fans, ends of edges at which many sheets meet. Each value that goes on from there
- * costs as much as a small field. Collective. Time O(n).
- */
+/** A vertex of more triangles is a hub: a pole, the centre of a fan, the end of an edge at which
+ * many sheets meet. Each value that goes on from there costs as much as a small field. */
+constexpr std::size_t MostTrianglesElsewhere = 1000;
+
+/** The hubs, by their triangles in all pieces, in ascending order. Collective. Time O(n). */
 std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition);
 
 }

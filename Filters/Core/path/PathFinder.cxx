@@ -206,12 +206,7 @@ std::optional<SurfacePath> PathFinder::takeFound(const SurfacePoint& point)
 {
   constexpr double rounding = 1e-9;
   const TriangleMesh& mesh = this->Solver.mesh();
-  auto found = this->Solver.pathFrom(point);
-  if (!found && this->Field->stopReason() == StopReason::Targets)
-  {
-    // A point inside a face can be farther than all its corners.
-    found = this->solve({}) ? this->Solver.pathFrom(point) : std::nullopt;
-  }
+  const auto found = this->Solver.pathFrom(point);
   if (!found)
   {
     return std::nullopt;

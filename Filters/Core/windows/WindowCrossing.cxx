@@ -146,7 +146,10 @@ bool WindowFront::passJunction(Index first)
         this->Crossing.insert(window);
       }
     }
-    this->crossTriangle(side);
+    if (!this->Crossing.isEmpty())
+    {
+      this->crossTriangle(side);
+    }
     if (!this->mayGoOn())
     {
       return false;

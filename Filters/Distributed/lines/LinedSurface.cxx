@@ -6,6 +6,7 @@
 #include "pieces/DistributedSurface.h"
 #include "split/SplitMesh.h"
 
+#include <algorithm>
 #include <array>
 
 namespace geodesic::distributed
@@ -120,6 +121,15 @@ const std::shared_ptr<const TriangleMesh>& LinedSurface::mesh() const
 const std::shared_ptr<const DividedMesh>& LinedSurface::sharedDivided() const
 {
   return this->Divided ? this->Divided : this->Surface->sharedDivided();
+}
+
+std::size_t LinedSurface::numberOfOwnReached(const DistanceField& field) const
+{
+  const SplitMesh* split = this->split();
+  return static_cast<std::size_t>(std::count_if(field.reached().begin(), field.reached().end(),
+    [&](Index vertex) {
+      return this->divided().shared().owns(vertex) && (!split || isVertex(split->origin(vertex)));
+    }));
 }
 
 std::vector<GlobalPoint> LinedSurface::relocated(std::vector<GlobalPoint> points) const

@@ -11,7 +11,9 @@
 #include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
 #include "request/SurfaceLines.h"
+#include "solve/DistanceField.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -69,6 +71,8 @@ public:
   }
   /** The surface with moved triangles; null if there is only one rank, or no line. */
   const GatheredSurface* gathered() const { return this->Gathered.get(); }
+  /** How many vertices of the input a field on divided() reached, each on the rank that owns it. */
+  std::size_t numberOfOwnReached(const DistanceField& field) const;
   /** Returns points with their places on mesh(). */
   std::vector<GlobalPoint> relocated(std::vector<GlobalPoint> points) const;
 
