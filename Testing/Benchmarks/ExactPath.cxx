@@ -13,7 +13,7 @@ using namespace cgal;
 struct ExactPath::Internals
 {
   explicit Internals(const Surface& surface)
-    : mesh(meshOf(surface))
+    : mesh(cgalMeshOf(surface))
     , paths(mesh)
   {
   }

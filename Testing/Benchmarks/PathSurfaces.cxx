@@ -126,14 +126,14 @@ KnownSurface roundedTube()
     [tube](const SurfacePoint& source) { return tube->distancesFrom(source); } };
 }
 
-KnownSurface bunny()
+KnownSurface bunnyCurved()
 {
-  return curved(areSubjectsTiny() ? icosphere(2) : readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"));
+  return curved(areSubjectsTiny() ? icosphere(2) : bunny());
 }
 
-KnownSurface spot()
+KnownSurface spotCurved()
 {
-  return curved(areSubjectsTiny() ? icosphere(1) : readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  return curved(areSubjectsTiny() ? icosphere(1) : spot());
 }
 
 /** Irregular triangles on a smooth relief. */
@@ -152,8 +152,8 @@ struct Makers
   using List = std::vector<std::pair<std::string, std::function<KnownSurface()>>>;
 
   List curvedOnes{
-    { "Bunny 35k", bunny },
-    { "Spot 3k", spot },
+    { "Bunny 35k", bunnyCurved },
+    { "Spot 3k", spotCurved },
     { "torus 10k", [] { return curved(torus(sized(160, 20), sized(64, 10), 1.0, 0.4)); } },
     { "sphere 10k", [] { return curved(icosphere(static_cast<int>(sized(5, 2)))); } },
   };

@@ -41,7 +41,7 @@ Surface surfaceCalled(const std::string& name)
   }
   if (kind == "bunny")
   {
-    return subdivided(readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"), levels);
+    return subdivided(bunny(), levels);
   }
   throw std::invalid_argument(name + " is not sphere:LEVELS or bunny:SUBDIVISIONS.");
 }

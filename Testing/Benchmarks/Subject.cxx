@@ -101,10 +101,9 @@ KnownSurface roundedTube()
 }
 
 /** Exact distances on the polyhedron take as long as hundreds of solves. */
-KnownSurface bunny()
+KnownSurface scan()
 {
-  const auto shared = std::make_shared<const Surface>(
-    AreTiny ? icosphere(2) : readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"));
+  const auto shared = std::make_shared<const Surface>(AreTiny ? icosphere(2) : bunny());
   return { *shared,
     [shared](const SurfacePoint& source) { return exactDistancesFrom(*shared, source); } };
 }
@@ -118,7 +117,7 @@ using Maker = std::function<KnownSurface()>;
 
 const std::vector<std::pair<std::string, Maker>> Makers{
   { "icosphere 10k", [] { return sphere(5); } },
-  { "Bunny 35k", bunny },
+  { "Bunny 35k", scan },
   { "icosphere 160k", [] { return sphere(7); } },
   { "Delaunay plane 160k", randomPlane },
   { "thin grid 160k", thinGrid },

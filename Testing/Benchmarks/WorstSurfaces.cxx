@@ -175,9 +175,9 @@ WorstSurface atEnds(Surface surface)
   return { std::move(surface), 0, last };
 }
 
-WorstSurface data(const std::string& name, bool tiny)
+WorstSurface scan(const Surface& whole, bool tiny)
 {
-  return atEnds(tiny ? icosphere(2) : readOff(GEODESICS_OFF_DIRECTORY "/" + name + ".off"));
+  return atEnds(tiny ? icosphere(2) : whole);
 }
 
 }
@@ -237,8 +237,8 @@ WorstSurface worstSurface(const std::string& name, bool tiny)
         const Index cells = small ? 9 : 199;
         return atEnds(jitteredGrid(cells, cells, cells, cells, 0.3, 1));
       } },
-    { "Bunny 35k", [](bool small) { return data("Bunny", small); } },
-    { "Spot 3k", [](bool small) { return data("Spot", small); } },
+    { "Bunny 35k", [](bool small) { return scan(bunny(), small); } },
+    { "Spot 3k", [](bool small) { return scan(spot(), small); } },
     { "icosphere 160k", [](bool small) { return atEnds(icosphere(small ? 2 : 7)); } },
     { "Delaunay plane 160k",
       [](bool small) { return atEnds(delaunayPlane(small ? 200 : 160000, 1)); } },

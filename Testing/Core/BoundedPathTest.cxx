@@ -3,6 +3,7 @@
 // Paths of bounded distances: none is longer than the shortest by more than the tolerance.
 
 #include "PathStyles.h"
+#include "RandomDraws.h"
 #include "RandomMeshes.h"
 #include "Solving.h"
 #include "path/PathFinder.h"
@@ -22,20 +23,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-/** A point at a vertex, on an edge or in a face, in turn. */
-SurfacePoint randomPoint(const TriangleMesh& mesh, int kind, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> part(0.1, 0.45);
-  SurfacePoint point{ static_cast<Index>(random() % mesh.numberOfTriangles()), { 1.0, 0.0, 0.0 } };
-  const double a = part(random);
-  const double b = kind % 3 == 2 ? part(random) : 0.0;
-  if (kind % 3 > 0)
-  {
-    point.weights = { 1.0 - a - b, a, b };
-  }
-  return point;
-}
 
 /** Expects paths between random points to be found where there are any, each within the tolerance
  * of the shortest and known to be so. @return the longest, in parts of the shortest, less 1 */
@@ -74,11 +61,6 @@ double expectWithin(const std::shared_ptr<const TriangleMesh>& mesh, int count, 
     }
   }
   return most;
-}
-
-Surface spot()
-{
-  return readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
 }
 
 }

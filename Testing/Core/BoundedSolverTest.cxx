@@ -35,16 +35,6 @@ constexpr double Tolerances[] = { 1e-1, 1e-2, 1e-3, 1e-4 };
 constexpr double Rounding = 1e-11;
 constexpr double RoundingOnNeedles = 1e-9;
 
-double largestOf(const std::vector<double>& truth)
-{
-  double largest = 0.0;
-  for (const double d : truth)
-  {
-    largest = std::isfinite(d) ? std::max(largest, d) : largest;
-  }
-  return largest;
-}
-
 /** Expects each distance to be at least the truth, and at most larger by the tolerance; what is not
  * finite in the truth, or below 0, is unreached. */
 void expectWithin(const std::vector<double>& truth, const std::vector<double>& d, double tolerance,
@@ -89,11 +79,6 @@ Surface flattened(Surface surface, double times)
     p.x /= times;
   }
   return surface;
-}
-
-Surface spot()
-{
-  return readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
 }
 
 double windowsPerVertex(const Surface& surface, double tolerance)
@@ -141,7 +126,7 @@ TEST(Bounded, KeepsItsPromiseOnNeedles)
 
 TEST(Bounded, KeepsItsPromiseOnALargeScan)
 {
-  expectPromise(readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"), 17000);
+  expectPromise(bunny(), 17000);
 }
 
 // Non-manifold and careless surfaces, holes, parts; several seeds with values, on edges and in

@@ -146,7 +146,7 @@ TEST(Cost, CurvatureOnAnEllipsoidConverges)
 
 TEST(Cost, AConstantCostScalesTheField)
 {
-  const Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const Surface& spot = geodesic::testing::spot();
   const auto mesh = meshOf(spot);
   const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 2000) };
   const std::vector<double> cost(mesh->numberOfVertices(), 2.5);

@@ -28,10 +28,10 @@ namespace
 
 using Positions = std::vector<Vector3>;
 
-class Subject
+class CurvedSurface
 {
 public:
-  explicit Subject(const Surface& surface)
+  explicit CurvedSurface(const Surface& surface)
     : Mesh(meshOf(surface))
     , Regions(std::make_shared<const RegionMesh>(Mesh))
     , Tree(Mesh)
@@ -122,15 +122,14 @@ void expectContains(const std::string& text, const std::string& part)
 TEST(CurveSides, AreThoseOfAFloodInFiveHundredRandomCases)
 {
   std::mt19937 random(7);
-  const std::vector<Surface> surfaces{ readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"),
-    readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"), torus(40, 20, 1.0, 0.4),
+  const std::vector<Surface> surfaces{ bunny(), spot(), torus(40, 20, 1.0, 0.4),
     jitteredGrid(25, 20, 1.2, 1.0, 0.3, 3), cylinder(30, 15, 0.5, 2.0), icosphere(3) };
   const std::vector<int> shares{ 40, 40, 110, 110, 100, 100 };
   int refused = 0;
   int curves = 0;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
-    const Subject subject(surfaces[s]);
+    const CurvedSurface subject(surfaces[s]);
     for (int told = 0; told < shares[s];)
     {
       const LevelSides truth =
@@ -163,7 +162,7 @@ TEST(CurveSides, AreThoseOfAFloodInFiveHundredRandomCases)
 
 TEST(CurveSides, OnAPlaneTheInsideOfAClosedCurveIsMinusHoweverLargeItIs)
 {
-  Subject plane(planeGrid(20, 20, 2.0, 2.0));
+  CurvedSurface plane(planeGrid(20, 20, 2.0, 2.0));
   for (const double radius : { 0.3, 0.97 })
   {
     for (const Positions& loop : { circle(1, 1, radius, 60), reversed(circle(1, 1, radius, 60)) })
@@ -183,7 +182,7 @@ TEST(CurveSides, OnAPlaneTheInsideOfAClosedCurveIsMinusHoweverLargeItIs)
 
 TEST(CurveSides, OnAPlaneTheLeftOfAnOpenCurveIsPlus)
 {
-  Subject plane(planeGrid(20, 20, 2.0, 2.0));
+  CurvedSurface plane(planeGrid(20, 20, 2.0, 2.0));
   const Positions toTheRight{ { 0, 0.53, 0 }, { 1, 1.47, 0 }, { 2, 0.53, 0 } };
   EXPECT_EQ(plane.sideAt({ toTheRight }, { 1, 1.9, 0 }), 1);
   EXPECT_EQ(plane.sideAt({ toTheRight }, { 1, 0.2, 0 }), -1);
@@ -197,7 +196,7 @@ TEST(CurveSides, OnAPlaneTheLeftOfAnOpenCurveIsPlus)
 
 TEST(CurveSides, TheSignChangesAtEachCurve)
 {
-  Subject plane(planeGrid(20, 20, 2.0, 2.0));
+  CurvedSurface plane(planeGrid(20, 20, 2.0, 2.0));
   const std::vector<Positions> nested{ circle(1, 1, 0.9, 40), circle(1, 1, 0.6, 40),
     circle(1, 1, 0.3, 40) };
   EXPECT_EQ(plane.sideAt(nested, { 0.1, 0.1, 0 }), 1);
@@ -213,7 +212,7 @@ TEST(CurveSides, TheSignChangesAtEachCurve)
 
 TEST(CurveSides, OnASphereTheSmallerSideIsMinusAndOfEqualOnesTheLeft)
 {
-  Subject sphere(icosphere(3));
+  CurvedSurface sphere(icosphere(3));
   EXPECT_EQ(sphere.sideAt({ parallel(0.4) }, { 0, 0, 1 }), -1);
   EXPECT_EQ(sphere.sideAt({ reversed(parallel(0.4)) }, { 0, 0, 1 }), -1);
   EXPECT_EQ(sphere.sideAt({ parallel(-0.4) }, { 0, 0, 1 }), 1);
@@ -224,7 +223,7 @@ TEST(CurveSides, OnASphereTheSmallerSideIsMinusAndOfEqualOnesTheLeft)
 
 TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
 {
-  Subject plane(planeGrid(20, 20, 2.0, 2.0));
+  CurvedSurface plane(planeGrid(20, 20, 2.0, 2.0));
   const Positions whole{ { 0, 1.03, 0 }, { 2, 1.07, 0 } };
   const Positions ending{ { 0, 0.53, 0 }, { 1.5, 0.53, 0 } };
   expectContains(plane.errorOf({ whole, ending }), "Lines's line 1 has no two sides: it is open");
@@ -238,9 +237,9 @@ TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
   expectContains(
     plane.errorOf({ { { 0, 0.53, 0 }, { 1.5, 0.57, 0 }, { 1, 1.5, 0 }, { 0.53, 0, 0 } } }),
     "line 0 has no constant left side");
-  Subject sphere(icosphere(3));
+  CurvedSurface sphere(icosphere(3));
   expectContains(sphere.errorOf({ { { 1, 0, 0 }, { 0, 1, 0.2 } } }), "line 0 has no two sides");
-  Subject ring(torus(40, 20, 1.0, 0.4));
+  CurvedSurface ring(torus(40, 20, 1.0, 0.4));
   expectContains(ring.errorOf({ { { 1.4, 0, 0 }, { 1, 0, 0.4 }, { 0.6, 0, 0 }, { 1, 0, -0.4 },
                    { 1.4, 0, 0 } } }),
     "line 0 has no inside");
@@ -249,7 +248,7 @@ TEST(CurveSides, AreRefusedWhereNobodyCanTellThem)
 // A tube with a line from end to end: without a wall, all round is one side.
 TEST(CurveSides, AreToldBetweenWallsOfEachKind)
 {
-  Subject tube(cylinder(36, 12, 1.0, 2.0));
+  CurvedSurface tube(cylinder(36, 12, 1.0, 2.0));
   const TriangleMesh& mesh = tube.mesh();
   const Positions seam{ { 1, 0.03, 0 }, { 1, 0.1, 1 }, { 1, 0.03, 2 } };
   expectContains(tube.errorOf({ seam }), "line 0 has no two sides");
@@ -298,13 +297,13 @@ TEST(CurveSides, AreToldBetweenWallsOfEachKind)
 TEST(CurveSides, WallsKeepTheSidesUpToTheInside)
 {
   std::mt19937 random(11);
-  const std::vector<Surface> surfaces{ readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"),
-    torus(40, 20, 1.0, 0.4), jitteredGrid(40, 40, 1.2, 1.0, 0.3, 3), icosphere(4) };
+  const std::vector<Surface> surfaces{ spot(), torus(40, 20, 1.0, 0.4),
+    jitteredGrid(40, 40, 1.2, 1.0, 0.3, 3), icosphere(4) };
   int told = 0;
   int parts = 0;
   for (const Surface& surface : surfaces)
   {
-    const Subject subject(surface);
+    const CurvedSurface subject(surface);
     const TriangleMesh& mesh = subject.mesh();
     for (int round = 0; round < 60; ++round)
     {
@@ -376,7 +375,7 @@ TEST(CurveSides, WallsKeepTheSidesUpToTheInside)
 TEST(CurveSides, AWallIsLikeABorder)
 {
   // Without it, the cap above the curve is the smaller side; with it, the belt is smaller.
-  Subject sphere(icosphere(3));
+  CurvedSurface sphere(icosphere(3));
   const std::vector<SurfacePath> walls{ sphere.line(parallel(0.1)) };
   const std::vector<std::int8_t> sides = sphere.sides({ parallel(0.2) }, { walls, {}, {} });
   for (Index v = 0; v < sphere.mesh().numberOfVertices(); ++v)
@@ -400,7 +399,7 @@ TEST(CurveSides, FacesMustBeTurnedAlikeForOpenCurvesOnly)
   {
     std::swap(surface.triangles[t][0], surface.triangles[t][1]);
   }
-  Subject mixed(surface);
+  CurvedSurface mixed(surface);
   EXPECT_EQ(mixed.sideAt({ circle(1, 1, 0.6, 40) }, { 1, 1, 0 }), -1);
   expectContains(mixed.errorOf({ { { 0, 1, 0 }, { 2, 1, 0 } } }), "turned alike");
 }
@@ -423,13 +422,13 @@ TEST(CurveSides, AreToldThroughSinglePointsAndNotAlongEdgesOfThreeFaces)
     }
     bow.triangles.push_back(t);
   }
-  Subject bowTie(bow);
+  CurvedSurface bowTie(bow);
   EXPECT_EQ(bowTie.sideAt({ { { 0, 0.6, 0 }, { 0.6, 0, 0 } } }, { 1.9, 1.9, 0 }), 1);
   EXPECT_EQ(bowTie.sideAt({ { { 0.6, 0, 0 }, { 0, 0.6, 0 } } }, { 1.9, 1.9, 0 }), -1);
 
   const Surface book{ { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { -1, 0, 0 }, { 0, 0, 1 } },
     { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 1, 4 } } };
-  Subject pages(book);
+  CurvedSurface pages(book);
   expectContains(pages.errorOf({ { { 0, 0, 0 }, { 0, 1, 0 } } }), "3 faces meet");
 }
 
@@ -443,7 +442,7 @@ TEST(CurveSides, AreZeroWhereNoCurveIs)
   {
     p.z = 5.0;
   }
-  Subject parts(joined(two, moved));
+  CurvedSurface parts(joined(two, moved));
   const auto signs = parts.sides({ { { 0, 0.55, 0 }, { 1, 0.55, 0 } } });
   for (Index v = 0; v < signs.size(); ++v)
   {

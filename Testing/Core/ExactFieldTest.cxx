@@ -21,7 +21,7 @@ namespace
 class Spot : public ::testing::Test
 {
 protected:
-  const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const Surface surface = spot();
   const std::shared_ptr<const TriangleMesh> mesh = meshOf(surface);
 };
 

@@ -5,6 +5,7 @@
 
 #include "ExactDistances.h"
 #include "PathStyles.h"
+#include "RandomDraws.h"
 #include "RandomMeshes.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
@@ -26,20 +27,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-/** A point at a vertex, on an edge or in a face, in turn. */
-SurfacePoint randomPoint(const TriangleMesh& mesh, int kind, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> part(0.1, 0.45);
-  SurfacePoint point{ static_cast<Index>(random() % mesh.numberOfTriangles()), { 1.0, 0.0, 0.0 } };
-  const double a = part(random);
-  const double b = kind % 3 == 2 ? part(random) : 0.0;
-  if (kind % 3 > 0)
-  {
-    point.weights = { 1.0 - a - b, a, b };
-  }
-  return point;
-}
 
 /** What is left of paths that are not as long as the exact distance between their ends. */
 struct Found
@@ -78,12 +65,6 @@ Found findPaths(const std::shared_ptr<const TriangleMesh>& mesh, int count, unsi
     }
   }
   return found;
-}
-
-const Surface& spot()
-{
-  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
-  return surface;
 }
 
 }

@@ -110,12 +110,6 @@ Surface cube(Index cells)
   return surface;
 }
 
-const Surface& spot()
-{
-  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
-  return surface;
-}
-
 }
 
 TEST(Exact, IsThatOfCgalOnCurvedSurfaces)

@@ -51,7 +51,7 @@ protected:
     EXPECT_GT(reached, 30000u);
   }
 
-  const Surface bunny = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
+  const Surface& bunny = geodesic::testing::bunny();
   const std::vector<double> expected = solve(bunny, {});
 };
 
@@ -172,7 +172,7 @@ std::vector<Index> identity(std::size_t size)
 
 TEST(WithEverything, ShufflingChangesNothing)
 {
-  const Surface bunny = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
+  const Surface& bunny = geodesic::testing::bunny();
   const auto expected = withEverything(bunny, identity(bunny.points.size()), bunny.triangles);
   std::vector<Index> newId;
   const Surface other = shuffled(bunny, 11, newId);
@@ -193,7 +193,7 @@ TEST(WithEverything, ShufflingChangesNothing)
 // Two or four numbers at once, by what the processor can.
 TEST(WithEverything, TwoAndFourAtOnceGiveTheSame)
 {
-  const Surface bunny = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
+  const Surface& bunny = geodesic::testing::bunny();
   const auto same = identity(bunny.points.size());
   EXPECT_EQ(withEverything(bunny, same, bunny.triangles, false),
     withEverything(bunny, same, bunny.triangles));
@@ -209,7 +209,7 @@ TEST(WithEverything, TwoAndFourAtOnceGiveTheSame)
 // A curve and a wall across faces, both joined and split anew on the shuffled surface.
 TEST(WithSplitFaces, ShufflingChangesNothing)
 {
-  const Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const Surface& spot = geodesic::testing::spot();
   const auto solve = [&](const Surface& surface, const std::vector<Index>& newId)
   {
     const auto mesh = meshOf(surface);

@@ -4,6 +4,7 @@
 // formulas, smooth random ones and jumps against a count of the curves; and round lines of seeds
 // that cross faces.
 
+#include "IsolineShape.h"
 #include "RandomMeshes.h"
 #include "Solving.h"
 #include "march/EikonalUpdate.h"
@@ -26,8 +27,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-constexpr double Pi = std::numbers::pi;
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
 
@@ -57,21 +56,6 @@ std::vector<Isoline> linesOf(const TriangleMesh& mesh, const std::vector<double>
   const std::vector<double>& cost, const std::vector<double>& levels)
 {
   return isolines(mesh, EdgeTable(mesh), values, cost, levels, [] { return true; });
-}
-
-bool isClosed(const Isoline& line)
-{
-  return line.points.front() == line.points.back();
-}
-
-double largestOf(const std::vector<double>& field)
-{
-  double largest = 0.0;
-  for (const double value : field)
-  {
-    largest = std::isfinite(value) ? std::max(largest, value) : largest;
-  }
-  return largest;
 }
 
 /** How many curves the linear interpolation has at a level that no vertex has. */
@@ -231,8 +215,8 @@ TEST(IsolinesUnderCosts, OfUniformCostRoundAPointAreCircles)
     {
       const auto lines = linesOf(*mesh, field, cost, { w * radius });
       ASSERT_EQ(lines.size(), 1u) << w << " " << radius;
-      EXPECT_NEAR(lines[0].length, 2.0 * Pi * radius, 1e-9);
-      EXPECT_NEAR(lines[0].area, Pi * radius * radius, 1e-9);
+      EXPECT_NEAR(lines[0].length, 2.0 * std::numbers::pi * radius, 1e-9);
+      EXPECT_NEAR(lines[0].area, std::numbers::pi * radius * radius, 1e-9);
     }
   }
 }
@@ -268,8 +252,9 @@ TEST(IsolinesUnderCosts, OfALinearSpeedAreItsCircles)
           ASSERT_EQ(lines.size(), 1u) << level << " " << cells << " " << isMarched;
           EXPECT_TRUE(isClosed(lines[0]));
           const double radius = (1.0 + seed.x) * std::sinh(level);
-          worst = std::max({ worst, std::abs(lines[0].length / (2.0 * Pi * radius) - 1.0),
-            std::abs(lines[0].area / (Pi * radius * radius) - 1.0) });
+          worst =
+            std::max({ worst, std::abs(lines[0].length / (2.0 * std::numbers::pi * radius) - 1.0),
+              std::abs(lines[0].area / (std::numbers::pi * radius * radius) - 1.0) });
           for (const Vector3& p : lines[0].points)
           {
             EXPECT_NEAR(truth(p), level, 0.011 * level);

@@ -4,6 +4,7 @@
 // cones.
 
 #include "path/Isolines.h"
+#include "IsolineShape.h"
 #include "RandomMeshes.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
@@ -24,7 +25,6 @@ using namespace geodesic::testing;
 namespace
 {
 
-constexpr double Pi = std::numbers::pi;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Isoline> linesOf(
@@ -40,11 +40,6 @@ std::vector<double> fieldOf(
   FastMarchingSolver solver(mesh);
   const auto distances = solver.solve(seeds, {}).distances();
   return { distances.begin(), distances.end() };
-}
-
-bool isClosed(const Isoline& line)
-{
-  return line.points.front() == line.points.back();
 }
 
 Seed segment(
@@ -78,8 +73,8 @@ TEST(Isolines, RoundAPointOnAPlaneAreCircles)
         const auto lines = linesOf(*mesh, field, { radius });
         ASSERT_EQ(lines.size(), 1u) << radius;
         EXPECT_TRUE(isClosed(lines[0]));
-        EXPECT_NEAR(lines[0].length, 2.0 * Pi * radius, 1e-9) << radius;
-        EXPECT_NEAR(lines[0].area, Pi * radius * radius, 1e-9) << radius;
+        EXPECT_NEAR(lines[0].length, 2.0 * std::numbers::pi * radius, 1e-9) << radius;
+        EXPECT_NEAR(lines[0].area, std::numbers::pi * radius * radius, 1e-9) << radius;
         for (const Vector3& p : lines[0].points)
         {
           ASSERT_NEAR(norm(p - centre), radius, 1e-9);
@@ -102,8 +97,9 @@ TEST(Isolines, RoundALineAreStadiums)
     const auto lines = linesOf(*mesh, field, { level });
     ASSERT_EQ(lines.size(), 1u) << level;
     EXPECT_TRUE(isClosed(lines[0]));
-    EXPECT_NEAR(lines[0].length, 2.0 * length + 2.0 * Pi * level, 2e-3) << level;
-    EXPECT_NEAR(lines[0].area, 2.0 * length * level + Pi * level * level, 1e-3) << level;
+    EXPECT_NEAR(lines[0].length, 2.0 * length + 2.0 * std::numbers::pi * level, 2e-3) << level;
+    EXPECT_NEAR(lines[0].area, 2.0 * length * level + std::numbers::pi * level * level, 1e-3)
+      << level;
   }
 }
 
@@ -112,13 +108,13 @@ TEST(Isolines, OnACylinderAreCirclesRolledUp)
 {
   const auto mesh = meshOf(cylinder(48, 60, 0.5, 3.0));
   // The side of the polygon is what fast marching sees.
-  const double around = 48.0 * 2.0 * 0.5 * std::sin(Pi / 48.0);
+  const double around = 48.0 * 2.0 * 0.5 * std::sin(std::numbers::pi / 48.0);
   const auto field = fieldOf(mesh, { seedNear(mesh, { 0.5, 0.02, 1.51 }) });
   const double radius = 0.3 * around;
   const auto lines = linesOf(*mesh, field, { radius });
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NEAR(lines[0].length, 2.0 * Pi * radius, 1e-6);
-  EXPECT_NEAR(lines[0].area, Pi * radius * radius, 1e-6);
+  EXPECT_NEAR(lines[0].length, 2.0 * std::numbers::pi * radius, 1e-6);
+  EXPECT_NEAR(lines[0].area, std::numbers::pi * radius * radius, 1e-6);
   // Beyond it the front has met itself, and there are two curves, above and below.
   EXPECT_EQ(linesOf(*mesh, field, { 0.6 * around }).size(), 2u);
 }
@@ -130,7 +126,7 @@ TEST(Isolines, RoundTheApexOfAConeAreItsCircles)
   const auto mesh = meshOf(cone(around, 20, radius, 1.0));
   const auto field = fieldOf(mesh, { Seed::atPoint(mesh->pointAtVertex(mesh->vertexOfPoint(0))) });
   // The angle of the flat faces at the apex.
-  const double angle = around * 2.0 * std::asin(radius * std::sin(Pi / around));
+  const double angle = around * 2.0 * std::asin(radius * std::sin(std::numbers::pi / around));
   for (const double level : { 0.025, 0.33, 0.71 })
   {
     const auto lines = linesOf(*mesh, field, { level });
@@ -157,8 +153,8 @@ TEST(Isolines, ThroughVerticesAreWholeCurves)
     const auto lines = linesOf(*mesh, field, { level });
     ASSERT_EQ(lines.size(), 1u) << level;
     EXPECT_TRUE(isClosed(lines[0]));
-    EXPECT_NEAR(lines[0].length, 2.0 * Pi * level, 1e-9);
-    EXPECT_NEAR(lines[0].area, Pi * level * level, 1e-9);
+    EXPECT_NEAR(lines[0].length, 2.0 * std::numbers::pi * level, 1e-9);
+    EXPECT_NEAR(lines[0].area, std::numbers::pi * level * level, 1e-9);
   }
 }
 
@@ -214,8 +210,8 @@ TEST(Isolines, OfASignedFieldAreOnBothSidesAndOnTheLine)
   }
   const auto lines = linesOf(*mesh, field, { -0.25 });
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NEAR(lines[0].length, 2.0 * Pi * 0.25, 1e-9);
-  EXPECT_NEAR(lines[0].area, 1.0 - Pi * 0.25 * 0.25, 1e-9);
+  EXPECT_NEAR(lines[0].length, 2.0 * std::numbers::pi * 0.25, 1e-9);
+  EXPECT_NEAR(lines[0].area, 1.0 - std::numbers::pi * 0.25 * 0.25, 1e-9);
 }
 
 // Three half planes at one edge: the curve branches there.
@@ -233,8 +229,8 @@ TEST(Isolines, EndAtEdgesOfThreeFaces)
   ASSERT_EQ(lines.size(), 3u);
   for (const Isoline& line : lines)
   {
-    EXPECT_NEAR(line.length, 0.25 * Pi, 1e-9);
-    EXPECT_NEAR(line.area, 3.0 * Pi / 16.0, 1e-9);
+    EXPECT_NEAR(line.length, 0.25 * std::numbers::pi, 1e-9);
+    EXPECT_NEAR(line.area, 3.0 * std::numbers::pi / 16.0, 1e-9);
   }
 }
 

@@ -7,11 +7,7 @@
 #include "ExactDistances.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
-#include "march/LabelDensity.h"
 #include "march/ReferenceSolver.h"
-#include "solve/ClosedTriangles.h"
-#include "solve/Partition.h"
-#include "solve/SeedFront.h"
 #include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
@@ -123,14 +119,6 @@ void expectNearLeast(const std::shared_ptr<const TriangleMesh>& mesh,
   const Difference difference = differenceToLeast(mesh, seeds, options);
   EXPECT_LE(difference.mean, 0.05);
   EXPECT_LE(difference.largest, largest);
-}
-
-bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
-{
-  Partition whole;
-  SeedFront front;
-  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
-  return labelsAreDense(mesh, front, false, whole);
 }
 
 /** The number of vertices that a solve takes from its queues. */
@@ -298,7 +286,7 @@ TEST(ManySeeds, AnEdgeOfManySheetsPassesOnTheNearest)
     return static_cast<double>(stepsOf(solver, seedsOn(*larger)));
   };
   const double steps = stepsOn(5000);
-  EXPECT_LT(stepsOn(20000), 5.5 * steps);
+  EXPECT_LT(stepsOn(20000), 6.0 * steps);
 }
 
 TEST(ManySeeds, BothTiersAgree)

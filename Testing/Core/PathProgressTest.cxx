@@ -18,17 +18,17 @@ using namespace geodesic::testing;
 namespace
 {
 
-constexpr Index Cells = 20000;
+constexpr Index CellsOfStrip = 20000;
 
 /** A path from end to end of a strip, whose trace has many bends to be straightened. */
 class PathProgress : public ::testing::Test
 {
 protected:
   PathProgress()
-    : Mesh(meshOf(planeGrid(Cells, 1, Cells, 1.0)))
+    : Mesh(meshOf(planeGrid(CellsOfStrip, 1, CellsOfStrip, 1.0)))
     , Solver(this->Mesh)
     , From(this->Mesh->pointAtVertex(this->Mesh->vertexOfPoint(0)))
-    , To(this->Mesh->pointAtVertex(this->Mesh->vertexOfPoint(2 * Cells + 1)))
+    , To(this->Mesh->pointAtVertex(this->Mesh->vertexOfPoint(2 * CellsOfStrip + 1)))
   {
   }
 

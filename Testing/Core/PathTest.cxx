@@ -25,11 +25,6 @@ namespace
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
 
-SurfacePoint nearest(const MeshPointer& mesh, const Vector3& position)
-{
-  return seedNear(mesh, position).points[0];
-}
-
 SurfacePoint pointAt(const MeshPointer& mesh, Index point)
 {
   return mesh->pointAtVertex(mesh->vertexOfPoint(point));
@@ -73,8 +68,8 @@ TEST(Path, IsAStraightLineOnThePlane)
     std::uniform_real_distribution<double> coordinate(0.0, 1.0);
     for (int i = 0; i < 50; ++i)
     {
-      const SurfacePoint from = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
-      const SurfacePoint to = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+      const SurfacePoint from = pointNear(mesh, { coordinate(random), coordinate(random), 0.0 });
+      const SurfacePoint to = pointNear(mesh, { coordinate(random), coordinate(random), 0.0 });
       const SurfacePath path = pathBetween(mesh, from, to);
       expectOnSurface(mesh, path, from, to);
       const double exact = norm(mesh->positionOf(from) - mesh->positionOf(to));
@@ -95,8 +90,8 @@ TEST(Path, IsTracedStraightOnThePlane)
     std::uniform_real_distribution<double> coordinate(0.0, 1.0);
     for (int i = 0; i < 200; ++i)
     {
-      const SurfacePoint from = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
-      const SurfacePoint to = nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+      const SurfacePoint from = pointNear(mesh, { coordinate(random), coordinate(random), 0.0 });
+      const SurfacePoint to = pointNear(mesh, { coordinate(random), coordinate(random), 0.0 });
       EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to, Traced)),
         norm(mesh->positionOf(from) - mesh->positionOf(to)), 1e-9);
     }
@@ -124,8 +119,8 @@ TEST(Path, UnrollsACylinderAndACone)
   const auto end = [](double turn, double z) -> Vector3 {
     return { std::cos(turn), std::sin(turn), z };
   };
-  const SurfacePoint low = nearest(tube, end(0.0, 0.5));
-  const SurfacePoint high = nearest(tube, end(0.6 * std::numbers::pi, 3.3));
+  const SurfacePoint low = pointNear(tube, end(0.0, 0.5));
+  const SurfacePoint high = pointNear(tube, end(0.6 * std::numbers::pi, 3.3));
   const SurfacePath helix = pathBetween(tube, low, high);
   expectOnSurface(tube, helix, low, high);
   EXPECT_NEAR(lengthOf(*tube, helix), std::hypot(0.3 * chord, 2.8), 1e-9);
@@ -161,7 +156,7 @@ TEST(Path, TakesTheShorterSideOfAPrism)
   const Index around = 3;
   const double chord = 2.0 * std::sin(std::numbers::pi / around);
   const auto prism = meshOf(cylinder(around, 4, 1.0, 4.0));
-  const SurfacePoint corner = nearest(prism, { -0.5, -0.5 * std::sqrt(3.0), 4.0 });
+  const SurfacePoint corner = pointNear(prism, { -0.5, -0.5 * std::sqrt(3.0), 4.0 });
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(0.0, 1.0);
   for (int i = 0; i < 200; ++i)
@@ -170,7 +165,7 @@ TEST(Path, TakesTheShorterSideOfAPrism)
     const double part = coordinate(random);
     const double height = 4.0 * coordinate(random);
     const SurfacePoint point =
-      nearest(prism, { 1.0 - 1.5 * part, 0.5 * std::sqrt(3.0) * part, height });
+      pointNear(prism, { 1.0 - 1.5 * part, 0.5 * std::sqrt(3.0) * part, height });
     const double turn = chord * std::min(1.0 + part, 2.0 - part);
     const double exact = std::hypot(turn, 4.0 - height);
     EXPECT_NEAR(lengthOf(*prism, pathBetween(prism, corner, point)), exact, 1e-12);
@@ -189,14 +184,14 @@ TEST(Path, UnrollsACube)
   }
   const auto mesh = std::make_shared<const TriangleMesh>(
     joined(box, side).points, joined(box, side).triangles, CoincidentPoints::Merge);
-  const SurfacePoint from = nearest(mesh, { 0.33, 0.21, 0.0 });
-  const SurfacePoint to = nearest(mesh, { 1.0, 0.87, -0.72 });
+  const SurfacePoint from = pointNear(mesh, { 0.33, 0.21, 0.0 });
+  const SurfacePoint to = pointNear(mesh, { 1.0, 0.87, -0.72 });
   EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to)), std::hypot(0.67 + 0.72, 0.66), 1e-12);
 }
 
 TEST(Path, IsNearTheExactShortestOne)
 {
-  const Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const Surface& spot = geodesic::testing::spot();
   for (const Surface& surface : { spot, torus(100, 40, 2.0, 0.7), icosphere(4) })
   {
     const auto mesh = meshOf(surface);
@@ -259,7 +254,7 @@ TEST(Path, IsNeverLongerThanAlongEdges)
 
 TEST(Path, AlongEdgesHasTheLengthOfDijkstrasField)
 {
-  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const auto mesh = meshOf(spot());
   DijkstraSolver solver(mesh);
   std::mt19937 random(2);
   std::uniform_int_distribution<Index> pick(0, mesh->numberOfPoints() - 1);
@@ -282,7 +277,7 @@ TEST(Path, AlongEdgesHasTheLengthOfDijkstrasField)
 // Also where a search along edges found a shorter path, whose ends are written in its own way.
 TEST(Path, AlongEdgesNamesTheEndThatItLeadsTo)
 {
-  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const auto mesh = meshOf(spot());
   std::mt19937 random(3);
   std::uniform_int_distribution<Index> pick(0, mesh->numberOfPoints() - 1);
   for (int i = 0; i < 30; ++i)
@@ -303,7 +298,7 @@ TEST(Path, AlongEdgesNamesTheEndThatItLeadsTo)
 // Fast marching leads along edges, but not by the shortest way; the path is that nevertheless.
 TEST(Path, AlongEdgesIsTheShortestDownAnyField)
 {
-  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const auto mesh = meshOf(spot());
   std::mt19937 random(3);
   std::uniform_int_distribution<Index> pick(0, mesh->numberOfPoints() - 1);
   for (int i = 0; i < 50; ++i)
@@ -320,7 +315,7 @@ TEST(Path, AlongEdgesIsTheShortestDownAnyField)
 
 TEST(Path, DoesNotDependOnTheScale)
 {
-  Surface spot = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  Surface spot = geodesic::testing::spot();
   std::vector<double> lengths;
   for (double scale : { 1.0, 1e-6, 1e6 })
   {
@@ -345,7 +340,7 @@ TEST(Path, BetweenEqualPointsHasLengthZero)
 {
   const auto mesh = meshOf(icosphere(3));
   for (const SurfacePoint& point :
-    { pointAt(mesh, 5), nearest(mesh, { 0.3, 0.4, 0.5 }), SurfacePoint{ 7, { 0.5, 0.5, 0.0 } } })
+    { pointAt(mesh, 5), pointNear(mesh, { 0.3, 0.4, 0.5 }), SurfacePoint{ 7, { 0.5, 0.5, 0.0 } } })
   {
     for (const PathStyle& style : { Straight, Traced, AlongEdges })
     {
@@ -364,7 +359,7 @@ TEST(Path, DoesNotExistBetweenParts)
   const auto mesh = meshOf(joined(icosphere(2), far));
   FastMarchingSolver solver(mesh);
   EXPECT_FALSE(
-    shortestPath(solver, nearest(mesh, { 0, 0, 1 }), nearest(mesh, { 5, 0, 1 }), {}, Straight));
+    shortestPath(solver, pointNear(mesh, { 0, 0, 1 }), pointNear(mesh, { 5, 0, 1 }), {}, Straight));
 }
 
 // A notch in the square: the way is two lines that meet at its tip.
@@ -383,7 +378,7 @@ TEST(Path, BendsRoundABoundary)
   const Vector3 b{ 0.841, 0.17, 0.0 };
   const Vector3 left{ 0.45, 0.5, 0.0 };
   const Vector3 right{ 0.55, 0.5, 0.0 };
-  const SurfacePath path = pathBetween(mesh, nearest(mesh, a), nearest(mesh, b));
+  const SurfacePath path = pathBetween(mesh, pointNear(mesh, a), pointNear(mesh, b));
   EXPECT_NEAR(lengthOf(*mesh, path), norm(left - a) + 0.1 + norm(b - right), 1e-12);
 }
 
@@ -410,12 +405,13 @@ TEST(Path, KeepsOffBarriers)
   SolveOptions options;
   options.closedTriangles = closed;
   const SurfacePath round =
-    pathBetween(mesh, nearest(mesh, a), nearest(mesh, b), Straight, options);
+    pathBetween(mesh, pointNear(mesh, a), pointNear(mesh, b), Straight, options);
   EXPECT_NEAR(lengthOf(*mesh, round),
     norm(Vector3{ 0.45, 0.5, 0.0 } - a) + 0.1 + norm(b - Vector3{ 0.55, 0.5, 0.0 }), 1e-12);
   options.closedTriangles = {};
   options.excluded = excluded;
-  const SurfacePath over = pathBetween(mesh, nearest(mesh, a), nearest(mesh, b), Straight, options);
+  const SurfacePath over =
+    pathBetween(mesh, pointNear(mesh, a), pointNear(mesh, b), Straight, options);
   for (const PathPoint& point : over)
   {
     for (Index vertex : point.carriers())
@@ -453,8 +449,8 @@ TEST(Path, CrossesANonManifoldEdge)
   };
   for (const auto& [first, second] : { std::pair{ 0.3, 2.0 }, { 2.0, 4.5 }, { 4.5, 0.3 } })
   {
-    const SurfacePoint from = nearest(mesh, on(first, 0.71, 0.2));
-    const SurfacePoint to = nearest(mesh, on(second, 0.53, 1.9));
+    const SurfacePoint from = pointNear(mesh, on(first, 0.71, 0.2));
+    const SurfacePoint to = pointNear(mesh, on(second, 0.53, 1.9));
     EXPECT_NEAR(lengthOf(*mesh, pathBetween(mesh, from, to)), std::hypot(1.24, 1.7), 1e-12);
   }
 }
@@ -472,7 +468,7 @@ TEST(Path, IsRefractedBetweenCosts)
   SolveOptions options;
   options.cost = cost;
   const SurfacePath path = pathBetween(
-    mesh, nearest(mesh, { 0.1, 0.2, 0.0 }), nearest(mesh, { 0.9, 0.8, 0.0 }), Traced, options);
+    mesh, pointNear(mesh, { 0.1, 0.2, 0.0 }), pointNear(mesh, { 0.9, 0.8, 0.0 }), Traced, options);
   double crossing = 0.0;
   for (const PathPoint& point : path)
   {
@@ -528,7 +524,7 @@ TEST(Path, LeadsToTheNearestOfManySeeds)
   std::mt19937 random(4);
   std::uniform_real_distribution<double> coordinate(0.0, 1.0);
   const auto anywhere = [&] {
-    return nearest(mesh, { coordinate(random), coordinate(random), 0.0 });
+    return pointNear(mesh, { coordinate(random), coordinate(random), 0.0 });
   };
   std::vector<SurfacePoint> seeds;
   std::vector<SurfacePoint> starts;

@@ -457,8 +457,7 @@ Surface box(Index cells)
 TEST(Region, OfAThousandRandomLoopsAreSound)
 {
   std::mt19937 random(7);
-  const std::vector<Surface> surfaces{ readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"),
-    readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"), torus(40, 20, 2.0, 0.7), box(1), box(7) };
+  const std::vector<Surface> surfaces{ bunny(), spot(), torus(40, 20, 2.0, 0.7), box(1), box(7) };
   for (const Surface& surface : surfaces)
   {
     Subject subject(surface);

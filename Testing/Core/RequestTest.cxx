@@ -64,7 +64,7 @@ protected:
     return "";
   }
 
-  const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  const Surface surface = spot();
   const std::shared_ptr<const TriangleMesh> mesh = meshOf(surface);
   const std::vector<Seed> oneSeed{ seedAt(*mesh, 10) };
   const std::vector<Seed> seeds{ seedAt(*mesh, 10), seedAt(*mesh, 1500), seedAt(*mesh, 2900) };

@@ -7,10 +7,6 @@
 #include "ExactDistances.h"
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
-#include "march/LabelDensity.h"
-#include "solve/ClosedTriangles.h"
-#include "solve/Partition.h"
-#include "solve/SeedFront.h"
 
 #include <gtest/gtest.h>
 
@@ -76,14 +72,6 @@ double largestDifference(const MeshPointer& mesh, const std::vector<Seed>& seeds
     largest = std::max(largest, std::abs(together[v] - least[v]));
   }
   return largest / farthest;
-}
-
-bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
-{
-  Partition whole;
-  SeedFront front;
-  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
-  return labelsAreDense(mesh, front, false, whole);
 }
 
 /** A plane with hills z = 3 sin(x / 9) cos(y / 7); @p stretch is that of x. */

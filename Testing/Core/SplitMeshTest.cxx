@@ -58,18 +58,13 @@ std::size_t borderEdges(const TriangleMesh& mesh)
   return border;
 }
 
-SurfacePoint nearest(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
-{
-  return seedNear(mesh, position).points[0];
-}
-
 SurfacePath curveThrough(
   const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Vector3>& positions)
 {
   std::vector<SurfacePoint> points;
   for (const Vector3& position : positions)
   {
-    points.push_back(nearest(mesh, position));
+    points.push_back(pointNear(mesh, position));
   }
   FastMarchingSolver solver(mesh);
   return joinedCurve(solver, points, "Test curve");
@@ -92,7 +87,7 @@ std::vector<Vector3> loop(double radius, int corners, double turn = 0.1)
 // Curves that cross each other and themselves, on a real surface.
 TEST(SplitMesh, KeepsTheSurface)
 {
-  const auto base = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const auto base = meshOf(spot());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
   std::vector<SurfacePath> curves;
@@ -187,7 +182,7 @@ TEST(SplitMesh, ExcludesVerticesOnCuts)
 
 TEST(SplitMesh, FindsPointsAgain)
 {
-  const auto base = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"));
+  const auto base = meshOf(spot());
   const std::vector<SurfacePath> curves{ curveThrough(base, { { -1, 0, 0 }, { 1, 0, 0 } }) };
   const SplitMesh split(base, curves, {});
   std::mt19937 random(5);
@@ -234,7 +229,7 @@ TEST(SplitMesh, ALoopConfinesTheFront)
         }
         return true;
       };
-      const Seed centre = Seed::atPoint(split.pointOf(nearest(base, { 0.5001, 0.5002, 0.0 })));
+      const Seed centre = Seed::atPoint(split.pointOf(pointNear(base, { 0.5001, 0.5002, 0.0 })));
       const DistanceField& field = solver.solve({ &centre, 1 }, options);
       for (Index v = 0; v < base->numberOfVertices(); ++v)
       {
@@ -247,7 +242,7 @@ TEST(SplitMesh, ALoopConfinesTheFront)
             norm(base->position(v) - Vector3{ 0.5001, 0.5002, 0.0 }), 1e-9);
         }
       }
-      const Seed corner = Seed::atPoint(split.pointOf(nearest(base, { 0.01, 0.02, 0.0 })));
+      const Seed corner = Seed::atPoint(split.pointOf(pointNear(base, { 0.01, 0.02, 0.0 })));
       const DistanceField& outside = solver.solve({ &corner, 1 }, options);
       for (Index v = 0; v < base->numberOfVertices(); ++v)
       {
@@ -272,7 +267,7 @@ TEST(SplitMesh, TheFrontGoesRoundTheEndOfAWall)
     options.excluded = excluded;
     FastMarchingSolver solver(split.mesh());
     const Vector3 source{ 0.2, 0.2, 0.0 };
-    const Seed seed = Seed::atPoint(split.pointOf(nearest(base, source)));
+    const Seed seed = Seed::atPoint(split.pointOf(pointNear(base, source)));
     const DistanceField& field = solver.solve({ &seed, 1 }, options);
     double worst = 0.0;
     for (Index v = 0; v < base->numberOfVertices(); ++v)
@@ -294,10 +289,10 @@ TEST(SplitMesh, ASeedOnAWallIsKnown)
   const std::vector<SurfacePath> cuts{ curveThrough(
     base, { { 0.1, 0.52, 0.0 }, { 0.9, 0.57, 0.0 } }) };
   const SplitMesh split(base, {}, cuts);
-  EXPECT_TRUE(split.isOnCut(split.pointOf(nearest(base, { 0.5, 0.545, 0.0 }))));
-  EXPECT_TRUE(split.isOnCut(split.pointOf(nearest(base, { 0.1, 0.52, 0.0 }))));
-  EXPECT_FALSE(split.isOnCut(split.pointOf(nearest(base, { 0.5, 0.546, 0.0 }))));
-  EXPECT_FALSE(split.isOnCut(split.pointOf(nearest(base, { 0.05, 0.51, 0.0 }))));
+  EXPECT_TRUE(split.isOnCut(split.pointOf(pointNear(base, { 0.5, 0.545, 0.0 }))));
+  EXPECT_TRUE(split.isOnCut(split.pointOf(pointNear(base, { 0.1, 0.52, 0.0 }))));
+  EXPECT_FALSE(split.isOnCut(split.pointOf(pointNear(base, { 0.5, 0.546, 0.0 }))));
+  EXPECT_FALSE(split.isOnCut(split.pointOf(pointNear(base, { 0.05, 0.51, 0.0 }))));
 }
 
 // Along a straight seed curve that crosses faces at any angle the field is the distance to it.

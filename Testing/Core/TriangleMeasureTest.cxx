@@ -18,10 +18,10 @@ using namespace geodesic;
 namespace
 {
 
-using Corners = std::array<Vector3, 3>;
+using ThreeCorners = std::array<Vector3, 3>;
 
 /** A triangle with sides of 3, 4 and 5, one of no height, and one that is a point. */
-const std::vector<Corners> Triangles{
+const std::vector<ThreeCorners> Triangles{
   { { { 0.0, 0.0, 0.0 }, { 0.0, 3.0, 0.0 }, { 0.0, 0.0, 4.0 } } },
   { { { 0.0, 0.0, 4.0 }, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } } },
   { { { 0.0, 3.0, 0.0 }, { 0.0, 3.0, 0.0 }, { 0.0, 3.0, 0.0 } } }
@@ -36,11 +36,12 @@ struct TriangleMeasure
   float margin;
 };
 
-std::vector<TriangleMeasure> measuresOf(const std::vector<Corners>& all, bool mayUseQuads = true)
+std::vector<TriangleMeasure> measuresOf(
+  const std::vector<ThreeCorners>& all, bool mayUseQuads = true)
 {
   std::vector<Vector3> positions;
   std::vector<Triangle> triangles;
-  for (const Corners& t : all)
+  for (const ThreeCorners& t : all)
   {
     const Index first = static_cast<Index>(positions.size());
     positions.insert(positions.end(), t.begin(), t.end());
@@ -57,7 +58,7 @@ std::vector<TriangleMeasure> measuresOf(const std::vector<Corners>& all, bool ma
   return measures;
 }
 
-TriangleMeasure measureOf(const Corners& t)
+TriangleMeasure measureOf(const ThreeCorners& t)
 {
   return measuresOf({ t })[0];
 }
@@ -70,13 +71,13 @@ double mostOff(double slack)
 }
 
 /** A triangle of about a size, of which two corners may be far nearer. */
-Corners randomTriangle(double width, int i, std::mt19937& random)
+ThreeCorners randomTriangle(double width, int i, std::mt19937& random)
 {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   const auto vector = [&](double size) {
     return size * Vector3{ number(random), number(random), number(random) };
   };
-  Corners t{ vector(1.0), vector(1.0), {} };
+  ThreeCorners t{ vector(1.0), vector(1.0), {} };
   t[2] = t[0] + (i % 2) * 0.4 * (t[1] - t[0]) + vector(width);
   std::rotate(t.begin(), t.begin() + i % 3, t.end());
   return t;
@@ -107,7 +108,7 @@ TEST(TriangleMeasure, IsOnTheSafeSideForNeedles)
   std::mt19937 random(1);
   for (int i = 0; i < 20000; ++i)
   {
-    const Corners t = randomTriangle(std::pow(10.0, -i % 13), i, random);
+    const ThreeCorners t = randomTriangle(std::pow(10.0, -i % 13), i, random);
     const double longest = std::max({ norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2]) });
     const double height = norm(cross(t[1] - t[0], t[2] - t[0])) / longest;
     const TriangleMeasure measure = measureOf(t);
@@ -122,7 +123,8 @@ TEST(TriangleMeasure, IsOnTheSafeSideForNeedles)
 TEST(TriangleMeasure, LongestSideIsAnyOfThree)
 {
   const auto [a, b, c] = Triangles[0];
-  for (const Corners& turned : { Corners{ a, b, c }, Corners{ b, c, a }, Corners{ c, a, b } })
+  for (const ThreeCorners& turned :
+    { ThreeCorners{ a, b, c }, ThreeCorners{ b, c, a }, ThreeCorners{ c, a, b } })
   {
     EXPECT_NEAR(measureOf(turned).longestSide, 5.0, 1e-6);
   }
@@ -133,7 +135,7 @@ TEST(TriangleMeasure, ThinIsLessThanAQuarterOfTheLongestSideHigh)
   EXPECT_FALSE(measureOf(Triangles[0]).isThin());
   EXPECT_TRUE(measureOf(Triangles[1]).isThin());
   // 4 long, and a little higher than 1 or lower.
-  const auto flat = [](double height) -> Corners {
+  const auto flat = [](double height) -> ThreeCorners {
     return { { { 0.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 1.0, height, 0.0 } } };
   };
   const std::vector<TriangleMeasure> two = measuresOf({ flat(1.01), flat(0.99) });
@@ -145,13 +147,13 @@ TEST(TriangleMeasure, ThinIsLessThanAQuarterOfTheLongestSideHigh)
 TEST(TriangleMeasure, IsTheSameAmongOthers)
 {
   std::mt19937 random(2);
-  std::vector<Corners> all = Triangles;
+  std::vector<ThreeCorners> all = Triangles;
   for (int i = 0; all.size() < TriangleNumbers::Most; ++i)
   {
     all.push_back(randomTriangle(std::pow(10.0, -i % 13), i, random));
   }
   std::vector<TriangleMeasure> alone;
-  for (const Corners& t : all)
+  for (const ThreeCorners& t : all)
   {
     alone.push_back(measureOf(t));
   }

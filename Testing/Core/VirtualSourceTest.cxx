@@ -91,12 +91,6 @@ void expectSameWhenShuffled(const Surface& surface, const std::vector<Index>& so
   }
 }
 
-const Surface& spot()
-{
-  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
-  return surface;
-}
-
 }
 
 // In a plane all that fit() joins is one source, so only rounding is left.
@@ -118,7 +112,7 @@ TEST(VirtualSource, PlaneIsTheStraightLine)
 
 TEST(VirtualSource, OrderOfPointsAndTrianglesChangesNothing)
 {
-  expectSameWhenShuffled(readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"), { 17 });
+  expectSameWhenShuffled(bunny(), { 17 });
   expectSameWhenShuffled(spot(), { 17, 400, 2000 });
 }
 

@@ -25,7 +25,7 @@ namespace
 /** The truth, by the solver that ExactSolverTest.cxx holds to CGAL's; -1 where no triangle is. */
 std::vector<double> exactDistancesOnTheBunny(vtkIdType source)
 {
-  const auto mesh = meshOf(readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off"));
+  const auto mesh = meshOf(bunny());
   std::vector<double> d =
     distances<ExactSolver>(mesh, { seedAt(*mesh, static_cast<Index>(source)) });
   std::replace(d.begin(), d.end(), DistanceField::Unreached, -1.0);

@@ -100,8 +100,8 @@ protected:
 TEST_F(SignedDistance, IsTheDistanceWithTheSignOfAFlood)
 {
   std::mt19937 random(5);
-  const std::vector<Surface> surfaces{ readOff(GEODESICS_OFF_DIRECTORY "/Spot.off"),
-    torus(40, 20, 1.0, 0.4), jitteredGrid(25, 20, 1.2, 1.0, 0.3, 3), cylinder(30, 15, 0.5, 2.0) };
+  const std::vector<Surface> surfaces{ spot(), torus(40, 20, 1.0, 0.4),
+    jitteredGrid(25, 20, 1.2, 1.0, 0.3, 3), cylinder(30, 15, 0.5, 2.0) };
   int negative = 0;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {

@@ -20,7 +20,7 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
 
 /** A surface as CGAL's own; throws std::runtime_error for one that is not manifold. */
-inline Mesh meshOf(const Surface& surface)
+inline Mesh cgalMeshOf(const Surface& surface)
 {
   Mesh mesh;
   for (const Vector3& p : surface.points)

@@ -65,7 +65,7 @@ void addSource(ShortestPath& paths, Mesh::Face_index face, Traits::Barycentric_c
 std::vector<double> exactDistancesFromPositions(
   const Surface& surface, const std::vector<Vector3>& positions)
 {
-  const Mesh mesh = meshOf(surface);
+  const Mesh mesh = cgalMeshOf(surface);
   ShortestPath paths(mesh);
   CGAL::AABB_tree<BoxTraits> tree;
   paths.build_aabb_tree(tree);
@@ -79,7 +79,7 @@ std::vector<double> exactDistancesFromPositions(
 
 std::vector<double> exactDistances(const Surface& surface, const std::vector<Index>& sources)
 {
-  const Mesh mesh = meshOf(surface);
+  const Mesh mesh = cgalMeshOf(surface);
   ShortestPath paths(mesh);
   for (Index source : sources)
   {
@@ -90,7 +90,7 @@ std::vector<double> exactDistances(const Surface& surface, const std::vector<Ind
 
 std::vector<double> exactDistancesFrom(const Surface& surface, const SurfacePoint& source)
 {
-  const Mesh mesh = meshOf(surface);
+  const Mesh mesh = cgalMeshOf(surface);
   ShortestPath paths(mesh);
   // CGAL's weights start at the corner that the face's halfedge comes from, which need not be the
   // first one given.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NastyCases.h"
 
+#include "RandomDraws.h"
 #include "Solving.h"
 
 #include <algorithm>
@@ -16,23 +17,6 @@ namespace geodesic::testing
 {
 namespace
 {
-
-using Random = std::mt19937;
-
-double between(double low, double high, Random& random)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Index below(std::size_t count, Random& random)
-{
-  return std::uniform_int_distribution<Index>(0, static_cast<Index>(count - 1))(random);
-}
-
-bool happens(double probability, Random& random)
-{
-  return std::bernoulli_distribution(probability)(random);
-}
 
 /** As often of each order of magnitude. */
 double magnitude(double lowest, double highest, Random& random)
@@ -165,7 +149,7 @@ Surface books(Random& random)
   return surface;
 }
 
-Surface fan(Random& random)
+Surface foldedFan(Random& random)
 {
   const double height = between(1.0, 3.0, random);
   const Index around = 3 + below(happens(0.1, random) ? 498 : 30, random);
@@ -177,7 +161,7 @@ Surface fan(Random& random)
   return surface;
 }
 
-Surface strip(Random& random)
+Surface crossingStrip(Random& random)
 {
   Surface surface;
   for (Index i = 3 + below(200, random); i > 0; --i)
@@ -237,9 +221,9 @@ Surface nastySurface(NastyKind kind, Random& random)
     case NastyKind::Books:
       return books(random);
     case NastyKind::Fan:
-      return fan(random);
+      return foldedFan(random);
     case NastyKind::Strip:
-      return strip(random);
+      return crossingStrip(random);
     case NastyKind::Crumbs:
       return crumbs(random);
     case NastyKind::NotFinite:
@@ -258,20 +242,6 @@ void resize(Surface& surface, Random& random)
   {
     p = scale * (p + Vector3{ away, 0.3 * away, -away });
   }
-}
-
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random)
-{
-  SurfacePoint point{ below(mesh.numberOfTriangles(), random), { 1.0, 0.0, 0.0 } };
-  const Index carriers = 1 + below(3, random);
-  double left = 1.0;
-  for (Index i = 0; i + 1 < carriers; ++i)
-  {
-    point.weights[i] = left * between(0.05, 0.95, random);
-    left -= point.weights[i];
-  }
-  point.weights[carriers - 1] = left;
-  return point;
 }
 
 /** From corner to corner along edges. */

@@ -3,6 +3,7 @@
 #include "RandomMeshes.h"
 
 #include "ExactDistances.h"
+#include "RandomDraws.h"
 #include "Solving.h"
 #include "mesh/Carriers.h"
 
@@ -16,23 +17,6 @@ namespace geodesic::testing
 {
 namespace
 {
-
-using Random = std::mt19937;
-
-double between(double low, double high, Random& random)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Index below(std::size_t count, Random& random)
-{
-  return std::uniform_int_distribution<Index>(0, static_cast<Index>(count - 1))(random);
-}
-
-bool happens(double probability, Random& random)
-{
-  return std::bernoulli_distribution(probability)(random);
-}
 
 Vector3 randomVector(double size, Random& random)
 {
@@ -164,20 +148,6 @@ Surface parts(Random& random)
 {
   Surface surface = joined(blob(random), terrain(random));
   return joined(surface, bumpyTorus(random));
-}
-
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random)
-{
-  SurfacePoint point{ below(mesh.numberOfTriangles(), random), { 1.0, 0.0, 0.0 } };
-  const Index carriers = 1 + below(3, random);
-  double left = 1.0;
-  for (Index i = 0; i + 1 < carriers; ++i)
-  {
-    point.weights[i] = left * between(0.05, 0.95, random);
-    left -= point.weights[i];
-  }
-  point.weights[carriers - 1] = left;
-  return point;
 }
 
 /** Whether a front can leave the point, as far as the case's barriers are near it. */

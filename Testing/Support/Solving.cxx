@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solving.h"
 
+#include "march/LabelDensity.h"
 #include "march/UpdateBounds.h"
 #include "search/ClosestPointTree.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +26,14 @@ Seed seedAt(const TriangleMesh& mesh, Index point)
   return Seed::atPoint(mesh.pointAtVertex(mesh.vertexOfPoint(point)));
 }
 
+SurfacePoint pointNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
+{
+  return ClosestPointTree(mesh).closestPoint(position).point;
+}
+
 Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position)
 {
-  return Seed::atPoint(ClosestPointTree(mesh).closestPoint(position).point);
+  return Seed::atPoint(pointNear(mesh, position));
 }
 
 std::vector<double> straightLines(const Surface& surface, const Vector3& source)
@@ -35,6 +44,24 @@ std::vector<double> straightLines(const Surface& surface, const Vector3& source)
     truth.push_back(norm(p - source));
   }
   return truth;
+}
+
+bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
+{
+  Partition whole;
+  SeedFront front;
+  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, whole, front);
+  return labelsAreDense(mesh, front, false, whole);
+}
+
+double largestOf(const std::vector<double>& distances)
+{
+  double largest = 0.0;
+  for (const double d : distances)
+  {
+    largest = std::isfinite(d) ? std::max(largest, d) : largest;
+  }
+  return largest;
 }
 
 Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth)

@@ -23,6 +23,8 @@ std::shared_ptr<const TriangleMesh> meshOf(
 
 /** A seed at a point of the input. */
 Seed seedAt(const TriangleMesh& mesh, Index point);
+/** The point of the mesh that is nearest to a position. */
+SurfacePoint pointNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position);
 /** A seed at the point of the mesh that is nearest to a position. */
 Seed seedNear(const std::shared_ptr<const TriangleMesh>& mesh, const Vector3& position);
 
@@ -59,6 +61,12 @@ std::string errorOf(const std::function<void()>& call)
   }
   return "";
 }
+
+/** Whether fast marching takes seeds for dense, which are few fronts then. */
+bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds);
+
+/** The largest finite distance. */
+double largestOf(const std::vector<double>& distances);
 
 /** Relative error against the truth: mean over all points, and largest. */
 struct Error

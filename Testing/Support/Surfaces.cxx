@@ -298,4 +298,16 @@ Surface readOff(const std::string& file)
   return surface;
 }
 
+const Surface& spot()
+{
+  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Spot.off");
+  return surface;
+}
+
+const Surface& bunny()
+{
+  static const Surface surface = readOff(GEODESICS_OFF_DIRECTORY "/Bunny.off");
+  return surface;
+}
+
 }

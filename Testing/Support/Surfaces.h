@@ -51,6 +51,8 @@ Surface withPointsShuffled(const Surface& surface, unsigned seed, std::vector<In
 Surface shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newId);
 /** The surface of an OFF file of triangles; throws std::runtime_error. */
 Surface readOff(const std::string& file);
+const Surface& spot();
+const Surface& bunny();
 
 }
 

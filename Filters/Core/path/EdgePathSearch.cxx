@@ -13,7 +13,7 @@ namespace
 {
 
 /** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
-constexpr double LeastGain = 1e-12;
+constexpr double LeastSaving = 1e-12;
 
 /** The shortest path found so far from the search's start to a vertex. */
 struct Visit
@@ -73,7 +73,7 @@ std::optional<SurfacePath> shorterEdgePath(const WeightedMesh& weighted, const D
   visitEdgeEnds(
     weighted, from, [&](Index vertex) { lastSteps[vertex] = norm(mesh.position(vertex) - end); });
 
-  double best = length * (1.0 - LeastGain);
+  double best = length * (1.0 - LeastSaving);
   Index last = NoIndex;
   std::unordered_map<Index, Visit> visits;
   std::priority_queue<Trial, std::vector<Trial>, std::greater<>> queue;

@@ -16,7 +16,7 @@ namespace
 {
 
 /** A path counts as shorter if it is so by more than this part of its length; less is rounding. */
-constexpr double LeastGain = 1e-14;
+constexpr double LeastShortening = 1e-14;
 
 /** Most paths are straight before this round. On curved surfaces without saddles others come past
  * one vertex after the other, all along, where the faces along a chord are the right ones at once.
@@ -25,7 +25,7 @@ constexpr int FirstRoundOfChords = 3;
 
 bool isShorter(double newLength, double length)
 {
-  return newLength < length * (1.0 - LeastGain);
+  return newLength < length * (1.0 - LeastShortening);
 }
 
 Index vertexAt(const PathPoint& point)
@@ -136,7 +136,7 @@ PathStraightener::Pieces PathStraightener::tautPieces(const SurfacePath& path)
 
 bool PathStraightener::Row::isStraight() const
 {
-  // What bends by so much is longer by an eighth of the square: less than LeastGain.
+  // What bends by so much is longer by an eighth of the square: less than LeastShortening.
   constexpr double leastBend = 1e-7;
   return this->isOfEdges && this->bend <= leastBend;
 }

@@ -22,7 +22,7 @@ double dot(const PlanePoint& a, const PlanePoint& b)
 }
 
 /** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
-constexpr double VertexFraction = 1e-12;
+constexpr double CornerFraction = 1e-12;
 
 /** Whether a point lies on the edge by which a face is entered. */
 bool liesOnEntry(const PathPoint& point, const StripFace& face)
@@ -317,11 +317,11 @@ PathPoint StraightPiece::crossing(const StripFace& face) const
   const double left = orientation(this->flatStart, this->flatEnd, face.entry.left);
   const double right = orientation(this->flatStart, this->flatEnd, face.entry.right);
   const double fraction = left == right ? 0.0 : std::clamp(left / (left - right), 0.0, 1.0);
-  if (fraction < VertexFraction)
+  if (fraction < CornerFraction)
   {
     return PathPoint::atVertex(face.left);
   }
-  if (fraction > 1.0 - VertexFraction)
+  if (fraction > 1.0 - CornerFraction)
   {
     return PathPoint::atVertex(face.right);
   }

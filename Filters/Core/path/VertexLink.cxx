@@ -18,7 +18,7 @@ namespace
 
 /** An angle counts as 180 degrees if it differs by less than this, in radians. What a path could
  * gain is proportional to the square of the difference. */
-constexpr double Rounding = 1e-7;
+constexpr double RoundingOfAngles = 1e-7;
 
 }
 
@@ -215,7 +215,7 @@ std::optional<double> VertexLink::appendShorterSide(
   const double first = this->Angles[target->nodes[0]] + target->angles[0];
   const double second = this->Angles[target->nodes[1]] + target->angles[1];
   const double angle = std::min(first, second);
-  if (!(angle < std::numbers::pi + Rounding))
+  if (!(angle < std::numbers::pi + RoundingOfAngles))
   {
     return std::nullopt;
   }

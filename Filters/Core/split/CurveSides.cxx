@@ -107,14 +107,14 @@ struct Stretch
 };
 
 /** A side of a face at a curve. */
-struct Side
+struct SideAtCurve
 {
   Edge edge;
   Index region;
   /** Whether the face's corners come in the order smaller point, larger point. */
   bool isForward;
 
-  friend auto operator<=>(const Side&, const Side&) = default;
+  friend auto operator<=>(const SideAtCurve&, const SideAtCurve&) = default;
 };
 
 }
@@ -226,10 +226,10 @@ private:
     this->Stretches = std::move(odd);
   }
 
-  std::vector<Side> sidesOfFaces() const
+  std::vector<SideAtCurve> sidesOfFaces() const
   {
     const TriangleMesh& mesh = this->Mesh.mesh();
-    std::vector<Side> sides;
+    std::vector<SideAtCurve> sides;
     const auto add = [&](const Triangle& corners, Index region, Edge edge)
     {
       const auto at = std::find(corners.begin(), corners.end(), edge.first) - corners.begin();
@@ -274,16 +274,16 @@ private:
   void addCrossings()
   {
     RegionGraph& graph = this->Sides.Graph;
-    const std::vector<Side> sides = this->sidesOfFaces();
+    const std::vector<SideAtCurve> sides = this->sidesOfFaces();
     auto side = sides.begin();
     for (auto first = this->Stretches.begin(); first != this->Stretches.end();)
     {
       const Edge edge = first->edge;
       const auto last = std::find_if(
         first, this->Stretches.end(), [&](const Stretch& s) { return s.edge != edge; });
-      side = std::find_if(side, sides.end(), [&](const Side& s) { return s.edge >= edge; });
+      side = std::find_if(side, sides.end(), [&](const SideAtCurve& s) { return s.edge >= edge; });
       const auto end =
-        std::find_if(side, sides.end(), [&](const Side& s) { return s.edge != edge; });
+        std::find_if(side, sides.end(), [&](const SideAtCurve& s) { return s.edge != edge; });
       const auto count = end - side;
       if (count > 2)
       {

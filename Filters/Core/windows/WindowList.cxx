@@ -15,7 +15,7 @@ namespace
 /** By which fraction of the lengths that make its distance a window must be nearer than one that is
  * there. Of equal ones the first stays. Of the distance itself it would be nothing beside a seed:
  * where sheets lie on each other, rounding would then cut windows into ever more. */
-constexpr double LeastGain = 1e-14;
+constexpr double LeastWin = 1e-14;
 
 /** Whether the same straight lines make two windows, except for rounding. */
 bool haveOneSource(const Window& a, const Window& b)
@@ -54,7 +54,7 @@ public:
   }
 
   /** Whether the added window counts at a point. */
-  bool wins(double at) const { return this->excess(at) < -LeastGain * this->Size; }
+  bool wins(double at) const { return this->excess(at) < -LeastWin * this->Size; }
 
   /** A point from @p from to @p to where both are equally near. @pre they differ in who wins */
   double crossing(double from, double to) const

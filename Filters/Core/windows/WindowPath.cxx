@@ -19,7 +19,7 @@ namespace
 {
 
 /** Distances that differ by less, relatively, are equal. */
-constexpr double Rounding = 1e-9;
+constexpr double EqualDistances = 1e-9;
 
 bool isIn(const Carriers& carriers, const Triangle& corners)
 {
@@ -47,7 +47,7 @@ std::vector<SurfacePoint> WindowPath::from(
 {
   this->Path.assign(1, start);
   this->Seed = seed;
-  this->Tolerance = Rounding * distance;
+  this->Tolerance = EqualDistances * distance;
   Arrival next = arrival;
   while (next.kind != Arrival::Kind::FromSeed)
   {
