@@ -25,6 +25,16 @@ double slopeAt(const Window& window, double at)
   return length > 0.0 ? (at - window.x) / length : 0.0;
 }
 
+/** Whether the line that a window sends on from a point of the edge leads less far towards the
+ * higher end than another one's; @p sense -1: towards the lower end. */
+bool leadsLessFar(const Window& window, const Window& other, double at, double sense)
+{
+  constexpr double rounding = 1e-9;
+  const double alone = (window.isStraight ? window.x : at - window.x) * other.y;
+  const double others = (other.isStraight ? other.x : at - other.x) * window.y;
+  return sense * (others - alone) > rounding * (std::abs(alone) + std::abs(others));
+}
+
 /** By how much a window is farther than another one at most, from @p from to @p to. */
 double greatestGain(const Window& window, const Window& other, double from, double to)
 {
@@ -115,6 +125,11 @@ bool WindowMerging::mergeInto(Window& left, const Window& right) const
     left.seed };
   constexpr double rounding = 1e-13;
   if (merged.distanceAt(left.last) > atLeft + riseToJoin + rounding * (atLeft + source))
+  {
+    return false;
+  }
+  // Where the lines are almost along the edge, distances tell their directions only roughly.
+  if (leadsLessFar(merged, left, left.first, -1.0) || leadsLessFar(merged, right, right.last, 1.0))
   {
     return false;
   }
