@@ -37,12 +37,14 @@ TEST(Promises, HoldOnNastyMeshes)
 
 // What the campaign found beyond these. Windows that are cut into ever more where sheets lie on
 // each other, by rounding beside a seed: 18449, 21188, 116173 and 139790 did not end, and 125077
-// had a distance below 0. In 126457 a path begins inside a face and farther than all its corners.
-// In 54365 windows that were merged on needles sent their lines beside a vertex.
+// and 88788 had a distance below 0. In 126457 a path begins inside a face and farther than all its
+// corners. In 54365 windows that were merged on needles sent their lines beside a vertex. In
+// 33576, 36786 and 78377 a virtual source was joined with one that it was not.
 TEST(Promises, HoldWhereTheyWereBroken)
 {
   PromiseReport report;
-  for (const unsigned number : { 18449u, 21188u, 54365u, 116173u, 125077u, 126457u, 139790u })
+  for (const unsigned number :
+    { 18449u, 21188u, 33576u, 36786u, 54365u, 78377u, 88788u, 116173u, 125077u, 126457u, 139790u })
   {
     checkPromises(nastyCase(number), report);
     for (const std::string& broken : report.broken)

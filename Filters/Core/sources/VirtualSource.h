@@ -82,7 +82,7 @@ struct VirtualSource
   /**
    * Fits the source to the distances known at the side's corners, where these are nearly its own:
    * then the same front has come there past other vertices, so the lit part goes on to that corner.
-   * The source is moved to where both distances hold.
+   * The source is moved to where both distances hold, if that is near.
    * @param ownFirst, ownSecond  lengths of the straight lines to the corners
    * @param atFirst, atSecond    the same after the distances at the corners; infinity where none is
    *                             known for the source
@@ -103,8 +103,17 @@ struct VirtualSource
     {
       return false;
     }
-    this->x = (length * length - (b - a) * (b + a)) / (2.0 * length);
-    this->y = -std::sqrt(std::max(0.0, (a - this->x) * (a + this->x)));
+    const double fittedX = (length * length - (b - a) * (b + a)) / (2.0 * length);
+    const double fittedY = -std::sqrt(std::max(0.0, (a - fittedX) * (a + fittedX)));
+    // Where lines to both corners are almost parallel, a small difference moves the source far: it
+    // is another front, and was nearer to what lies behind the side by up to 4 % of the distance.
+    constexpr double farthest = 2.0;
+    if (lengthOf(fittedX - this->x, fittedY - this->y) > farthest * tolerance)
+    {
+      return false;
+    }
+    this->x = fittedX;
+    this->y = fittedY;
     this->first = hasFirst ? 0.0 : this->first;
     this->last = hasSecond ? length : this->last;
     return true;

@@ -7,6 +7,7 @@
 #include "windows/Arrival.h"
 #include "windows/Window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -41,7 +42,8 @@ inline std::optional<WindowLine> lineTo(
     const double along = x - window.x;
     const double line =
       window.isStraight ? window.x * x + window.y * y : std::sqrt(along * along + height * height);
-    return WindowLine{ window.offset + line,
+    // A straight front may start below 0, so rounding could leave less than 0 on its own line.
+    return WindowLine{ std::max(0.0, window.offset + line),
       { Arrival::Kind::AcrossEdge, halfEdge, at, window.x, window.y, window.offset } };
   }
   if (at > window.first - miss && at < window.last + miss)
