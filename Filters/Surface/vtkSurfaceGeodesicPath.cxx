@@ -13,6 +13,7 @@
 
 #include "algorithm/DistributedPathFinder.h"
 #include "algorithm/PathSearches.h"
+#include "algorithm/WholeSurface.h"
 #include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
 #include "filter/VtkVersions.h"
@@ -91,6 +92,8 @@ struct vtkSurfaceGeodesicPath::Internals
   double Tolerance = 0.0;
   geodesic::PathStyle Style;
   std::vector<Segment> Segments;
+  /** If the surface is gathered. It stays valid as long as the segments. */
+  std::unique_ptr<const geodesic::distributed::WholeSurface> Whole;
 
   /**
    * Sets what segments depend on, and drops the segments if any of it changed on any rank.
@@ -110,6 +113,7 @@ struct vtkSurfaceGeodesicPath::Internals
     if (run.ranks.isAny(!isSame))
     {
       this->Segments.clear();
+      this->Whole.reset();
     }
     this->Solved.emplace(std::move(solved));
     this->Attributes = std::move(attributes);
@@ -232,7 +236,7 @@ void vtkSurfaceGeodesicPath::DescribeRequest(std::vector<double>& numbers)
     { static_cast<double>(this->Closed), static_cast<double>(this->PathMode),
       static_cast<double>(this->InterpolationOrder), static_cast<double>(this->Straighten),
       static_cast<double>(this->UseMaximumPathLength), this->MaximumPathLength, this->HeightOffset,
-      static_cast<double>(this->Dragged) });
+      static_cast<double>(this->Dragged), static_cast<double>(this->GatherForExact) });
 }
 
 //------------------------------------------------------------------------------
@@ -279,10 +283,16 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
   ranks.together(
     [&]
     {
-      geodesic::checkServes(
-        method, geodesic::SolverDemands::of(internal.Solved->options(), ranks.size()));
+      geodesic::checkServes(method,
+        geodesic::SolverDemands::of(
+          internal.Solved->options(), this->Gathers(ranks) ? 1 : ranks.size()));
     });
   internal.Solvers.prepare(method, mesh, this->GetThreadsOfRun(ranks));
+  if (this->Gathers(ranks) && ranks.isAny(!internal.Whole))
+  {
+    internal.Whole = std::make_unique<const geodesic::distributed::WholeSurface>(
+      ranks, internal.Lined.divided(), internal.Solved->options(), method);
+  }
   internal.Segments = this->PathMode == THROUGH_WAYPOINTS
     ? this->TraceThroughWaypoints(run, waypoints)
     : this->TraceToNearest(run, waypoints, starts);
@@ -331,7 +341,15 @@ geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run
   options.memoryLimit = this->GetMemoryLimitInBytes();
   options.tolerance = this->GetCheckedTolerance();
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
-    internal.Lined.divided(), internal.Solvers.first(), options, internal.Style, run.input };
+    internal.Lined.divided(), internal.Solvers.first(), options, internal.Style, run.input,
+    this->Gathers(run.ranks) ? internal.Whole.get() : nullptr };
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceGeodesicPath::Gathers(const geodesic::distributed::RankGroup& ranks) const
+{
+  return this->GatherForExact && ranks.size() > 1 &&
+    this->GetSolver().ranks == geodesic::RankSupport::None;
 }
 
 //------------------------------------------------------------------------------
@@ -581,6 +599,7 @@ void vtkSurfaceGeodesicPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n";
   os << indent << "HeightOffset: " << this->HeightOffset << "\n";
   os << indent << "Dragged: " << this->Dragged << "\n";
+  os << indent << "GatherForExact: " << this->GatherForExact << "\n";
   os << indent << "TotalLength: " << this->TotalLength << "\n";
   os << indent << "ProvenShortest: " << this->ProvenShortest << "\n";
   os << indent << "NumberOfSearches: " << this->NumberOfSearches << "\n";

@@ -180,6 +180,18 @@ public:
   vtkBooleanMacro(Dragged, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether a method that needs the surface in one piece (Exact, VirtualSources, Bounded) may bring
+   * all of it to the first of several ranks, which then searches alone. It is kept there as long as
+   * the surface, costs, barriers and the method stay the same. Without it such a request is an
+   * error. Of no effect on one rank and with other methods. Default: off.
+   */
+  vtkSetMacro(GatherForExact, bool);
+  vtkGetMacro(GatherForExact, bool);
+  vtkBooleanMacro(GatherForExact, bool);
+  ///@}
+
   /**
    * The length of all paths of the last run, in the mesh's unit of length; 0 before the first.
    */
@@ -234,6 +246,7 @@ protected:
   double MaximumPathLength = 1.0;
   double HeightOffset = 0.0;
   bool Dragged = false;
+  bool GatherForExact = false;
   double TotalLength = 0.0;
   int ProvenShortest = 0;
   vtkIdType NumberOfSearches = 0;
@@ -259,6 +272,8 @@ private:
   geodesic::distributed::PathRequest MakeRequest(const Run& run);
   /** Whether the run was aborted on any rank. Collective. */
   bool IsAborted(const Run& run);
+  /** Whether the method works on the whole surface, on the first of several ranks. */
+  bool Gathers(const geodesic::distributed::RankGroup& ranks) const;
 
   /** Reports one error for all missing segments.
    * @param missing   what each would join; the first few are named

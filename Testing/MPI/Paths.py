@@ -66,6 +66,18 @@ PATHS = {
                               StartPositions=cases.points_on("bunny", 20)[27:])),
     "nearest along edges": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 9),
                                           StartPositions=cases.points_on("bunny", 20)[27:], InterpolationOrder=0)),
+    "exact": between("bunny", 3, Method="Exact", GatherForExact=1),
+    "exact traced": between("bunny", 2, Method="Exact", GatherForExact=1, Straighten="Off"),
+    "exact along edges": between("bunny", 2, Method="Exact", GatherForExact=1, InterpolationOrder=0),
+    "bounded": between("sphere", 3, Method="Bounded", GatherForExact=1),
+    "exact wall": ("torus", dict(WaypointPositions=ON_TORUS, BarrierArray=["POINTS", "Wall"], Method="Exact", GatherForExact=1)),
+    "exact closed": ("torus", dict(WaypointPositions=ON_TORUS, BarrierArray=["CELLS", "CellWall"], Method="Exact",
+                                   GatherForExact=1)),
+    "exact line": ("torus", dict(WaypointPositions=ON_TORUS, Method="Exact", GatherForExact=1, **LINE)),
+    "exact nearest": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 9),
+                                    StartPositions=cases.points_on("bunny", 20)[27:], Method="Exact", GatherForExact=1)),
+    "exact no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5, 2.3, 0.7, 5],
+                                     Method="Exact", GatherForExact=1)),
     "no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5, 2.3, 0.7, 5])),
 }
 
@@ -96,7 +108,7 @@ def check(name, cut, source, options):
     result = found(source, options)
     file = os.path.join(FOLDER, f"{name}.path.npz")
     assert ("No path over the surface leads from waypoint 1 to waypoint 2." in result["messages"]) == (
-        name == "no route"), (name, cut, result["messages"])
+        name.endswith("no route")), (name, cut, result["messages"])
     if harness.RANKS == 1:
         np.savez(file, **result)
         if name == "line":
@@ -105,8 +117,10 @@ def check(name, cut, source, options):
     with np.load(file) as stored:
         reference = dict(stored)
     total = float(reference["total"])
-    assert abs(result["total"] - total) <= 1e-9 * total, (name, cut, result["total"], total)
-    if harness.IS_FIRST:
+    # What Bounded merges depends on the order of the triangles, within what it promises.
+    tolerance = 1e-3 if name == "bounded" else 1e-9
+    assert abs(result["total"] - total) <= tolerance * total, (name, cut, result["total"], total)
+    if harness.IS_FIRST and name != "bounded":
         compare(name, cut, result, reference, PATHS[name][0])
 
 

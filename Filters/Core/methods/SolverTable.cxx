@@ -185,8 +185,9 @@ void checkServes(
   check(
     demands.isOnSeveralRanks, "a surface on several ranks",
     [](const SolverTraits& s) { return s.ranks != RankSupport::None; },
-    " Or bring the surface to one rank: by GatherForExact of Geodesic Distance, or before by "
-    "Aggregate Dataset.");
+    " Or bring the surface to one rank: by GatherForExact of Geodesic Distance and Geodesic Path, "
+    "or "
+    "before by Aggregate Dataset.");
 }
 
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "algorithm/DistributedPathFinder.h"
 
+#include "algorithm/WholeSurface.h"
 #include "gather/GatheredSurface.h"
 #include "global/GlobalSeeds.h"
 #include "pieces/DistributedSurface.h"
@@ -103,13 +104,27 @@ DistributedPathFinder::DistributedPathFinder(
     this->Whole.emplace(request.solver, localPoints(this->Ends), request.options, request.style);
     return;
   }
+  this->InputCutter.emplace(request.surface.divided(), SolveOptions());
+  if (request.whole)
+  {
+    if (const auto& corridor = request.whole->corridor())
+    {
+      SolveOptions options = corridor->options();
+      options.onProgress = request.options.onProgress;
+      options.memoryLimit = request.options.memoryLimit;
+      options.tolerance = request.options.tolerance;
+      this->OnWhole.emplace(
+        request.whole->solver(), corridor->pointsOf(this->Ends), options, request.style);
+      this->LargestCorridor = corridor->mesh().numberOfPoints();
+    }
+    return;
+  }
   this->HasCost = request.ranks.isAny(!request.options.cost.empty());
   if (request.style.order == PathOrder::Vertices && !this->HasCost && request.solver.crossesFaces())
   {
     this->EdgeSolver = std::make_unique<DijkstraSolver>(request.mesh.sharedMesh());
   }
   this->Cutter.emplace(request.mesh, request.options);
-  this->InputCutter.emplace(request.surface.divided(), SolveOptions());
 }
 
 bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
@@ -152,15 +167,18 @@ std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& sta
     [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
     {
       const SurfacePoint local = corridor->pointsOf({ &start, 1 }).front();
-      auto path = finder.march({ &local, 1 }) ? finder.pathFrom(local) : std::nullopt;
+      const bool isMarched = this->OnWhole || finder.march({ &local, 1 });
+      auto path = isMarched ? finder.pathFrom(local) : std::nullopt;
       if (!path)
       {
         return NoIndex;
       }
       traced.cost = finder.cost();
+      traced.isProvenShortest = finder.isProvenShortest();
       this->takeToInput(*path, *corridor, traced);
       return finder.seedAtEnd(*path);
     });
+  traced.isProvenShortest = this->Request.ranks.isAny(traced.isProvenShortest);
   return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
 }
 
@@ -182,7 +200,7 @@ std::optional<TracedPath> DistributedPathFinder::pathAlongEdgesFrom(const Global
   }
   const PathRequest& own = this->Request;
   const PathRequest request{ own.ranks, own.surface, own.gathered, own.split, own.mesh,
-    *this->EdgeSolver, own.options, own.style, own.input };
+    *this->EdgeSolver, own.options, own.style, own.input, nullptr };
   DistributedPathFinder finder(request, { this->Ends[end] });
   auto traced = finder.march({ &start, 1 }) ? finder.pathFrom(start) : std::nullopt;
   if (traced)
@@ -207,6 +225,10 @@ Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, con
 
 Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
 {
+  if (this->OnWhole)
+  {
+    return action(*this->OnWhole, this->Request.whole->corridor());
+  }
   if (!this->FirstCorridor)
   {
     Corridor first;

@@ -29,6 +29,7 @@ namespace geodesic::distributed
 {
 
 class GatheredSurface;
+class WholeSurface;
 
 /** The surface and the options of a search for paths. Each rank gives those of its piece. */
 struct PathRequest
@@ -50,6 +51,8 @@ struct PathRequest
   PathStyle style;
   /** This rank's piece with the attributes of the input. */
   const bridge::PathAttributes& input;
+  /** If there are several ranks and the method needs the surface in one piece; otherwise null. */
+  const WholeSurface* whole = nullptr;
 };
 
 /** A path to one of the end points. */
@@ -79,6 +82,9 @@ struct TracedPath
  * IncompleteRing), all ranks send their triangles in a ball there, and the search begins again. The
  * other ranks follow the first rank's orders until it is done. So the first rank holds its piece
  * and O(length of the path) triangles, however the surface was cut into pieces.
+ *
+ * Methods that need the surface in one piece work on a WholeSurface instead of a corridor, on the
+ * first rank alone.
  *
  * A shortest path along edges can lie far from where a field that crosses faces is least, and a
  * corridor with all places where it may lie would be as wide as long. So its field is solved along
@@ -160,6 +166,8 @@ private:
   std::vector<GlobalPoint> Ends;
   /** The path finder on the whole surface, if there is only one rank. */
   std::optional<PathFinder> Whole;
+  /** The path finder on the request's whole surface, on the first rank. */
+  std::optional<PathFinder> OnWhole;
   /** For paths along edges where request.solver crosses faces; otherwise null. */
   std::unique_ptr<DijkstraSolver> EdgeSolver;
   DistributedSolver Partition;

@@ -39,7 +39,7 @@ PathRequest PathSearches::withSolver(DistanceSolver& solver) const
 {
   const PathRequest& own = this->Request;
   return { own.ranks, own.surface, own.gathered, own.split, own.mesh, solver, own.options,
-    own.style, own.input };
+    own.style, own.input, own.whole };
 }
 
 std::vector<bool> PathSearches::run(std::size_t count, const Search& search)
