@@ -369,8 +369,7 @@ void vtkSurfaceGeodesicDistance::CheckUnreachedValue() const
 //------------------------------------------------------------------------------
 bool vtkSurfaceGeodesicDistance::Gathers(const geodesic::distributed::RankGroup& ranks) const
 {
-  return this->GatherForExact && ranks.size() > 1 &&
-    this->GetSolver().ranks == geodesic::RankSupport::None;
+  return this->GatherForExact && this->NeedsOneOf(ranks);
 }
 
 //------------------------------------------------------------------------------

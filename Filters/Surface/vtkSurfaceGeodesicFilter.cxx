@@ -257,6 +257,12 @@ const geodesic::SolverTraits& vtkSurfaceGeodesicFilter::GetSolver() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkSurfaceGeodesicFilter::NeedsOneOf(const geodesic::distributed::RankGroup& ranks) const
+{
+  return ranks.size() > 1 && this->GetSolver().ranks == geodesic::RankSupport::None;
+}
+
+//------------------------------------------------------------------------------
 double vtkSurfaceGeodesicFilter::GetCheckedTolerance() const
 {
   if (!(this->Tolerance > 0.0))

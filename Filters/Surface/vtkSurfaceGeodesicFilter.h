@@ -225,6 +225,8 @@ protected:
     geodesic::distributed::RankGroup& ranks, const geodesic::bridge::InputBlocks& blocks) const;
   /** What the solver that Method chooses can do, and how it is made. */
   const geodesic::SolverTraits& GetSolver() const;
+  /** Whether the method that Method chooses can't work on these ranks together. */
+  bool NeedsOneOf(const geodesic::distributed::RankGroup& ranks) const;
   /** Tolerance. Throws if it is none. */
   double GetCheckedTolerance() const;
   /** MemoryLimit in bytes. Throws if it is no limit. */

@@ -26,6 +26,7 @@
 #include "mesh/TriangleMesh.h"
 #include "methods/SolverTable.h"
 #include "methods/SolverTeam.h"
+#include "output/MissingSegments.h"
 #include "output/PathAttributes.h"
 #include "output/PathOutput.h"
 #include "output/SegmentMeasures.h"
@@ -288,7 +289,11 @@ void vtkSurfaceGeodesicPath::Compute(geodesic::distributed::RankGroup& ranks,
           internal.Solved->options(), this->Gathers(ranks) ? 1 : ranks.size()));
     });
   internal.Solvers.prepare(method, mesh, this->GetThreadsOfRun(ranks));
-  if (this->Gathers(ranks) && ranks.isAny(!internal.Whole))
+  if (!this->Gathers(ranks))
+  {
+    internal.Whole.reset();
+  }
+  else if (ranks.isAny(!internal.Whole))
   {
     internal.Whole = std::make_unique<const geodesic::distributed::WholeSurface>(
       ranks, internal.Lined.divided(), internal.Solved->options(), method);
@@ -342,14 +347,13 @@ geodesic::distributed::PathRequest vtkSurfaceGeodesicPath::MakeRequest(const Run
   options.tolerance = this->GetCheckedTolerance();
   return { run.ranks, *internal.Surface, internal.Lined.gathered(), internal.Lined.split(),
     internal.Lined.divided(), internal.Solvers.first(), options, internal.Style, run.input,
-    this->Gathers(run.ranks) ? internal.Whole.get() : nullptr };
+    internal.Whole.get() };
 }
 
 //------------------------------------------------------------------------------
 bool vtkSurfaceGeodesicPath::Gathers(const geodesic::distributed::RankGroup& ranks) const
 {
-  return this->GatherForExact && ranks.size() > 1 &&
-    this->GetSolver().ranks == geodesic::RankSupport::None;
+  return this->GatherForExact && this->NeedsOneOf(ranks);
 }
 
 //------------------------------------------------------------------------------
@@ -501,26 +505,10 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceToNear
 void vtkSurfaceGeodesicPath::ReportMissing(
   const std::vector<std::string>& missing, std::size_t segments)
 {
-  if (missing.empty())
+  if (!missing.empty())
   {
-    return;
+    this->Report(geodesic::bridge::messageOfMissing(missing, segments));
   }
-  constexpr std::size_t mostNamed = 5;
-  std::string names = missing.front();
-  for (std::size_t i = 1; i < std::min(missing.size(), mostNamed); ++i)
-  {
-    names += ", or " + missing[i];
-  }
-  if (missing.size() > mostNamed)
-  {
-    names += ", nor for " + std::to_string(missing.size() - mostNamed) + " segments more";
-  }
-  const std::size_t found = segments - missing.size();
-  this->Report("No path over the surface leads " + names + ". " +
-    (found == 0 ? "So there is no segment"
-                : "The other " + std::to_string(found) + " of " + std::to_string(segments) +
-          " segments are in the output") +
-    ". Connect the parts of the surface, remove a part of the barriers, or move the points.");
 }
 
 //------------------------------------------------------------------------------

@@ -286,6 +286,7 @@ TEST(ManySeeds, AnEdgeOfManySheetsPassesOnTheNearest)
     return static_cast<double>(stepsOf(solver, seedsOn(*larger)));
   };
   const double steps = stepsOn(5000);
+  // 4.0 times; 5.6 times on one number at a time. If each value went into each sheet: 16 times.
   EXPECT_LT(stepsOn(20000), 6.0 * steps);
 }
 

@@ -186,8 +186,7 @@ void checkServes(
     demands.isOnSeveralRanks, "a surface on several ranks",
     [](const SolverTraits& s) { return s.ranks != RankSupport::None; },
     " Or bring the surface to one rank: by GatherForExact of Geodesic Distance and Geodesic Path, "
-    "or "
-    "before by Aggregate Dataset.");
+    "or before by Aggregate Dataset.");
 }
 
 }
