@@ -35,6 +35,8 @@ namespace
 {
 
 constexpr Index Sources = 3;
+/** Of errors: on a surface one source in several has a shadow behind a saddle, and others have none. */
+constexpr Index ErrorSources = 8;
 constexpr double Mega = 1e6;
 constexpr double Giga = 1e9;
 
@@ -141,10 +143,12 @@ void error(const CaseArguments& arguments)
     const auto mesh = meshOf(surface);
     const auto solver = solverOfName(arguments.word(2)).make(mesh);
     const auto exact = solverOfName("Exact").make(mesh);
+    double sumOfMeans = 0.0;
+    double sources = 0.0;
     std::mt19937 random(1);
     // Points that no triangle has are no vertices of the mesh.
     for (const Index source :
-      randomVertices(*mesh, arguments.word(3) == "CGAL" ? 1 : Sources, random))
+      randomVertices(*mesh, arguments.word(3) == "CGAL" ? 1 : ErrorSources, random))
     {
       const Seed seed = seedOf(*mesh, source);
       std::vector<double> truth;
@@ -183,8 +187,10 @@ void error(const CaseArguments& arguments)
           sum += std::abs(off) / largest;
         }
       }
-      mean = std::max(mean, sum / static_cast<double>(truth.size()));
+      sumOfMeans += sum / static_cast<double>(truth.size());
+      ++sources;
     }
+    mean = std::max(mean, sumOfMeans / sources);
     print("points", mesh->numberOfVertices());
   }
   print("largest", ofLargest);
