@@ -68,15 +68,14 @@ struct Window
     const double height = this->y + depth;
     return height > 0.0 ? this->x + (px - this->x) * (this->y / height) : this->x;
   }
-  /** The same window, measured from the other end of the edge. */
-  Window turned(double length) const
+  /** Measures all from the other end of the edge. */
+  void turn(double length)
   {
-    Window other = *this;
-    other.first = length - this->last;
-    other.last = length - this->first;
-    other.x = this->isStraight ? -this->x : length - this->x;
-    other.offset = this->isStraight ? this->offset + this->x * length : this->offset;
-    return other;
+    const double from = length - this->last;
+    this->last = length - this->first;
+    this->first = from;
+    this->offset = this->isStraight ? this->offset + this->x * length : this->offset;
+    this->x = this->isStraight ? -this->x : length - this->x;
   }
 };
 static_assert(sizeof(Window) == 48);

@@ -65,8 +65,10 @@ double WindowFront::shortestToGoal(const Window& window, const PlanePoint& goal)
   return window.distanceAt(place) + this->Limit.goal().leftOf(std::hypot(goal.x - place, goal.y));
 }
 
-void WindowFront::offer(const Target& target, Window window)
+void WindowFront::cutOffered(const Target& target)
 {
+  // It is changed where it lies: to copy what was just written in parts would wait for these.
+  Window& window = this->Offered.back();
   const double margin =
     Margin * (std::abs(window.offset) + std::abs(window.x) + window.y + target.length);
   const double lower = target.atLower - window.offset + margin;
@@ -75,6 +77,7 @@ void WindowFront::offer(const Target& target, Window window)
   if (isLineLonger(window, window.last, lower + window.last) ||
     isLineLonger(window, window.first, higher + (length - window.first)))
   {
+    this->Offered.pop_back();
     return;
   }
   if (isLineLonger(window, window.first, lower + window.first))
@@ -90,6 +93,7 @@ void WindowFront::offer(const Target& target, Window window)
   const double least = window.leastDistance();
   if (!(window.first < window.last) || least > this->Limit.value())
   {
+    this->Offered.pop_back();
     return;
   }
   double key = least;
@@ -98,11 +102,11 @@ void WindowFront::offer(const Target& target, Window window)
     const double shortest = this->shortestToGoal(window, target.goal);
     if (shortest > this->Limit.value())
     {
+      this->Offered.pop_back();
       return;
     }
     key += PartOfOrder * std::max(shortest - least, 0.0);
   }
-  this->Offered.push_back(window);
   this->LeastKey = std::min(this->LeastKey, key);
 }
 
@@ -175,10 +179,7 @@ void WindowFront::waitAt(Index halfEdge)
   }
   WindowWorkspace::Waiting& waiting = this->Work.waiting[place];
   const std::size_t before = waiting.list.bytes();
-  for (const Window& window : this->Offered)
-  {
-    waiting.list.insert(window);
-  }
+  waiting.list.insertAll(this->Offered);
   this->Work.bytes += waiting.list.bytes() - before;
   if (isFirst || this->LeastKey < waiting.key)
   {
@@ -268,7 +269,7 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
     {
       return;
     }
-    Window next = w;
+    Window& next = this->Offered.emplace_back(w);
     next.first = from;
     next.last = to;
     next.x = sourceX * alongX - w.y * alongY;
@@ -281,7 +282,11 @@ void WindowFront::crossTo(const LaidTriangle& laid, std::span<const Window> wind
       next.y /= size;
       next.offset = isLower ? w.offset : w.offset + w.x * laid.length;
     }
-    this->offer(target, isTurned ? next.turned(length) : next);
+    if (isTurned)
+    {
+      next.turn(length);
+    }
+    this->cutOffered(target);
   };
   const auto passAny = [&](std::size_t i)
   {

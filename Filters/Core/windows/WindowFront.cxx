@@ -117,7 +117,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   this->Work.queue.start(bucketWidth(mesh, seeds), 4.0 * mesh.longestEdgeLength());
   this->findTurnsAtBarriers();
   this->Work.starts.set(mesh, edges, options.pathStarts);
-  this->Work.arrivals.resize(options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
+  this->Work.arrivals.resize(merging && options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
   this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
   this->Work.bytes -= this->Work.kept.bytes();
   this->Work.kept.start(mesh.numberOfTriangles(), merging && !options.pathStarts.empty());
@@ -182,6 +182,13 @@ void WindowFront::sendFrom(Index vertex)
         Arrival::fromVertex(vertex), excess);
     }
   }
+  const bool isSectorKnown = this->findSector(vertex);
+  const auto send = [&](const TurnSector::Part& part)
+  {
+    const Triangle& corners = this->Mesh.triangle(part.triangle);
+    const Index k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+    this->sendThrough(3 * part.triangle + k, position, distance, seed, excess, part);
+  };
   for (const Index t : this->Edges.trianglesAt(vertex))
   {
     if (!this->Passable.isClosed(t))
@@ -193,15 +200,24 @@ void WindowFront::sendFrom(Index vertex)
             Arrival::fromVertex(vertex));
         });
     }
-    if (!this->Passable.contains(t) || this->Edges.isRepeated(t))
+    if (!isSectorKnown && this->Passable.contains(t) && !this->Edges.isRepeated(t))
     {
-      continue;
+      send({ t });
     }
-    const Triangle& corners = this->Mesh.triangle(t);
-    const Index k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-    this->sendThrough(3 * t + k, position, distance, seed, excess);
+  }
+  if (isSectorKnown)
+  {
+    std::ranges::for_each(this->Sector.parts(), send);
   }
   this->Crossed += ring.size();
+}
+
+bool WindowFront::findSector(Index vertex)
+{
+  // Windows that were merged do not tell from where the shortest path comes.
+  return !this->Merging && (this->Turning.empty() || !this->Turning[vertex]) &&
+    this->Sector.find(
+      this->Mesh, this->Edges, vertex, this->Work.arrivals[vertex], this->Field.distance(vertex));
 }
 
 void WindowFront::reach(

@@ -17,6 +17,7 @@
 #include "windows/Junctions.h"
 #include "windows/KeptWindows.h"
 #include "windows/PathStarts.h"
+#include "windows/TurnSector.h"
 #include "windows/WindowList.h"
 
 #include <array>
@@ -58,8 +59,8 @@ struct WindowWorkspace
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;
   /** For each vertex how the shortest path comes there; with windows that were merged, a path no
-   * longer than its distance and excess. Kept only if there are points from which paths are wanted,
-   * and undefined where nothing has come. */
+   * longer than its distance and excess, and only if there are points from which paths are wanted.
+   * Undefined where nothing has come. */
   BulkVector<Arrival> arrivals;
   /** If paths are wanted and windows were merged, all that have crossed a triangle. */
   KeptWindows kept;
@@ -172,17 +173,20 @@ private:
   void reachApex(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
   /** Lets windows go on to the side from the triangle's lower or its higher corner to its apex. */
   void crossTo(const LaidTriangle& laid, std::span<const Window> windows, bool isLower);
-  /** Sends straight lines from a point of a triangle through the edge of a half-edge. */
-  void sendThrough(
-    Index halfEdge, const Vector3& from, double distance, Index seed, float excess = 0.0F);
+  /** Sends straight lines from a point of a triangle through the edge of a half-edge, or of a
+   * vertex through a part of it. */
+  void sendThrough(Index halfEdge, const Vector3& from, double distance, Index seed,
+    float excess = 0.0F, const TurnSector::Part& part = {});
   /** Sends a straight front from a line of a triangle, from @p a to @p b, through the edge of a
    * half-edge. */
   void sendStraight(Index halfEdge, const Vector3& a, const Vector3& b, double value, Index seed);
-  /** Sends paths from a vertex through all triangles round it, and along edges. */
+  /** Sends paths from a vertex through triangles round it, and along edges. */
   void sendFrom(Index vertex);
-  /** Cuts off a window what a path by the ends of its edge can reach on a shorter path, and puts
-   * what is left to those that are offered to the edge. */
-  void offer(const Target& target, Window window);
+  /** Finds where shortest paths go on from a vertex; false if that may be anywhere. */
+  bool findSector(Index vertex);
+  /** Cuts off the window offered last what a path by the ends of its edge can reach on a shorter
+   * path; withdraws it if nothing is left, or nothing that the run needs. */
+  void cutOffered(const Target& target);
   /** Lets the windows that were offered to an edge wait to cross its other triangle, or at the
    * junction of its triangles. */
   void letOfferedWait(Index halfEdge);
@@ -230,6 +234,7 @@ private:
   /** The windows that are offered to an edge, and their least key. */
   std::vector<Window> Offered;
   double LeastKey = DistanceField::Unreached;
+  TurnSector Sector;
   /** Those that pass a junction. */
   std::vector<Junctions::Coming> Passing;
   std::size_t MostBytes;

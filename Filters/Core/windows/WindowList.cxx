@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 
 namespace geodesic
 {
@@ -16,6 +17,10 @@ namespace
  * there. Of equal ones the first stays. Of the distance itself it would be nothing beside a seed:
  * where sheets lie on each other, rounding would then cut windows into ever more. */
 constexpr double LeastWin = 1e-14;
+
+/** Windows that are no farther from each other, in parts of their distance from the edge's lower
+ * end, touch. */
+constexpr double Gap = 1e-13;
 
 /** Whether the same straight lines make two windows, except for rounding. */
 bool haveOneSource(const Window& a, const Window& b)
@@ -203,22 +208,53 @@ void divide(const Window& present, const Window& added, double first, double las
   }
 }
 
+/** The place from which a window is nearer than one that begins before it and ends within it, if
+ * there is only one such place. */
+std::optional<double> takeOver(const Window& present, const Window& window)
+{
+  if (present.offset == window.offset && window.x > present.x && !present.isStraight &&
+    !window.isStraight)
+  {
+    // The difference of the squared lengths is linear along the edge.
+    const double apart = window.x - present.x;
+    const double atOrigin =
+      apart * (window.x + present.x) + (window.y - present.y) * (window.y + present.y);
+    const double place = 0.5 * atOrigin / apart;
+    return place > window.first && place < present.last ? std::optional(place) : std::nullopt;
+  }
+  const Contest contest(present, window);
+  const bool winsAtFirst = contest.wins(window.first);
+  const bool winsAtLast = contest.wins(present.last);
+  const double turn = turningPoint(present, window);
+  // Else the windows may change places twice.
+  if (winsAtFirst
+      ? present.first == window.first || !winsAtLast || (turn > window.first && turn < present.last)
+      : !winsAtLast && turn > window.first && turn < present.last)
+  {
+    return std::nullopt;
+  }
+  // Where each wins at its own end, they change places once.
+  return winsAtFirst ? window.first
+    : winsAtLast     ? contest.crossing(window.first, present.last)
+                     : present.last;
 }
 
-void WindowList::append(std::vector<Window>& windows, const Window& window)
+}
+
+void WindowList::append(const Window& window, double first)
 {
-  if (!windows.empty() && haveOneSource(windows.back(), window))
+  if (!this->Windows.empty() && haveOneSource(this->Windows.back(), window))
   {
-    constexpr double gap = 1e-13;
-    Window& last = windows.back();
-    if (window.first - last.last <= gap * window.last)
+    Window& last = this->Windows.back();
+    if (first - last.last <= Gap * window.last)
     {
       last.last = window.last;
       last.excess = std::max(last.excess, window.excess);
       return;
     }
   }
-  windows.push_back(window);
+  this->Windows.push_back(window);
+  this->Windows.back().first = first;
 }
 
 bool WindowList::insertBehind(const Window& window)
@@ -228,48 +264,44 @@ bool WindowList::insertBehind(const Window& window)
   {
     return false;
   }
-  Window added = window;
-  constexpr double gap = 1e-13;
-  if (present.last - window.first <= gap * window.last)
+  if (present.last - window.first <= Gap * window.last)
   {
-    added.first = present.last;
-    append(this->Windows, added);
+    this->append(window, present.last);
     return true;
   }
-  if (present.offset == window.offset && window.x > present.x && !present.isStraight &&
-    !window.isStraight)
+  const std::optional<double> place = takeOver(present, window);
+  if (place)
   {
-    // The difference of the squared lengths is linear along the edge.
-    const double apart = window.x - present.x;
-    const double atOrigin =
-      apart * (window.x + present.x) + (window.y - present.y) * (window.y + present.y);
-    added.first = 0.5 * atOrigin / apart;
-    if (!(added.first > window.first && added.first < present.last))
-    {
-      return false;
-    }
+    present.last = *place;
+    this->Windows.push_back(window);
+    this->Windows.back().first = *place;
   }
-  else
+  return place.has_value();
+}
+
+void WindowList::insertAll(std::span<const Window> windows)
+{
+  static thread_local std::vector<Window> present;
+  present.clear();
+  const bool isBehind =
+    this->Windows.empty() || windows.empty() || this->Windows.back().first <= windows.front().first;
+  if (!isBehind)
   {
-    const Contest contest(present, window);
-    const bool winsAtFirst = contest.wins(window.first);
-    const bool winsAtLast = contest.wins(present.last);
-    const double turn = turningPoint(present, window);
-    // Else the windows may change places twice.
-    if (winsAtFirst ? present.first == window.first || !winsAtLast ||
-          (turn > window.first && turn < present.last)
-                    : !winsAtLast && turn > window.first && turn < present.last)
-    {
-      return false;
-    }
-    // Where each wins at its own end, they change places once.
-    added.first = winsAtFirst ? window.first
-      : winsAtLast            ? contest.crossing(window.first, present.last)
-                              : present.last;
+    this->Windows.swap(present);
   }
-  present.last = added.first;
-  this->Windows.push_back(added);
-  return true;
+  auto next = present.begin();
+  for (const Window& window : windows)
+  {
+    for (; next != present.end() && next->first <= window.first; ++next)
+    {
+      this->insert(*next);
+    }
+    this->insert(window);
+  }
+  for (; next != present.end(); ++next)
+  {
+    this->insert(*next);
+  }
 }
 
 void WindowList::appendNearer(const Window& window, std::vector<Window>& parts) const

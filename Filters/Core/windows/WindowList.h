@@ -33,13 +33,17 @@ public:
   {
     if (this->Windows.empty() || this->Windows.back().last <= window.first)
     {
-      append(this->Windows, window);
+      this->append(window, window.first);
     }
     else if (!this->insertBehind(window))
     {
       this->insertAmong(window);
     }
   }
+
+  /** Adds windows, one after the other on the edge, each as insert(). Those that come from the
+   * triangle's other side may lie before all that wait here: both are gone through once. */
+  void insertAll(std::span<const Window> windows);
 
   /** Appends those parts of a window that are nearer than what this list has there. */
   void appendNearer(const Window& window, std::vector<Window>& parts) const;
@@ -48,8 +52,9 @@ public:
   void swap(WindowList& other) { this->Windows.swap(other.Windows); }
 
 private:
-  /** Adds a window behind the others, or makes the last one longer if that has the same source. */
-  static void append(std::vector<Window>& windows, const Window& window);
+  /** Adds a window, from a place on, behind the others, or makes the last one longer if that has
+   * the same source and touches it. */
+  void append(const Window& window, double first);
   /** Divides the end of the last window and the beginning of another one between them, if each is
    * nearer at its own end. That is what happens most often on curved surfaces, where parts of a
    * front meet behind a vertex. @return false if it is not so, and nothing is changed */

@@ -153,14 +153,14 @@ void WindowFront::sendStraight(
   if (first < last)
   {
     const double offset = value + y * from.y - x * from.x;
-    this->offer(this->targetOf(halfEdge, laid.lower, laid.higher, laid.length),
-      { first, last, x, y, offset, seed, true });
+    this->Offered.push_back({ first, last, x, y, offset, seed, true });
+    this->cutOffered(this->targetOf(halfEdge, laid.lower, laid.higher, laid.length));
     this->letOfferedWait(halfEdge);
   }
 }
 
-void WindowFront::sendThrough(
-  Index halfEdge, const Vector3& from, double distance, Index seed, float excess)
+void WindowFront::sendThrough(Index halfEdge, const Vector3& from, double distance, Index seed,
+  float excess, const TurnSector::Part& part)
 {
   if (!this->leadsOn(halfEdge))
   {
@@ -172,8 +172,12 @@ void WindowFront::sendThrough(
     return;
   }
   const PlanePoint source = placeBeside(this->Mesh, laid.lower, laid.higher, laid.length, from);
-  const Target target = this->targetOf(halfEdge, laid.lower, laid.higher, laid.length);
-  this->offer(target, { 0.0, laid.length, source.x, source.y, distance, seed, false, excess });
+  const auto [first, last] = part.litOf(laid, source);
+  if (first < last)
+  {
+    this->Offered.push_back({ first, last, source.x, source.y, distance, seed, false, excess });
+    this->cutOffered(this->targetOf(halfEdge, laid.lower, laid.higher, laid.length));
+  }
   this->letOfferedWait(halfEdge);
 }
 
