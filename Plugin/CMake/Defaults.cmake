@@ -26,8 +26,8 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR
 # Linked PRIVATE by our own targets, so that the generated wrapping code is compiled without it.
 add_library(geodesics_warnings INTERFACE)
 # GCC takes sources that a unity build includes for headers.
-if (CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(wrong_if_united -Wno-subobject-linkage)
+if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(wrong_if_united $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-subobject-linkage>)
 endif ()
 target_compile_options(geodesics_warnings INTERFACE
   -Wall -Wextra ${wrong_warnings} ${wrong_if_united}

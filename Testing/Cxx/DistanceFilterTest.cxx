@@ -16,8 +16,8 @@ using namespace geodesic::testing;
 namespace
 {
 
-constexpr int Side = 12;
-constexpr vtkIdType Middle = 6 * (Side + 1) + 6;
+constexpr int SideOfSquare = 12;
+constexpr vtkIdType Middle = 6 * (SideOfSquare + 1) + 6;
 
 class DistanceFilter : public ::testing::Test
 {
@@ -37,7 +37,7 @@ protected:
 
   double truth(vtkIdType point) { return distanceBetween(this->Input, point, Middle); }
 
-  const vtkSmartPointer<vtkPolyData> Input = square(Side);
+  const vtkSmartPointer<vtkPolyData> Input = square(SideOfSquare);
   vtkNew<vtkFastMarchingGeodesicDistance> Filter;
 };
 
@@ -144,15 +144,15 @@ TEST_F(DistanceFilter, StopsCombine)
 TEST_F(DistanceFilter, ExcludedPointsConfineTheFront)
 {
   auto column = vtkSmartPointer<vtkIdList>::New();
-  for (int j = 0; j <= Side; ++j)
+  for (int j = 0; j <= SideOfSquare; ++j)
   {
-    column->InsertNextId(j * (Side + 1) + 8);
+    column->InsertNextId(j * (SideOfSquare + 1) + 8);
   }
   this->Filter->SetExclusionPointIds(column);
   vtkDataArray* d = this->run();
   for (vtkIdType i = 0; i < d->GetNumberOfTuples(); ++i)
   {
-    const bool isReached = i % (Side + 1) < 8;
+    const bool isReached = i % (SideOfSquare + 1) < 8;
     EXPECT_NEAR(d->GetComponent(i, 0), isReached ? this->truth(i) : -1.0, 1e-9);
   }
 }
