@@ -22,7 +22,7 @@ Walls wallsOf(const LinedSurface& surface)
 }
 
 /** What a rank sends to the first one: one value for each region, shared vertex, and so on. */
-struct Part
+struct GraphPart
 {
   enum class Kind
   {
@@ -95,23 +95,24 @@ RankGroup::Message partsOf(const CurveSides& sides, const SharedVertices& shared
   for (Index region = 0; region < graph.regions.size(); ++region)
   {
     append(message,
-      Part{ Part::Kind::Region, region, NoIndex, {}, {}, graph.regions[region].area,
+      GraphPart{ GraphPart::Kind::Region, region, NoIndex, {}, {}, graph.regions[region].area,
         graph.regions[region].border });
   }
   for (const auto& [a, b] : graph.links)
   {
-    append(message, Part{ Part::Kind::Link, a, b, {}, {}, 0.0, 0.0 });
+    append(message, GraphPart{ GraphPart::Kind::Link, a, b, {}, {}, 0.0, 0.0 });
   }
   for (const auto& [vertex, region] : sides.sharedRegions())
   {
     append(message,
-      Part{ Part::Kind::AtVertex, region, NoIndex, shared.globalOf(vertex), {}, 0.0, 0.0 });
+      GraphPart{
+        GraphPart::Kind::AtVertex, region, NoIndex, shared.globalOf(vertex), {}, 0.0, 0.0 });
   }
   for (const CurveSides::BorderEdge& edge : sides.sharedBorder())
   {
     append(message,
-      Part{ Part::Kind::BorderEdge, edge.region, NoIndex, shared.globalOf(edge.ends.first),
-        shared.globalOf(edge.ends.second), 0.0, edge.length });
+      GraphPart{ GraphPart::Kind::BorderEdge, edge.region, NoIndex,
+        shared.globalOf(edge.ends.first), shared.globalOf(edge.ends.second), 0.0, edge.length });
   }
   return message;
 }
@@ -126,7 +127,7 @@ public:
     for (int rank = 0; rank < static_cast<int>(messages.size()); ++rank)
     {
       const auto first = static_cast<Index>(this->Graph.regions.size());
-      for (const Part& part : valuesIn<Part>(messages[rank]))
+      for (const GraphPart& part : valuesIn<GraphPart>(messages[rank]))
       {
         this->add(part, rank, first);
       }
@@ -142,20 +143,20 @@ public:
 private:
   using Edge = std::pair<GlobalVertex, GlobalVertex>;
 
-  void add(const Part& part, int rank, Index first)
+  void add(const GraphPart& part, int rank, Index first)
   {
     switch (part.kind)
     {
-      case Part::Kind::Region:
+      case GraphPart::Kind::Region:
         this->Graph.regions.push_back({ part.area, part.length });
         break;
-      case Part::Kind::Link:
+      case GraphPart::Kind::Link:
         this->Graph.links.emplace_back(first + part.region, first + part.other);
         break;
-      case Part::Kind::AtVertex:
+      case GraphPart::Kind::AtVertex:
         this->AtVertices.push_back({ part.first, rank, first + part.region, 0.0 });
         break;
-      case Part::Kind::BorderEdge:
+      case GraphPart::Kind::BorderEdge:
         this->AtEdges.push_back({ std::minmax(part.first, part.second), rank,
           part.region == NoIndex ? NoIndex : first + part.region, part.length });
         break;

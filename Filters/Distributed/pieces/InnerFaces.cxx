@@ -239,7 +239,7 @@ bool isAnyGone(const std::vector<std::weak_ptr<vtkPolyData>>& surfaces)
 }
 
 /** The result of an earlier run. */
-struct Known
+struct KnownFaces
 {
   bool isExpired() const { return isAnyGone(this->surfaces) || isAnyGone(this->opened); }
 
@@ -263,7 +263,7 @@ Surfaces locked(const std::vector<std::weak_ptr<vtkPolyData>>& surfaces)
 void hideInnerFaces(
   RankGroup& ranks, bridge::InputBlocks& blocks, const bridge::PointIdentity& identity)
 {
-  static RankCache<Known> cache;
+  static RankCache<KnownFaces> cache;
   const Surfaces surfaces = surfacesOf(blocks);
   const bool mayHaveSome = ranks.size() > 1 ? !surfaces.empty() : hasCutBlock(blocks);
   if (identity.by == bridge::PointIdentity::By::Nothing || !ranks.isAny(mayHaveSome))
@@ -271,7 +271,7 @@ void hideInnerFaces(
     return;
   }
   const auto found = cache.find(ranks,
-    [&](const Known& known)
+    [&](const KnownFaces& known)
     { return known.identity == identity && locked(known.surfaces) == surfaces; });
   Surfaces opened = found ? locked(found->opened) : Surfaces();
   const bool isWhole = found && std::find(opened.begin(), opened.end(), nullptr) == opened.end();
