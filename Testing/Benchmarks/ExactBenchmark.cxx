@@ -35,7 +35,8 @@ namespace
 {
 
 constexpr Index Sources = 3;
-/** Of errors: on a surface one source in several has a shadow behind a saddle, and others have none. */
+/** Of errors: on a surface one source in several has a shadow behind a saddle, and others have
+ * none. */
 constexpr Index ErrorSources = 8;
 constexpr double Mega = 1e6;
 constexpr double Giga = 1e9;

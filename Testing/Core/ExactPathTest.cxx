@@ -4,6 +4,7 @@
 // vertices, edges and faces, and so the shortest of all.
 
 #include "ExactDistances.h"
+#include "NastyCases.h"
 #include "PathStyles.h"
 #include "RandomDraws.h"
 #include "RandomMeshes.h"
@@ -203,4 +204,29 @@ TEST(ExactPath, ATriangleIsClosedWhereOneWithTheSameCornersIs)
                 .find("barrier"),
       std::string::npos);
   }
+}
+
+// A strip whose straight border has vertices in a row: whether the line along it leaves a triangle
+// by that border, beyond which nothing is, or by the side that comes from there, is rounding.
+TEST(ExactPath, FollowsVerticesInARow)
+{
+  const NastyCase strip = nastyCase(135583);
+  const TriangleMesh& mesh = *strip.mesh;
+  ExactSolver solver(strip.mesh);
+  ExactSolver ofPath(strip.mesh);
+  const SolveOptions options = strip.options();
+  const DistanceField& field = solver.solve(strip.seeds, options);
+  int compared = 0;
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (field.isReached(vertex))
+    {
+      const auto path = shortestPath(ofPath, mesh.pointAtVertex(vertex), strip.seeds[0].points[0],
+        options, { PathOrder::Edges, true });
+      ASSERT_TRUE(path);
+      EXPECT_NEAR(lengthOf(mesh, *path), field.distance(vertex), 1e-9) << "from " << vertex;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
 }

@@ -95,7 +95,9 @@ bool WindowPath::follow(const Arrival& arrival)
   {
     const Crossing at = this->Open.back();
     this->Open.pop_back();
+    // The points before it are those of the crossing that it was found from.
     this->Path.resize(at.points);
+    this->Path.back() = pointOn(this->Mesh, at.halfEdge, at.place);
     if (this->endsIn(at, arrival.offset))
     {
       return true;
@@ -151,7 +153,19 @@ bool WindowPath::endsIn(const Crossing& at, double offset)
 void WindowPath::cross(const Crossing& at)
 {
   const LaidTriangle laid(this->Mesh, at.halfEdge);
-  const bool isLeft = at.x * laid.y < at.y * (laid.x - at.place);
+  // How far the line passes beside the apex. Where it meets it, or goes along a side, rounding
+  // would tell which side it crosses: then the other one is tried as well, if this one fails.
+  const double beside = at.x * laid.y - at.y * (laid.x - at.place);
+  if (std::abs(beside) <= this->Tolerance)
+  {
+    this->crossTo(at, laid, beside >= 0.0);
+    this->Path.resize(at.points);
+  }
+  this->crossTo(at, laid, beside < 0.0);
+}
+
+void WindowPath::crossTo(const Crossing& at, const LaidTriangle& laid, bool isLeft)
+{
   const Index corner = isLeft ? laid.lower : laid.higher;
   const Index opposite = isLeft ? laid.higher : laid.lower;
   // All is measured from the corner, towards the other one and up.

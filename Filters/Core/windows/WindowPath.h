@@ -18,6 +18,7 @@ namespace geodesic
 class DistanceField;
 class EdgeTable;
 class PassableTriangles;
+struct LaidTriangle;
 class TriangleMesh;
 
 /**
@@ -71,6 +72,8 @@ private:
   bool endsIn(const Crossing& at, double offset);
   /** Takes the line to the edge at which it leaves the triangle that it enters. */
   void cross(const Crossing& at);
+  /** The same to the side of the lower vertex, the left one, or of the higher one. */
+  void crossTo(const Crossing& at, const LaidTriangle& laid, bool isLeft);
   /** Whether a distance on an edge agrees with those at its ends. */
   bool isPossible(const Crossing& at, double offset) const;
 
