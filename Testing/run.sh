@@ -55,24 +55,28 @@ check_includes()
   python3 Testing/Checks/includes.py . || fail "These includes point the wrong way; see Testing/Checks/includes.py"
 }
 
-# The core and its tests by another compiler, and without vector extensions.
-test_other_cores()
+# The core and its tests without vector extensions.
+test_scalar_core()
 {
-  local preset
-  for preset in core-clang core-scalar; do
-    cmake --preset "$preset"
-    cmake --build --preset "$preset" --target CoreTests
-    ctest --preset "$preset" --label-regex '^core$' --parallel "$(nproc)" --output-on-failure
-  done
+  cmake --preset core-scalar
+  cmake --build --preset core-scalar --target CoreTests
+  ctest --preset core-scalar --label-regex '^core$' --parallel "$(nproc)" --output-on-failure
 }
 
-# What is read from outside, and surfaces as nobody should make them, under the address and undefined behaviour
-# sanitizers. The tests of the core can be run there by hand: ctest --preset core-sanitized -L core.
+# The core, what is read from outside, surfaces as nobody should make them, and the VTK classes: by Clang, under the
+# address and undefined behaviour sanitizers. What takes long there can be run by hand: ctest --preset sanitized.
 test_under_sanitizers()
 {
-  cmake --preset core-sanitized
-  cmake --build --preset core-sanitized --target PromiseCampaign RequestFuzzer PointTextFuzzer
-  ctest --preset core-sanitized --label-regex '^fuzz$' --parallel "$(nproc)" --output-on-failure
+  local labels='core|fuzz' targets=(CoreTests PromiseCampaign RequestFuzzer PointTextFuzzer) options=()
+  if has_tool clang++-14; then
+    labels+='|vtk'
+    targets+=(VtkTests)
+    options=(-DSURFACEGEODESICS_BUILD_VTK=ON "-DVTK_DIR=$(sed -n 's/^VTK_DIR:[A-Z]*=//p' "$build/CMakeCache.txt")")
+  fi
+  cmake --preset sanitized "${options[@]}"
+  cmake --build --preset sanitized --target "${targets[@]}"
+  ctest --preset sanitized --label-regex "^($labels)$" --parallel "$(nproc)" --output-on-failure \
+    --exclude-regex "^($(paste --serial --delimiters='|' Testing/Checks/slow_when_sanitized.txt))\$"
 }
 
 # What works on several threads in the core, under the thread sanitizer.
@@ -119,7 +123,7 @@ cmake --preset dev
 cmake --build --preset dev
 check_labels
 if [[ " ${labels[*]} " == *" core "* ]]; then
-  test_other_cores
+  test_scalar_core
   test_under_sanitizers
   test_threads
 fi
