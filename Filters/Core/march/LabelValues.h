@@ -395,6 +395,7 @@ private:
     const SourceFront& before = this->labelOf(state);
     secondary.value = this->value(before, vertex);
     std::swap(state, secondary.state);
+    this->Sets.relabelled(vertex, number, label.number());
     // What was queued is queued again under its new number.
     if (secondary.state.isQueued())
     {

@@ -7,6 +7,8 @@
 #include "solve/DistanceField.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -27,13 +29,14 @@ struct ReferenceValue
   Index next = NoIndex;
 };
 
-/** The values of all labels at all vertices: a linked list for each vertex. Values are numbered in
- * the order in which they are added. */
+/** The values of all labels at all vertices: a linked list for each vertex, and a table of those of
+ * vertices that have many. Values are numbered in the order in which they are added. */
 class ReferenceValues
 {
 public:
   explicit ReferenceValues(Index numberOfVertices)
     : FirstOfVertex(numberOfVertices, NoIndex)
+    , CountOfVertex(numberOfVertices, 0)
   {
   }
 
@@ -44,6 +47,11 @@ public:
   /** The number of a label's value at a vertex; NoIndex if it has none there. */
   Index find(Index vertex, Index label) const
   {
+    if (this->CountOfVertex[vertex] > Many)
+    {
+      const auto found = this->Table.find(keyOf(vertex, label));
+      return found == this->Table.end() ? NoIndex : found->second;
+    }
     Index number = this->FirstOfVertex[vertex];
     while (number != NoIndex && this->Values[number].label != label)
     {
@@ -63,6 +71,10 @@ public:
     added.next = this->FirstOfVertex[vertex];
     this->FirstOfVertex[vertex] = static_cast<Index>(this->Values.size());
     this->Values.push_back(added);
+    if (++this->CountOfVertex[vertex] > Many)
+    {
+      this->enterInTable(vertex);
+    }
     return this->FirstOfVertex[vertex];
   }
 
@@ -84,8 +96,29 @@ public:
   }
 
 private:
+  /** The values of a vertex that has more are looked up in the table. */
+  static constexpr Index Many = 32;
+
+  static std::uint64_t keyOf(Index vertex, Index label)
+  {
+    return std::uint64_t{ vertex } << 32u | label;
+  }
+  /** Enters the last value of a vertex, or all once they have become many. */
+  void enterInTable(Index vertex)
+  {
+    const bool isNew = this->CountOfVertex[vertex] == Many + 1;
+    Index number = this->FirstOfVertex[vertex];
+    do
+    {
+      this->Table.emplace(keyOf(vertex, this->Values[number].label), number);
+      number = this->Values[number].next;
+    } while (isNew && number != NoIndex);
+  }
+
   std::vector<Index> FirstOfVertex;
+  std::vector<Index> CountOfVertex;
   std::vector<ReferenceValue> Values;
+  std::unordered_map<std::uint64_t, Index> Table;
 };
 
 }

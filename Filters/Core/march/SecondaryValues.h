@@ -7,7 +7,10 @@
 #include "base/Platform.h"
 #include "march/VertexState.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,6 +29,9 @@ namespace geodesic
  * first secondary value, which is found without a search: this value is "in place". The others of
  * the vertex are in a linked list, the chain behind it. Secondary values have numbers: one in place
  * has the number of its vertex, the others have numbers behind those.
+ *
+ * Under costs, a vertex may keep a value of each of 10,000 seeds in a face. What is not among the
+ * first values of so long a chain is looked up in a table.
  */
 class SecondaryValues
 {
@@ -48,8 +54,8 @@ public:
     Index Next = NoIndex;
   };
 
-  /** Prepares for a march; to be called before each. Memory 16 bytes a vertex, and 20 for each
-   * value that is not in place. */
+  /** Prepares for a march; to be called before each. Memory 16 bytes a vertex, and 21 for each
+   * value that is not in place; some 60 in long chains. */
   void start(Index numberOfVertices)
   {
     this->InPlace.resize(numberOfVertices);
@@ -65,6 +71,8 @@ public:
   {
     this->Others.clear();
     this->VerticesOfOthers.clear();
+    this->Places.clear();
+    this->OfLongChains.clear();
   }
 
   /** The secondary value in place at a vertex; without a label if it has none. */
@@ -85,8 +93,12 @@ public:
   Index findInChain(Index vertex, Index label) const
   {
     Index number = this->InPlace[vertex].Next;
-    while (number != NoIndex && this->other(number).state.label() != label)
+    for (int i = 0; number != NoIndex && this->other(number).state.label() != label; ++i)
     {
+      if (i == LongChain)
+      {
+        return this->findInLongChain(vertex, label);
+      }
       number = this->other(number).Next;
     }
     return number;
@@ -122,7 +134,26 @@ public:
       this->InPlace[vertex].Next, this->FirstOther + static_cast<Index>(this->Others.size()));
     this->Others.push_back(other);
     this->VerticesOfOthers.push_back(vertex);
+    this->Places.push_back(other.Next == NoIndex
+        ? std::uint8_t{ 0 }
+        : static_cast<std::uint8_t>(
+            std::min(this->Places[other.Next - this->FirstOther] + 1, LongChain + 1)));
+    if (this->Places.back() >= LongChain)
+    {
+      this->noteLongChain(vertex);
+    }
     return this->InPlace[vertex].Next;
+  }
+  /** To be called after a vertex's secondary value got another label. @param before  the label that
+   * it had */
+  void relabelled(Index vertex, Index number, Index before)
+  {
+    if (number >= this->FirstOther &&
+      this->Places[this->InPlace[vertex].Next - this->FirstOther] >= LongChain)
+    {
+      this->OfLongChains.erase(keyOf(vertex, before));
+      this->OfLongChains.emplace(keyOf(vertex, this->other(number).state.label()), number);
+    }
   }
   /** How many values were added to vertices that had one. */
   std::size_t numberOfOthers() const { return this->Others.size(); }
@@ -148,10 +179,35 @@ public:
   }
 
 private:
+  /** As many values of a chain are looked at one by one. */
+  static constexpr std::uint8_t LongChain = 32;
+
   /** A secondary value that is not in place. */
   const SecondaryValue& other(Index number) const
   {
     return this->Others[number - this->FirstOther];
+  }
+
+  static std::uint64_t keyOf(Index vertex, Index label)
+  {
+    return std::uint64_t{ vertex } << 32u | label;
+  }
+  Index findInLongChain(Index vertex, Index label) const
+  {
+    const auto found = this->OfLongChains.find(keyOf(vertex, label));
+    return found == this->OfLongChains.end() ? NoIndex : found->second;
+  }
+  /** Enters the first value of a chain in the table; all of them, once it has become long. */
+  void noteLongChain(Index vertex)
+  {
+    const Index first = this->InPlace[vertex].Next;
+    const bool isNew = this->Places[first - this->FirstOther] == LongChain;
+    Index number = first;
+    do
+    {
+      this->OfLongChains.emplace(keyOf(vertex, this->other(number).state.label()), number);
+      number = this->other(number).Next;
+    } while (isNew && number != NoIndex);
   }
 
   /** One for each vertex. */
@@ -160,6 +216,10 @@ private:
   Index FirstOther = 0;
   std::vector<SecondaryValue> Others;
   std::vector<Index> VerticesOfOthers;
+  /** For each of the others its place in the chain, counted from the end, up to LongChain + 1. */
+  std::vector<std::uint8_t> Places;
+  /** The numbers of all values in long chains. */
+  std::unordered_map<std::uint64_t, Index> OfLongChains;
 };
 
 }
