@@ -484,7 +484,7 @@ TEST(ManySeeds, InOneFaceUnderCostsAreThoseOfTheReference)
       const Index face = below(mesh->numberOfTriangles(), random);
       for (int i = 0; i < 400; ++i)
       {
-        SurfacePoint point = randomPoint(*mesh, random);
+        SurfacePoint point = geodesic::testing::randomPoint(*mesh, random);
         point.triangle = face;
         seeds.push_back(Seed::atPoint(point, between(0.0, 0.01, random)));
       }
