@@ -42,6 +42,13 @@ double angleBetween(const Vector3& a, const Vector3& b)
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
+/** The least height of the triangle between two of its sides, in parts of its longest side. */
+double narrowness(const Vector3& a, const Vector3& b)
+{
+  const Vector3 third = b - a;
+  return norm(cross(a, b)) / std::max({ dot(a, a), dot(b, b), dot(third, third) });
+}
+
 }
 
 EdgeTable::EdgeTable(const TriangleMesh& mesh)
@@ -161,8 +168,11 @@ void EdgeTable::findTurns(const TriangleMesh& mesh)
 {
   // Where the sum is a full turn, it comes out as more or less by rounding. To turn at such a
   // vertex would be right as well, but cost time. On the border a half turn must count: there the
-  // edges themselves are the shortest path.
+  // edges themselves are the shortest path. Between needles, a vertex with an excess that is
+  // nothing for common triangles can hide others.
   constexpr double rounding = 1e-9;
+  constexpr double ofNeedles = 1e-8;
+  constexpr double ofAngle = 1e-15;
   for (Index v = 0; v < mesh.numberOfVertices(); ++v)
   {
     Interruption::checkAt(v);
@@ -170,16 +180,19 @@ void EdgeTable::findTurns(const TriangleMesh& mesh)
     // An edge without length hides an angle.
     bool canTurn = ring.empty() || !isOneFan(ring);
     double sum = 0.0;
+    double narrowest = 1.0;
     for (std::size_t i = 0; i + 1 < ring.size() && !canTurn; ++i)
     {
       const Vector3 side = mesh.position(ring[i].neighbour()) - mesh.position(v);
       const Vector3 next = mesh.position(ring[i + 1].neighbour()) - mesh.position(v);
       canTurn = !(norm(side) > 0.0 && norm(next) > 0.0);
       sum += angleBetween(side, next);
+      narrowest = std::min(narrowest, narrowness(side, next));
     }
     const bool isInside = !ring.empty() && ring.front().neighbour() == ring.back().neighbour();
-    const double straight =
-      isInside ? 2.0 * std::numbers::pi + rounding : std::numbers::pi - rounding;
+    const double spare = std::min(
+      rounding, std::max(ofNeedles * narrowest, ofAngle * static_cast<double>(ring.size())));
+    const double straight = isInside ? 2.0 * std::numbers::pi + spare : std::numbers::pi - rounding;
     this->Turning[v] = canTurn || sum > straight ? 1 : 0;
   }
 }

@@ -18,7 +18,8 @@ namespace
 
 /** By which fraction of the distance another path must be shorter to take the place of a window.
  * It lies above all rounding: a window that is as short as the other path must stay, as nobody else
- * may follow that path further. */
+ * may follow that path further. Where all vertices are turns, they follow it, and the window must
+ * be shorter by as much. */
 constexpr double Margin = 1e-11;
 
 /**
@@ -69,8 +70,10 @@ void WindowFront::cutOffered(const Target& target)
 {
   // It is changed where it lies: to copy what was just written in parts would wait for these.
   Window& window = this->Offered.back();
+  // The way of a straight front is no length.
+  const double source = window.isStraight ? 0.0 : std::abs(window.x) + window.y;
   const double margin =
-    Margin * (std::abs(window.offset) + std::abs(window.x) + window.y + target.length);
+    (this->DoesRemember ? -Margin : Margin) * (std::abs(window.offset) + source + target.length);
   const double lower = target.atLower - window.offset + margin;
   const double higher = target.atHigher - window.offset + margin;
   const double length = target.length;
@@ -114,7 +117,7 @@ void WindowFront::letOfferedWait(Index halfEdge)
 {
   if (!this->Offered.empty())
   {
-    if (this->Edges.isOfMany(halfEdge))
+    if (this->isJunction(halfEdge))
     {
       this->waitAtJunction(halfEdge);
     }

@@ -4,23 +4,16 @@
 
 #include "base/Interruption.h"
 #include "base/MachineMemory.h"
-#include "base/NumberText.h"
 #include "solve/ClosedTriangles.h"
 #include "windows/LaidTriangle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace geodesic
 {
 namespace
 {
-double gigabytes(std::size_t bytes)
-{
-  return static_cast<double>(bytes) * 1e-9;
-}
 
 /** The mean area of a triangle; of many triangles, of a few thousand of them. */
 double meanArea(const TriangleMesh& mesh)
@@ -110,17 +103,40 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
   , Work(workspace)
   , First(first)
   , Passable(passable)
+  , BucketWidth(bucketWidth(mesh, seeds))
   , Merging(merging)
   , MostBytes(options.memoryLimit > 0 ? options.memoryLimit : machineMemory() / 4 * 3)
   , NextReport(options.progressInterval)
 {
-  this->Work.queue.start(bucketWidth(mesh, seeds), 4.0 * mesh.longestEdgeLength());
-  this->findTurnsAtBarriers();
-  this->Work.starts.set(mesh, edges, options.pathStarts);
   this->Work.arrivals.resize(merging && options.pathStarts.empty() ? 0 : mesh.numberOfVertices());
   this->Work.excesses.resize(merging ? mesh.numberOfVertices() : 0);
+  this->findTurnsAtBarriers();
+  this->begin();
+}
+
+void WindowFront::begin()
+{
+  this->Work.queue.start(this->BucketWidth, 4.0 * this->Mesh.longestEdgeLength());
+  this->Work.starts.set(this->Mesh, this->Edges, this->Options.pathStarts);
   this->Work.bytes -= this->Work.kept.bytes();
-  this->Work.kept.start(mesh.numberOfTriangles(), merging && !options.pathStarts.empty());
+  this->Work.kept.start(
+    this->Mesh.numberOfTriangles(), this->Merging && !this->Options.pathStarts.empty());
+  this->Takes = 0;
+}
+
+bool WindowFront::beginsAgain()
+{
+  if (!this->DoCircle)
+  {
+    return false;
+  }
+  this->DoCircle = false;
+  this->DoesRemember = true;
+  this->Turning.assign(this->Mesh.numberOfVertices(), true);
+  this->Work.empty(this->Field.reached());
+  this->Field.reset();
+  this->begin();
+  return true;
 }
 
 void WindowFront::findTurnsAtBarriers()
@@ -170,7 +186,7 @@ void WindowFront::sendFrom(Index vertex)
 {
   const double distance = this->Field.distance(vertex);
   const Index seed = this->Field.nearestSeed(vertex);
-  const float excess = this->Work.excesses.empty() ? 0.0F : this->Work.excesses[vertex];
+  const float excess = this->excessAt(vertex);
   const Vector3& position = this->Mesh.position(vertex);
   const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -215,7 +231,7 @@ void WindowFront::sendFrom(Index vertex)
 bool WindowFront::findSector(Index vertex)
 {
   // Windows that were merged do not tell from where the shortest path comes.
-  return !this->Merging && (this->Turning.empty() || !this->Turning[vertex]) &&
+  return !this->Merging && !this->isTurning(vertex) &&
     this->Sector.find(
       this->Mesh, this->Edges, vertex, this->Work.arrivals[vertex], this->Field.distance(vertex));
 }
@@ -249,100 +265,20 @@ void WindowFront::reach(
   this->Field.setNearestSeed(vertex, nearest);
   if (!isTie && this->canTurn(vertex))
   {
-    this->queueVertex(vertex, distance);
+    this->queueVertex(vertex);
   }
 }
 
-void WindowFront::queueVertex(Index vertex, double distance)
+double WindowFront::keyOf(Index vertex) const
+{
+  const double left = PartOfOrder * this->Limit.leftFrom(vertex);
+  return this->Field.distance(vertex) + left - this->First;
+}
+
+void WindowFront::queueVertex(Index vertex)
 {
   this->Work.isToSend[vertex] = 1;
-  const double key = distance + PartOfOrder * this->Limit.leftFrom(vertex);
-  this->Work.queue.push(3 * this->Mesh.numberOfTriangles() + vertex, key - this->First);
-}
-
-void WindowFront::checkMemory() const
-{
-  const std::size_t bytes = this->bytes();
-  if (bytes > this->MostBytes)
-  {
-    throw std::runtime_error("The method takes " + textOf(gigabytes(bytes)) +
-      " GB, more than the memory limit of " + textOf(gigabytes(this->MostBytes)) + " GB, after " +
-      std::to_string(this->Field.reached().size()) + " of " +
-      std::to_string(this->Mesh.numberOfVertices()) +
-      " vertices. Raise the limit, coarsen the surface, or use the method "
-      "FastMarching.");
-  }
-}
-
-bool WindowFront::mayGoOn()
-{
-  if (this->Crossed < this->NextLook)
-  {
-    return true;
-  }
-  this->NextLook = this->Crossed + LookInterval;
-  this->Limit.update();
-  this->checkMemory();
-  if (!this->Options.onProgress || this->Options.progressInterval == 0)
-  {
-    return true;
-  }
-  const std::size_t reached = this->Field.reached().size();
-  if (reached < this->NextReport)
-  {
-    return this->Options.onProgress(this->LastReport);
-  }
-  bool goesOn = true;
-  for (; goesOn && reached >= this->NextReport; this->NextReport += this->Options.progressInterval)
-  {
-    goesOn = this->Options.onProgress(this->NextReport);
-    this->LastReport = this->NextReport;
-  }
-  return goesOn;
-}
-
-bool WindowFront::march()
-{
-  BucketQueue& queue = this->Work.queue;
-  bool goesOn = true;
-  std::array<Index, 1> room;
-  while (!queue.isEmpty() && goesOn)
-  {
-    const std::uint64_t bucket = queue.nextBucket();
-    if (this->First + queue.keyOf(bucket) > this->Limit.value())
-    {
-      break;
-    }
-    queue.hasBefore(bucket + 1);
-    goesOn = this->take(queue.take(room)[0]);
-  }
-  this->checkMemory();
-  return goesOn;
-}
-
-bool WindowFront::take(Index item)
-{
-  const Index halfEdges = 3 * this->Mesh.numberOfTriangles();
-  if (item >= halfEdges)
-  {
-    const Index vertex = item - halfEdges;
-    if (this->Work.isToSend[vertex])
-    {
-      this->Work.isToSend[vertex] = 0;
-      this->sendFrom(vertex);
-    }
-  }
-  else if (this->Edges.isOfMany(item))
-  {
-    return !this->Work.junctions.doWaitAt(item) || this->passJunction(item);
-  }
-  // None waits where a half-edge was queued twice, as a nearer window came.
-  else if (this->Work.places[item] != NoIndex)
-  {
-    this->takeWaiting(item);
-    this->crossTriangle(item);
-  }
-  return this->mayGoOn();
+  this->Work.queue.push(3 * this->Mesh.numberOfTriangles() + vertex, this->keyOf(vertex));
 }
 
 }

@@ -89,6 +89,11 @@ struct WindowWorkspace
  * wanted (SolveOptions::pathStarts), each vertex remembers the one that gave it its distance. Only
  * windows that were merged are kept then, as they do not tell the straight lines that they were
  * merged from.
+ *
+ * Round the tip of a spike, or a thin tube, such a window circles as long as it goes on straight,
+ * though it was nearer when it first came. Where windows cross triangles very often, the march
+ * begins again, with all edges as junctions and all vertices as turns: there windows must be
+ * shorter than any path by an end of the edge, by more than rounding can make.
  */
 class WindowFront
 {
@@ -133,11 +138,15 @@ public:
   bool mayGoOn();
 
   /**
-   * Marches until no window below the limit is left.
+   * Marches until no window below the limit is left, or windows circle (see beginsAgain()).
    * @return false when cancelled
    * @throws std::runtime_error where the run needs more memory than SolveOptions::memoryLimit
    */
   bool march();
+
+  /** Whether windows circled, so that the march must begin again: with the seeds, which are to be
+   * started as before. */
+  bool beginsAgain();
 
 private:
   /** An edge to which windows go, and what is known about it. */
@@ -157,9 +166,18 @@ private:
   double shortestToGoal(const Window& window, const PlanePoint& goal) const;
   bool canTurn(Index vertex) const
   {
-    return this->Edges.canTurn(vertex) || (!this->Turning.empty() && this->Turning[vertex]);
+    return this->Edges.canTurn(vertex) || this->isTurning(vertex);
+  }
+  /** Whether paths are known to turn there, whatever the angles are. */
+  bool isTurning(Index vertex) const { return !this->Turning.empty() && this->Turning[vertex]; }
+  /** By how much the shortest path to a vertex may be longer than its distance. */
+  float excessAt(Index vertex) const
+  {
+    return this->Work.excesses.empty() ? 0.0F : this->Work.excesses[vertex];
   }
   void findTurnsAtBarriers();
+  /** Makes the workspace ready for a march. */
+  void begin();
 
   /** Whether windows can go on from any other triangle of the half-edge's edge. */
   bool leadsOn(Index halfEdge) const;
@@ -202,7 +220,24 @@ private:
     Index vertex, double distance, Index seed, const Arrival& arrival, float excess = 0.0F);
   /** Notes the windows that light points of a triangle from which paths are wanted. */
   void reachStarts(Index halfEdge, const LaidTriangle& laid, std::span<const Window> windows);
-  void queueVertex(Index vertex, double distance);
+  /** The queue's key of a vertex. */
+  double keyOf(Index vertex) const;
+  void queueVertex(Index vertex);
+  /** Works on the queue until nothing below the limit is left.
+   * @return false when cancelled */
+  bool takeAll();
+  /**
+   * Lets paths turn at vertices from which a neighbour is nearer along the edge than any path that
+   * was found. There is none but for rounding: between long needles all lines are as short to the
+   * last digits as those past either side of a vertex, and none may be left that leads behind it.
+   * @return whether there are any
+   */
+  bool turnBeforeHidden();
+  /** Whether windows wait at a half-edge's edge as at a junction. */
+  bool isJunction(Index halfEdge) const
+  {
+    return this->DoesRemember || this->Edges.isOfMany(halfEdge);
+  }
   /** Works on an item of the queue: a half-edge, or a vertex after these.
    * @return false when cancelled */
   bool take(Index item);
@@ -223,8 +258,11 @@ private:
   /** The queue's keys are distances less this one. */
   double First;
   const PassableTriangles& Passable;
-  /** For each vertex whether paths can turn there because of barriers. */
+  /** For each vertex whether paths turn there whatever the angles are: because of barriers, or as
+   * they leave a neighbour out. Empty where there is none. */
   std::vector<bool> Turning;
+  /** Of the queue. */
+  double BucketWidth;
   /** Makes windows fewer before they cross; null where distances are exact. */
   const WindowMerging* Merging = nullptr;
   /** The windows that cross a triangle. */
@@ -242,6 +280,14 @@ private:
   /** How many windows have crossed a triangle, and when mayGoOn() looks at things again. */
   std::size_t Crossed = 0;
   std::size_t NextLook = LookInterval;
+  /** How often windows are taken to cross a triangle, a vertex, where they don't circle: usually 3
+   * to 10 times, on a Bunny flattened by 10,000 too. */
+  static constexpr std::size_t FewTakes = 128;
+  std::size_t Takes = 0;
+  /** Whether that was too often, and whether the march remembers what passed each edge because of
+   * that. */
+  bool DoCircle = false;
+  bool DoesRemember = false;
   /** The number of vertices last reported, and the next one. */
   std::size_t LastReport = 0;
   std::size_t NextReport;

@@ -39,6 +39,13 @@ bool haveOneSource(const Window& a, const Window& b)
   return a.offset == b.offset && std::abs(a.x - b.x) <= size && std::abs(a.y - b.y) <= size;
 }
 
+/** The lengths that make a window's distances, by which their rounding is judged. */
+double sizeOf(const Window& window)
+{
+  return std::abs(window.offset) + window.last +
+    (window.isStraight ? 0.0 : std::abs(window.x) + window.y);
+}
+
 /** Two windows over a part of the edge that both have. */
 class Contest
 {
@@ -46,8 +53,7 @@ public:
   Contest(const Window& present, const Window& added)
     : Present(present)
     , Added(added)
-    , Size(std::abs(present.offset) + present.last +
-        (present.isStraight ? 0.0 : std::abs(present.x) + present.y))
+    , Size(std::max(sizeOf(present), sizeOf(added)))
   {
   }
 
@@ -136,7 +142,6 @@ private:
 
   const Window& Present;
   const Window& Added;
-  /** The lengths that make the present window's distances. */
   double Size;
 };
 

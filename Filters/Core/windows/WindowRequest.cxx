@@ -41,14 +41,16 @@ double leastKeyOf(std::span<const Label> labels, const StopLimit& limit)
 bool marchFrom(std::span<const Seed> seeds, const TriangleMesh& mesh, WindowFront& front)
 {
   SeedWindows windows(mesh, front);
-  for (Index i = 0; i < seeds.size(); ++i)
+  bool goesOn = true;
+  do
   {
-    if (!windows.start(seeds[i], i))
+    for (Index i = 0; i < seeds.size() && goesOn; ++i)
     {
-      return false;
+      goesOn = windows.start(seeds[i], i);
     }
-  }
-  return front.march();
+    goesOn = goesOn && front.march();
+  } while (goesOn && front.beginsAgain());
+  return goesOn;
 }
 
 }

@@ -51,7 +51,7 @@ void WindowFront::startAt(const SurfacePoint& point, double value, Index number)
     this->reach(carriers[0], value, number, Arrival::fromSeed(number));
     if (this->Field.distance(carriers[0]) == value && !this->Work.isToSend[carriers[0]])
     {
-      this->queueVertex(carriers[0], value);
+      this->queueVertex(carriers[0]);
     }
     return;
   }
