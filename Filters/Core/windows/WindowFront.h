@@ -282,7 +282,7 @@ private:
   std::size_t NextLook = LookInterval;
   /** How often windows are taken to cross a triangle, a vertex, where they don't circle: usually 3
    * to 10 times, on a Bunny flattened by 10,000 too. */
-  static constexpr std::size_t FewTakes = 128;
+  static constexpr std::size_t FewTakes = 64;
   std::size_t Takes = 0;
   /** Whether that was too often, and whether the march remembers what passed each edge because of
    * that. */
