@@ -557,6 +557,11 @@ std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& fron
         edge * std::max(ReachOfSquaredLength * length * length, LeastReachOfStraight);
       continue;
     }
+    // None can stand for one where the surface has no direction, as on triangles without area.
+    if (place.normal == Vector3{ 0.0, 0.0, 0.0 })
+    {
+      continue;
+    }
     numbers.push_back(number);
     mostEdges = std::max(mostEdges, farthest / edge);
   }
