@@ -21,6 +21,8 @@ namespace
  * may follow that path further. Where all vertices are turns, they follow it, and the window must
  * be shorter by as much. */
 constexpr double Margin = 1e-11;
+/** A window no wider than this fraction of the distance is made by rounding alone. */
+constexpr double Narrowest = 1e-14;
 
 /**
  * How far from the lower end of an edge paths by that end are shorter than the straight lines of a
@@ -72,8 +74,8 @@ void WindowFront::cutOffered(const Target& target)
   Window& window = this->Offered.back();
   // The way of a straight front is no length.
   const double source = window.isStraight ? 0.0 : std::abs(window.x) + window.y;
-  const double margin =
-    (this->DoesRemember ? -Margin : Margin) * (std::abs(window.offset) + source + target.length);
+  const double size = std::abs(window.offset) + source + target.length;
+  const double margin = size * (this->DoesRemember ? -Margin : Margin);
   const double lower = target.atLower - window.offset + margin;
   const double higher = target.atHigher - window.offset + margin;
   const double length = target.length;
@@ -94,7 +96,7 @@ void WindowFront::cutOffered(const Target& target)
     window.last = cut > window.first && cut < window.last ? cut : window.last;
   }
   const double least = window.leastDistance();
-  if (!(window.first < window.last) || least > this->Limit.value())
+  if (!(window.last - window.first > Narrowest * size) || least > this->Limit.value())
   {
     this->Offered.pop_back();
     return;
@@ -343,6 +345,7 @@ void WindowFront::crossTriangle(Index halfEdge)
   this->crossTo(laid, windows, true);
   this->crossTo(laid, windows, false);
   this->Crossed += windows.size();
+  this->Takes += 1 + windows.size() / ManyWindows;
   WorkCount::add(windows.size());
 }
 

@@ -283,6 +283,8 @@ private:
   /** How often windows are taken to cross a triangle, a vertex, where they don't circle: usually 3
    * to 10 times, on a Bunny flattened by 10,000 too. */
   static constexpr std::size_t FewTakes = 64;
+  /** So many at a time count as one more. */
+  static constexpr std::size_t ManyWindows = 64;
   std::size_t Takes = 0;
   /** Whether that was too often, and whether the march remembers what passed each edge because of
    * that. */

@@ -77,7 +77,6 @@ bool WindowFront::take(Index item)
   // None waits where a half-edge was queued twice, as a nearer window came.
   else if (this->Work.places[item] != NoIndex)
   {
-    ++this->Takes;
     this->takeWaiting(item);
     this->crossTriangle(item);
   }
