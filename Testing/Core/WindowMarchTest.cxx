@@ -64,6 +64,7 @@ Surface flattenedGrid(unsigned seed)
 // A line past the tip goes round it as often as the angle there fits into half a turn.
 TYPED_TEST(WindowMarch, EndsRoundTheTipOfASpike)
 {
+  constexpr double tolerance = std::is_same_v<TypeParam, ExactSolver> ? 1e-9 : 1e-3;
   for (const double radius : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10 })
   {
     for (const Index around : { 3, 20 })
@@ -81,7 +82,7 @@ TYPED_TEST(WindowMarch, EndsRoundTheTipOfASpike)
       {
         const double straight = norm(mesh->position(v) - from);
         ASSERT_GE(field.distance(v), straight * (1.0 - 1e-9));
-        ASSERT_LE(field.distance(v), (straight + 4.0 * radius) * 1.001);
+        ASSERT_LE(field.distance(v), (straight + 4.0 * radius) * (1.0 + tolerance));
       }
     }
   }

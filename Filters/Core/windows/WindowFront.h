@@ -144,8 +144,8 @@ public:
    */
   bool march();
 
-  /** Whether windows circled, so that the march must begin again: with the seeds, which are to be
-   * started as before. */
+  /** Whether windows circled, or many points were hidden, so that the march must begin again: with
+   * the seeds, which are to be started as before. */
   bool beginsAgain();
 
 private:
@@ -280,14 +280,14 @@ private:
   /** How many windows have crossed a triangle, and when mayGoOn() looks at things again. */
   std::size_t Crossed = 0;
   std::size_t NextLook = LookInterval;
-  /** How often windows are taken to cross a triangle, a vertex, where they don't circle: usually 3
-   * to 10 times, on a Bunny flattened by 10,000 too. */
+  /** For each vertex, windows are taken to cross a triangle no more often than this where they
+   * don't circle: usually 3 to 10 times, on a Bunny flattened by 10,000 too. */
   static constexpr std::size_t FewTakes = 64;
   /** So many at a time count as one more. */
   static constexpr std::size_t ManyWindows = 64;
   std::size_t Takes = 0;
-  /** Whether that was too often, and whether the march remembers what passed each edge because of
-   * that. */
+  /** Whether the march must begin again; and whether it has, and remembers what passed each edge.
+   */
   bool DoCircle = false;
   bool DoesRemember = false;
   /** The number of vertices last reported, and the next one. */

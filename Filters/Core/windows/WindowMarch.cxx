@@ -31,11 +31,14 @@ double gigabytes(std::size_t bytes)
 
 bool WindowFront::march()
 {
-  bool goesOn = true;
-  do
+  // Where one hides the next, and so on, all are better turns at once.
+  constexpr int mostTimes = 8;
+  bool goesOn = this->takeAll();
+  for (int i = 0; goesOn && !this->DoCircle && this->turnBeforeHidden(); ++i)
   {
     goesOn = this->takeAll();
-  } while (goesOn && !this->DoCircle && this->turnBeforeHidden());
+    this->DoCircle = this->DoCircle || i == mostTimes;
+  }
   this->checkMemory();
   return goesOn;
 }
