@@ -44,13 +44,17 @@ TEST(Promises, HoldOnNastyMeshes)
 // 584030 labels were compared with each other where none can stand for another one. The margin of
 // straight fronts was a length: in 239417, 315294 and 903629 none ended. In 426884 one circled
 // round a tip without an angle, and in 908448 rounding of far sources cut windows into ever more.
-// In 335734, 364235, 529422, 733318 and 957817 a point lay between two windows of needles.
+// In 335734, 364235, 529422, 733318 and 957817 a point lay between two windows of needles. In
+// 766009, 798008 and 822681 exact paths were lost among sheets that share edges, and in 690065 one
+// of fast marching went to and fro in a needle. In 697117 a front along edges came to a vertex
+// beside a line that counted as passed by none, and the tiers differed by a quarter of the largest
+// distance.
 TEST(Promises, HoldWhereTheyWereBroken)
 {
   PromiseReport report;
   for (const unsigned number : { 14898u, 18449u, 21188u, 33576u, 36786u, 54365u, 78377u, 88788u,
          116173u, 125077u, 126457u, 139790u, 239417u, 315294u, 335734u, 364235u, 426884u, 529422u,
-         584030u, 733318u, 903629u, 908448u, 957817u })
+         584030u, 690065u, 697117u, 733318u, 766009u, 798008u, 822681u, 903629u, 908448u, 957817u })
   {
     checkPromises(nastyCase(number), report);
     for (const std::string& broken : report.broken)

@@ -65,6 +65,7 @@ public:
     {
       const double distance = first.distance(vertex);
       this->First[vertex] = distance;
+      this->notePassed(vertex, distance);
       this->OfVertices[vertex] = distance + (this->isInside(vertex) ? 0.0 : excessOf(vertex));
     }
   }
@@ -111,6 +112,16 @@ private:
   /** Whether enough of the vertices of all pieces have a start that some may be inside. Collective.
    */
   bool haveManyStarts(const TriangleMesh& mesh, Partition& partition) const;
+
+  /** Notes that a vertex is not inside if a front came to it along edges from elsewhere, as on
+   * needles. @param distance  in the first march */
+  void notePassed(Index vertex, double distance)
+  {
+    if (this->isInside(vertex) && distance < this->Starts[this->PlaceOfStart[vertex]].value)
+    {
+      this->AreInside[vertex] = 0;
+    }
+  }
 
   /** Whether a vertex and all its neighbours have final starts, and the vertex the least one: no
    * front passes it. */

@@ -251,9 +251,13 @@ std::optional<PathTracer::Step> PathTracer::stepAhead(const SurfacePath& path, d
   { return liesIn(last, face); };
   this->tryFaces(
     here, [&](const Triangle& face) { return !isBehind(face); }, best);
+  // Where it comes back across a face, a third step there would be one of very many, to and fro
+  // between the sides of a needle.
+  const auto isCrossedOnce = [&](const Triangle& face)
+  { return isBehind(face) && !(path.size() > 2 && liesIn(path[path.size() - 3], face)); };
   if (!best || best->total > left)
   {
-    this->tryFaces(here, isBehind, best);
+    this->tryFaces(here, isCrossedOnce, best);
   }
   return best;
 }

@@ -88,7 +88,8 @@ private:
    * does. */
   std::optional<Step> stepToSeed(const PathPoint& point, PathOrder order) const;
   /** The step from the end of a path to the point with the least total on the edges of the faces
-   * round it. It goes back across the face of the last step only where no other one will do.
+   * round it. It goes back across the face of the last step only where no other one will do, and
+   * not a second time.
    * @param left  by the last step */
   std::optional<Step> stepAhead(const SurfacePath& path, double left) const;
   /** Replaces @p best by the step to the edges of the faces round a point, as far as @p choice

@@ -22,8 +22,8 @@ bool ExactSolver::march(const Request& request, StopLimit& limit, DistanceField&
 std::vector<SurfacePoint> ExactSolver::trace(
   const SurfacePoint& start, const PathStarts::Start& found) const
 {
-  WindowPath path(this->mesh(), this->Edges, *this->Passable, *this->Found, this->SeedPoints,
-    this->Workspace.arrivals);
+  WindowPath path(this->mesh(), this->Edges, *this->Passable, this->Workspace.junctions,
+    *this->Found, this->SeedPoints, this->Workspace.arrivals);
   return path.from(start, found.distance, found.seed, found.arrival);
 }
 

@@ -77,6 +77,13 @@ const Junctions::Junction& Junctions::pass(Index first, std::vector<Coming>& pas
   return junction;
 }
 
+std::span<const Window> Junctions::passedAt(Index first) const
+{
+  const auto place = this->Places.find(first);
+  return place == this->Places.end() ? std::span<const Window>{}
+                                     : this->All[place->second].passed.windows();
+}
+
 void Junctions::clear()
 {
   this->All.clear();

@@ -61,6 +61,10 @@ public:
    * @return the junction */
   const Junction& pass(Index first, std::vector<Coming>& passing);
 
+  /** The windows that went on from an edge: the nearest at each of its points. None where no front
+   * divided. @param first  its first half-edge */
+  std::span<const Window> passedAt(Index first) const;
+
   void clear();
   /** The memory of the windows. */
   std::size_t bytes() const { return this->Bytes; }

@@ -76,7 +76,6 @@ std::size_t WindowWorkspace::allBytes() const
 
 void WindowWorkspace::empty(std::span<const Index> reached)
 {
-  this->junctions.clear();
   this->free.clear();
   for (Index i = 0; i < this->waiting.size(); ++i)
   {
@@ -117,6 +116,7 @@ WindowFront::WindowFront(const TriangleMesh& mesh, const EdgeTable& edges,
 void WindowFront::begin()
 {
   this->Work.queue.start(this->BucketWidth, 4.0 * this->Mesh.longestEdgeLength());
+  this->Work.junctions.clear();
   this->Work.starts.set(this->Mesh, this->Edges, this->Options.pathStarts);
   this->Work.bytes -= this->Work.kept.bytes();
   this->Work.kept.start(

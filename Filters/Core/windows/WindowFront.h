@@ -55,6 +55,7 @@ struct WindowWorkspace
   /** For each half-edge the number of its entry in @ref waiting; NoIndex where no window waits. */
   std::vector<Index> places;
   std::vector<Waiting> waiting;
+  /** Kept after a run, for its paths. */
   Junctions junctions;
   /** Entries of @ref waiting that no half-edge has. */
   std::vector<Index> free;

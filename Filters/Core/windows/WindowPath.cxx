@@ -7,6 +7,7 @@
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceField.h"
 #include "solve/PassableTriangles.h"
+#include "windows/Junctions.h"
 #include "windows/LaidTriangle.h"
 
 #include <algorithm>
@@ -31,11 +32,12 @@ bool isIn(const Carriers& carriers, const Triangle& corners)
 }
 
 WindowPath::WindowPath(const TriangleMesh& mesh, const EdgeTable& edges,
-  const PassableTriangles& passable, const DistanceField& field,
+  const PassableTriangles& passable, const Junctions& junctions, const DistanceField& field,
   std::span<const SurfacePoint> seeds, std::span<const Arrival> arrivals)
   : Mesh(mesh)
   , Edges(edges)
   , Passable(passable)
+  , Divided(junctions)
   , Field(field)
   , Seeds(seeds)
   , Arrivals(arrivals)
@@ -102,7 +104,7 @@ bool WindowPath::follow(const Arrival& arrival)
     {
       return true;
     }
-    if (this->isPossible(at, arrival.offset))
+    if (this->isPossible(at, arrival.offset) && this->hasPassed(at, arrival.offset))
     {
       this->cross(at);
     }
@@ -187,8 +189,8 @@ void WindowPath::crossTo(const Crossing& at, const LaidTriangle& laid, bool isLe
   const double placeOnSide = isTurned ? side - onSide : onSide;
   this->Path.push_back(pointOn(this->Mesh, halfEdge, placeOnSide));
   this->enter(halfEdge,
-    { NoIndex, placeOnSide, isTurned ? -along : along,
-      std::sqrt(std::max(0.0, 1.0 - along * along)), at.left - length, this->Path.size() });
+    { NoIndex, placeOnSide, isTurned ? -along : along, std::max(0.0, turn / side), at.left - length,
+      this->Path.size() });
 }
 
 bool WindowPath::isPossible(const Crossing& at, double offset) const
@@ -202,6 +204,23 @@ bool WindowPath::isPossible(const Crossing& at, double offset) const
       std::abs(known - distance) <= along + this->Tolerance;
   };
   return agrees(laid.lower, at.place) && agrees(laid.higher, laid.length - at.place);
+}
+
+bool WindowPath::hasPassed(const Crossing& at, double offset) const
+{
+  const std::span<const Window> windows = this->Divided.passedAt(this->Edges.first(at.halfEdge));
+  auto window = std::partition_point(windows.begin(), windows.end(),
+    [&](const Window& before) { return before.last < at.place - this->Tolerance; });
+  for (; window != windows.end() && window->first <= at.place + this->Tolerance; ++window)
+  {
+    if (std::abs(window->offset - offset) <= this->Tolerance &&
+      std::abs(window->x - at.place - at.left * at.x) <= this->Tolerance &&
+      std::abs(window->y - at.left * at.y) <= this->Tolerance)
+    {
+      return true;
+    }
+  }
+  return windows.empty();
 }
 
 }

@@ -17,6 +17,7 @@ namespace geodesic
 
 class DistanceField;
 class EdgeTable;
+class Junctions;
 class PassableTriangles;
 struct LaidTriangle;
 class TriangleMesh;
@@ -25,8 +26,8 @@ class TriangleMesh;
  * Follows a shortest path back from a point to its seed, by how it and the vertices at which it
  * turns were reached. Between turns it is a straight line over triangles unfolded one after the
  * other, towards the source that the window had. Time linear in the number of triangles, but where
- * more than two meet at an edge: there the line tries one after the other, and gives up those that
- * the distances rule out.
+ * more than two meet at an edge: there the line tries one after the other, and gives up those from
+ * which no window with that source came to the next such edge, or which the distances rule out.
  */
 class WindowPath
 {
@@ -36,7 +37,7 @@ public:
    * @param arrivals  of all vertices; all arguments must live as long as this
    */
   WindowPath(const TriangleMesh& mesh, const EdgeTable& edges, const PassableTriangles& passable,
-    const DistanceField& field, std::span<const SurfacePoint> seeds,
+    const Junctions& junctions, const DistanceField& field, std::span<const SurfacePoint> seeds,
     std::span<const Arrival> arrivals);
 
   /**
@@ -76,10 +77,14 @@ private:
   void crossTo(const Crossing& at, const LaidTriangle& laid, bool isLeft);
   /** Whether a distance on an edge agrees with those at its ends. */
   bool isPossible(const Crossing& at, double offset) const;
+  /** Whether a window with the line's source went on from an edge where it crosses it; also where
+   * fronts do not divide. */
+  bool hasPassed(const Crossing& at, double offset) const;
 
   const TriangleMesh& Mesh;
   const EdgeTable& Edges;
   const PassableTriangles& Passable;
+  const Junctions& Divided;
   const DistanceField& Field;
   std::span<const SurfacePoint> Seeds;
   std::span<const Arrival> Arrivals;
