@@ -323,6 +323,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.memoryLimit = this->GetMemoryLimitInBytes();
+  options.threads = this->GetThreadsOfRun(ranks);
   options.tolerance = this->GetCheckedTolerance();
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any

@@ -12,7 +12,7 @@ import sys
 
 # The folders of these layers, each of which sees only those before it.
 FOLDERS = {
-    "Filters/Core": ["base", "mesh", "search", "solve", "march", "sources", "windows", "methods", "survey", "path", "split"],
+    "Filters/Core": ["base", "mesh", "search", "solve", "threads", "march", "sources", "windows", "methods", "survey", "path", "split"],
     "Filters/Bridge": ["filter", "input", "request", "output"],
     "Filters/Distributed": ["ranks", "pieces", "global", "gather", "algorithm", "lines"],
 }

@@ -45,6 +45,16 @@ GEODESIC_INLINED void prefetchToWrite([[maybe_unused]] const void* memory)
 #endif
 }
 
+/** Tells the processor that a thread only looks whether another one has got ahead. */
+inline void pauseProcessor()
+{
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
+  __builtin_ia32_pause();
+#elif defined(__GNUC__) && defined(__aarch64__)
+  __asm__ volatile("yield");
+#endif
+}
+
 }
 
 #endif

@@ -68,7 +68,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   this->States.resize(this->mesh().numberOfVertices());
 }
 
-std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
+std::unique_ptr<MarchingSolver> FastMarchingSolver::another() const
 {
   return std::make_unique<FastMarchingSolver>(
     this->sharedMesh(), this->bounds(), this->MayUseQuads);

@@ -331,7 +331,7 @@ bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const Vertex
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
-std::unique_ptr<FrontSolver> ReferenceSolver::another() const
+std::unique_ptr<MarchingSolver> ReferenceSolver::another() const
 {
   return std::make_unique<ReferenceSolver>(this->sharedMesh(), this->bounds());
 }

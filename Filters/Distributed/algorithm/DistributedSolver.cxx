@@ -33,7 +33,6 @@ DistributedSolver::DistributedSolver(RankGroup& ranks, const DividedMesh& mesh)
   {
     this->Partners.push_back(neighbour.rank);
   }
-  this->Known.resize(mesh.shared().vertices().size());
 }
 
 bool DistributedSolver::owns(Index vertex) const
@@ -58,13 +57,11 @@ std::vector<StartValue> DistributedSolver::exchange(std::span<const StartValue> 
 
 bool DistributedSolver::march(MarchingFront& front, StopLimit& limit)
 {
-  for (std::vector<KnownValue>& known : this->Known)
-  {
-    known.clear();
-  }
-  this->Touched.resize(this->Known.size());
+  const std::size_t slots = this->Mesh.shared().vertices().size();
+  this->Known.start(slots);
+  this->Touched.resize(slots);
   std::iota(this->Touched.begin(), this->Touched.end(), 0u);
-  this->IsTouched.assign(this->Known.size(), true);
+  this->IsTouched.assign(slots, true);
   const double leastStep = this->stepOf(front);
   double step = 0.5 * leastStep;
   double end = 0.0;
@@ -106,7 +103,7 @@ double DistributedSolver::advance(MarchingFront& front, double end)
   const bool hasWork = front.nextDistance() < end;
   const std::size_t before = front.numberOfUpdates();
   this->Taken.clear();
-  front.advance(end, this->Known.empty() ? nullptr : &this->Taken);
+  front.advance(end, this->IsTouched.empty() ? nullptr : &this->Taken);
   const std::size_t updates = front.numberOfUpdates() - before;
   if (hasWork && updates == 0)
   {
@@ -151,7 +148,7 @@ void DistributedSolver::takeNews(
     for (const SentValue& sent : valuesIn<SentValue>(received[n]))
     {
       const std::uint32_t slot = shared.neighbours()[n].slots[sent.place];
-      if (this->isNews(slot, sent.label, sent.value))
+      if (this->Known.isNews(slot, sent.label, sent.value))
       {
         front.lower(shared.vertices()[slot], sent.label, sent.value);
       }
@@ -166,7 +163,7 @@ std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFron
   std::uint32_t slot = 0;
   const MarchingFront::Visit visit = [&](Index label, double value)
   {
-    if (this->isNews(slot, label, value))
+    if (this->Known.isNews(slot, label, value))
     {
       for (const SharedPoints::Place& to : shared.placesOf(slot))
       {
@@ -186,21 +183,6 @@ std::vector<RankGroup::Message> DistributedSolver::gatherNews(const MarchingFron
     this->Own.bytes += static_cast<double>(message.size());
   }
   return messages;
-}
-
-bool DistributedSolver::isNews(std::uint32_t slot, Index label, double value)
-{
-  std::vector<KnownValue>& known = this->Known[slot];
-  const auto same =
-    std::find_if(known.begin(), known.end(), [&](const KnownValue& k) { return k.label == label; });
-  if (same == known.end())
-  {
-    known.push_back({ label, value });
-    return true;
-  }
-  const bool isLower = value < same->value;
-  same->value = std::min(same->value, value);
-  return isLower;
 }
 
 DistributedWork DistributedSolver::work()

@@ -4,6 +4,7 @@
 #define geodesic_distributed_DistributedSolver_h
 
 #include "ranks/RankGroup.h"
+#include "solve/KnownValues.h"
 #include "solve/Partition.h"
 
 #include <cstddef>
@@ -69,13 +70,6 @@ public:
   DistributedWork work();
 
 private:
-  /** A label's lowest value that was sent to, or received from, the ranks that share the vertex. */
-  struct KnownValue
-  {
-    Index label;
-    double value;
-  };
-
   /** Returns by how much the limit grows from round to round. Collective. */
   double stepOf(const MarchingFront& front);
   /**
@@ -88,16 +82,10 @@ private:
   /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
   void takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
-  /**
-   * Whether a value is lower than the known value of its slot and label. If so, it becomes the
-   * known value.
-   */
-  bool isNews(std::uint32_t slot, Index label, double value);
-
   RankGroup& Ranks;
   const DividedMesh& Mesh;
   std::vector<int> Partners;
-  std::vector<std::vector<KnownValue>> Known;
+  KnownValues Known;
   /** The vertices that were taken in this round. */
   std::vector<Index> Taken;
   /** The slots whose values may have fallen since the last messages, and for each slot whether it

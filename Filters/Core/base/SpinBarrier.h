@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SpinBarrier_h
+#define geodesic_SpinBarrier_h
+
+#include "base/Platform.h"
+
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+namespace geodesic
+{
+
+/**
+ * Where threads wait for each other, for steps of some ten microseconds: std::barrier puts threads
+ * to sleep, and to wake them takes longer than such a step. A thread here looks again and again,
+ * and leaves the processor to others between looks once it has waited for long.
+ */
+class SpinBarrier
+{
+public:
+  explicit SpinBarrier(std::size_t threads)
+    : Expected(threads)
+  {
+  }
+
+  /** Returns once all threads have arrived. What they wrote before is then seen by all. */
+  void wait()
+  {
+    const std::size_t phase = this->Phase.load(std::memory_order_relaxed);
+    this->arrive();
+    for (std::size_t looks = 0; this->Phase.load(std::memory_order_acquire) == phase; ++looks)
+    {
+      if (looks < Patience)
+      {
+        pauseProcessor();
+      }
+      else
+      {
+        std::this_thread::yield();
+      }
+    }
+  }
+
+  /** Arrives without waiting, for a thread that will not come again: nor may the others then. */
+  void arrive()
+  {
+    if (this->Arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == this->Expected)
+    {
+      this->Arrived.store(0, std::memory_order_relaxed);
+      this->Phase.fetch_add(1, std::memory_order_release);
+    }
+  }
+
+private:
+  /** After so many looks, some ten microseconds, a thread leaves the processor to others. */
+  static constexpr std::size_t Patience = 4000;
+
+  std::size_t Expected;
+  std::atomic<std::size_t> Arrived = 0;
+  /** On a cache line of its own, as those who wait read it all the time. */
+  alignas(128) std::atomic<std::size_t> Phase = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One march on several threads gives the field of one thread.
+
+#include "RandomMeshes.h"
+#include "Solving.h"
+#include "Surfaces.h"
+#include "march/FastMarchingSolver.h"
+#include "march/ReferenceSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+SolveOptions onThreads(std::size_t threads, SolveOptions options = {})
+{
+  options.threads = threads;
+  options.verticesOfThread = 1;
+  return options;
+}
+
+/** Largest difference between two fields, in parts of the largest distance. */
+double difference(const DistanceField& a, const DistanceField& b)
+{
+  double most = 0.0;
+  for (Index v = 0; v < a.distances().size(); ++v)
+  {
+    if (a.isReached(v) != b.isReached(v))
+    {
+      return DistanceField::Unreached;
+    }
+    most = a.isReached(v) ? std::max(most, std::abs(a.distance(v) - b.distance(v))) : most;
+  }
+  return most / std::max(a.largestDistance(), 1e-300);
+}
+
+template <class Solver>
+void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options = {})
+{
+  Solver one(mesh);
+  Solver several(mesh);
+  const DistanceField& expected = one.solve(seeds, options);
+  for (const std::size_t threads : { 2, 3, 5 })
+  {
+    // A second run has what the first one has left.
+    for (int run = 0; run < 2; ++run)
+    {
+      const DistanceField& field = several.solve(seeds, onThreads(threads, options));
+      EXPECT_LE(difference(expected, field), 1e-9) << threads << " threads, run " << run;
+      EXPECT_EQ(field.reached().size(), expected.reached().size());
+      EXPECT_EQ(field.stopReason(), expected.stopReason());
+      EXPECT_GT(several.threadWork().rounds, 1);
+    }
+  }
+}
+
+std::vector<double> randomCosts(Index count, double sigma, unsigned number)
+{
+  std::mt19937 random(number);
+  std::normal_distribution<double> normal(0.0, sigma);
+  std::vector<double> costs(count);
+  std::generate(costs.begin(), costs.end(), [&] { return std::exp(normal(random)); });
+  return costs;
+}
+
+}
+
+TEST(MarchOnThreads, HasTheFieldOfOneThread)
+{
+  for (const auto& mesh : { meshOf(icosphere(5)), meshOf(torus(120, 60, 3.0, 1.0)),
+         meshOf(jitteredGrid(90, 90, 1.0, 1.0, 0.3, 1)), meshOf(disc(3000)) })
+  {
+    for (const Index point : { 0u, 700u, 2500u })
+    {
+      expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, point) });
+    }
+    expectSameField<ReferenceSolver>(mesh, { seedAt(*mesh, 11) });
+  }
+}
+
+TEST(MarchOnThreads, HasTheFieldOfOneThreadFromSeveralSeedsAndCurves)
+{
+  const auto mesh = meshOf(jitteredGrid(90, 90, 1.0, 1.0, 0.3, 2));
+  expectSameField<FastMarchingSolver>(
+    mesh, { seedAt(*mesh, 5), seedAt(*mesh, 4000), seedAt(*mesh, 8000) });
+  Seed shifted = seedAt(*mesh, 4000);
+  shifted.value = 0.3;
+  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 5), shifted });
+  // So many that a first march takes them all together.
+  std::vector<Seed> many;
+  for (Index point = 3; point < 8000; point += 20)
+  {
+    many.push_back(seedAt(*mesh, point));
+  }
+  expectSameField<FastMarchingSolver>(mesh, many);
+}
+
+TEST(MarchOnThreads, HeedsCostsAndBarriers)
+{
+  const auto mesh = meshOf(torus(120, 60, 3.0, 1.0));
+  const std::vector<double> costs = randomCosts(mesh->numberOfVertices(), 0.5, 3);
+  std::vector<std::uint8_t> excluded(mesh->numberOfVertices());
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+  std::mt19937 random(5);
+  std::generate(excluded.begin(), excluded.end(), [&] { return random() % 10 == 0 ? 1 : 0; });
+  std::generate(closed.begin(), closed.end(), [&] { return random() % 10 == 0 ? 1 : 0; });
+  excluded[mesh->vertexOfPoint(17)] = 0;
+  SolveOptions options;
+  options.cost = costs;
+  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 17) }, options);
+  options.excluded = excluded;
+  options.closedTriangles = closed;
+  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 17) }, options);
+}
+
+TEST(MarchOnThreads, MayBeMoreThanThereAreProcessors)
+{
+  const auto mesh = meshOf(icosphere(4));
+  FastMarchingSolver one(mesh);
+  FastMarchingSolver several(mesh);
+  const std::vector<Seed> seeds{ seedAt(*mesh, 5) };
+  EXPECT_LE(difference(one.solve(seeds), several.solve(seeds, onThreads(100))), 1e-9);
+}
+
+TEST(MarchOnThreads, LeavesOtherPartsUnreached)
+{
+  const auto mesh = meshOf(joined(icosphere(3), torus(60, 30, 30.0, 10.0)));
+  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 0) });
+}
+
+TEST(MarchOnThreads, MovesItsSeedsFromRunToRun)
+{
+  const auto mesh = meshOf(icosphere(4));
+  FastMarchingSolver one(mesh);
+  FastMarchingSolver several(mesh);
+  for (Index point = 0; point < 2500; point += 100)
+  {
+    const std::vector<Seed> seeds{ seedAt(*mesh, point) };
+    const DistanceField& expected = one.solve(seeds);
+    EXPECT_LE(difference(expected, several.solve(seeds, onThreads(2 + point / 100 % 3))), 1e-9);
+  }
+}
+
+TEST(MarchOnThreads, ReportsProgressOfAllAndEndsWhenCancelled)
+{
+  const auto mesh = meshOf(icosphere(5));
+  FastMarchingSolver solver(mesh);
+  std::size_t last = 0;
+  SolveOptions options = onThreads(3);
+  options.onProgress = [&](std::size_t taken)
+  {
+    EXPECT_GE(taken, last);
+    last = taken;
+    return true;
+  };
+  const std::vector<Seed> seeds{ seedAt(*mesh, 0) };
+  solver.solve(seeds, options);
+  EXPECT_GT(last, mesh->numberOfVertices() / 2);
+  options.onProgress = [](std::size_t taken) { return taken < 2000; };
+  EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+  FastMarchingSolver one(mesh);
+  EXPECT_LE(difference(one.solve(seeds), solver.solve(seeds, onThreads(3))), 1e-9);
+}
+
+TEST(MarchOnThreads, PassesAnErrorOn)
+{
+  const auto mesh = meshOf(icosphere(5));
+  FastMarchingSolver solver(mesh);
+  SolveOptions options = onThreads(3);
+  options.onProgress = [](std::size_t taken) -> bool
+  {
+    if (taken > 3000)
+    {
+      throw std::runtime_error("a test");
+    }
+    return true;
+  };
+  EXPECT_THROW(solver.solve(std::vector<Seed>{ seedAt(*mesh, 0) }, options), std::runtime_error);
+}
+
+TEST(MarchOnThreads, SmallSurfacesAndBoundedRunsStayOnOneThread)
+{
+  const auto mesh = meshOf(icosphere(4));
+  FastMarchingSolver solver(mesh);
+  const std::vector<Seed> seeds{ seedAt(*mesh, 0) };
+  SolveOptions options;
+  options.threads = 8;
+  solver.solve(seeds, options);
+  EXPECT_EQ(solver.threadWork().rounds, 0);
+  options = onThreads(8);
+  options.maximumDistance = 0.5;
+  solver.solve(seeds, options);
+  EXPECT_EQ(solver.threadWork().rounds, 0);
+}
