@@ -127,6 +127,22 @@ TEST(MarchOnThreads, HeedsCostsAndBarriers)
   expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 17) }, options);
 }
 
+TEST(MarchOnThreads, ThreadsTakeShares)
+{
+  const auto mesh = meshOf(icosphere(5));
+  const std::vector<Seed> seeds{ seedAt(*mesh, 5) };
+  FastMarchingSolver fast(mesh);
+  ReferenceSolver plain(mesh);
+  fast.solve(seeds, onThreads(3));
+  plain.solve(seeds, onThreads(3));
+  for (const ThreadWork& work : { fast.threadWork(), plain.threadWork() })
+  {
+    EXPECT_LT(work.updates, 2.2 * mesh->numberOfVertices());
+    EXPECT_LT(work.longestChain, 0.6 * work.updates);
+    EXPECT_GT(work.values, 0);
+  }
+}
+
 TEST(MarchOnThreads, MayBeMoreThanThereAreProcessors)
 {
   const auto mesh = meshOf(icosphere(4));

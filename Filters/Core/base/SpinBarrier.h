@@ -59,8 +59,8 @@ private:
 
   std::size_t Expected;
   std::atomic<std::size_t> Arrived = 0;
-  /** On a cache line of its own, as those who wait read it all the time. */
-  alignas(128) std::atomic<std::size_t> Phase = 0;
+  /** How often all have arrived. */
+  std::atomic<std::size_t> Phase = 0;
 };
 
 }

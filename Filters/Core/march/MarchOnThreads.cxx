@@ -11,6 +11,7 @@
 #include "threads/VertexShares.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <iterator>
 #include <thread>
@@ -50,16 +51,48 @@ std::size_t mostThreads(const TriangleMesh& mesh, const SolveOptions& options)
   return std::min({ options.threads, VertexShares::MostThreads, fitting, worthwhile });
 }
 
-/** Calls work(thread) on each of some threads, the first of which is the calling one. Returns when
- * all have returned. */
+/** Calls work(thread) on each of some threads at the same time; the first is the calling one.
+ * Returns when all have returned.
+ * @param work  throws nothing
+ * @throws std::system_error where the system has no more threads, before any call */
 template <class Work>
 void onEach(std::size_t threads, const Work& work)
 {
-  std::vector<std::jthread> others;
-  for (std::size_t thread = 1; thread < threads; ++thread)
+  enum Signal
   {
-    others.emplace_back(work, thread);
+    Wait,
+    Begin,
+    Leave
+  };
+  // The threads wait for each other in their work, so that none may begin before all are there.
+  std::atomic<Signal> signal = Wait;
+  const auto give = [&](Signal given)
+  {
+    signal = given;
+    signal.notify_all();
+  };
+  std::vector<std::jthread> others;
+  try
+  {
+    for (std::size_t thread = 1; thread < threads; ++thread)
+    {
+      others.emplace_back(
+        [&, thread]
+        {
+          signal.wait(Wait);
+          if (signal == Begin)
+          {
+            work(thread);
+          }
+        });
+    }
   }
+  catch (...)
+  {
+    give(Leave);
+    throw;
+  }
+  give(Begin);
   work(std::size_t{ 0 });
 }
 

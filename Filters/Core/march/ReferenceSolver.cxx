@@ -202,7 +202,8 @@ private:
     const double mayMatter = this->Limit.with(vertex) - seedValue;
     const bool counts =
       value < std::min(std::min(known, kept) * this->Control.keptFraction(), mayMatter);
-    if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex))
+    if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex) ||
+      this->Field.isLeftOut(vertex))
     {
       return;
     }

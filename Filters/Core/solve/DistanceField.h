@@ -6,6 +6,7 @@
 #include "base/Index.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -71,6 +72,7 @@ public:
     std::fill(this->Distances.begin() + first, this->Distances.begin() + last,
       std::numeric_limits<double>::quiet_NaN());
   }
+  bool isLeftOut(Index vertex) const { return std::isnan(this->Distances[vertex]); }
   /** Takes in vertices that were left out. */
   void takeIn(Index first, Index last)
   {
