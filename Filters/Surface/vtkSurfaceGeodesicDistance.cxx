@@ -323,7 +323,8 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.memoryLimit = this->GetMemoryLimitInBytes();
-  options.threads = this->GetThreadsOfRun(ranks);
+  // Beside other busy programs threads that wait for each other are slower than one: on request.
+  options.threads = this->NumberOfThreads < 0 ? 1 : this->GetThreadsOfRun(ranks);
   options.tolerance = this->GetCheckedTolerance();
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any

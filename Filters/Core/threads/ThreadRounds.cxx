@@ -77,8 +77,9 @@ bool ThreadRounds::Piece::march(MarchingFront& front, StopLimit&)
     }
     step = most < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     end = std::max(end, next + step);
-    this->takeNews(front);
+    // From here on this thread writes only to its next report: others may still read the last one.
     this->Parity ^= 1u;
+    this->takeNews(front);
     this->advance(front, end);
     if (this->Thread == 0 && !this->Rounds.mayGoOn(updates))
     {
@@ -176,7 +177,7 @@ void ThreadRounds::Piece::sendNews(MarchingFront& front)
 
 void ThreadRounds::Piece::takeNews(MarchingFront& front)
 {
-  for (const Report& report : this->Rounds.Reports[this->Parity])
+  for (const Report& report : this->Rounds.Reports[this->Parity ^ 1u])
   {
     for (const Value& sent : report.values[this->Thread])
     {

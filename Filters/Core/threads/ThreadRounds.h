@@ -91,6 +91,7 @@ public:
     /** Marches up to a distance, and says what this thread then has to say. */
     void advance(MarchingFront& front, double end);
     void sendNews(MarchingFront& front);
+    /** Takes over what was sent in the round before. */
     void takeNews(MarchingFront& front);
 
     Report& report() { return this->Rounds.Reports[this->Parity][this->Thread]; }

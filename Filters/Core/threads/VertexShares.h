@@ -55,7 +55,6 @@ public:
     return slot == NoSlot ? this->ownerOf(vertex) == thread
                           : (this->ThreadsOfSlots[slot] >> thread & 1u) != 0;
   }
-  bool owns(std::size_t thread, Index vertex) const { return this->ownerOf(vertex) == thread; }
 
   /** The vertices that have neighbours in other blocks, in ascending order. The place of a vertex
    * there is its *slot*. */

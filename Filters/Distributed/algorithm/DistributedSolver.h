@@ -82,6 +82,7 @@ private:
   /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
   void takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
+
   RankGroup& Ranks;
   const DividedMesh& Mesh;
   std::vector<int> Partners;
