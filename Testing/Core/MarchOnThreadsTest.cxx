@@ -6,7 +6,6 @@
 #include "Solving.h"
 #include "Surfaces.h"
 #include "march/FastMarchingSolver.h"
-#include "march/ReferenceSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -47,12 +46,11 @@ double difference(const DistanceField& a, const DistanceField& b)
   return most / std::max(a.largestDistance(), 1e-300);
 }
 
-template <class Solver>
 void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
-  const std::vector<Seed>& seeds, const SolveOptions& options = {})
+  const std::vector<Seed>& seeds, const SolveOptions& options = {}, bool isShared = true)
 {
-  Solver one(mesh);
-  Solver several(mesh);
+  FastMarchingSolver one(mesh);
+  FastMarchingSolver several(mesh);
   const DistanceField& expected = one.solve(seeds, options);
   for (const std::size_t threads : { 2, 3, 5 })
   {
@@ -63,7 +61,11 @@ void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
       EXPECT_LE(difference(expected, field), 1e-9) << threads << " threads, run " << run;
       EXPECT_EQ(field.reached().size(), expected.reached().size());
       EXPECT_EQ(field.stopReason(), expected.stopReason());
-      EXPECT_GT(several.threadWork().rounds, 1);
+      EXPECT_EQ(several.threadWork().rounds > 1, isShared);
+      for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+      {
+        ASSERT_EQ(field.nearestSeed(v), expected.nearestSeed(v)) << "vertex " << v;
+      }
     }
   }
 }
@@ -86,27 +88,31 @@ TEST(MarchOnThreads, HasTheFieldOfOneThread)
   {
     for (const Index point : { 0u, 700u, 2500u })
     {
-      expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, point) });
+      expectSameField(mesh, { seedAt(*mesh, point) });
     }
-    expectSameField<ReferenceSolver>(mesh, { seedAt(*mesh, 11) });
   }
 }
 
-TEST(MarchOnThreads, HasTheFieldOfOneThreadFromSeveralSeedsAndCurves)
+TEST(MarchOnThreads, HasTheFieldOfOneThreadFromRegionsAndSeveralSeeds)
 {
   const auto mesh = meshOf(jitteredGrid(90, 90, 1.0, 1.0, 0.3, 2));
-  expectSameField<FastMarchingSolver>(
-    mesh, { seedAt(*mesh, 5), seedAt(*mesh, 4000), seedAt(*mesh, 8000) });
   Seed shifted = seedAt(*mesh, 4000);
   shifted.value = 0.3;
-  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 5), shifted });
-  // So many that a first march takes them all together.
+  expectSameField(mesh, { shifted });
+  // Several labels are marched on one thread, though not the first march of very many.
+  expectSameField(mesh, { seedAt(*mesh, 5), shifted }, {}, false);
   std::vector<Seed> many;
   for (Index point = 3; point < 8000; point += 20)
   {
     many.push_back(seedAt(*mesh, point));
   }
-  expectSameField<FastMarchingSolver>(mesh, many);
+  expectSameField(mesh, many, {}, false);
+  std::vector<Index> region;
+  for (Index point = 2000; point < 6000; ++point)
+  {
+    region.push_back(mesh->vertexOfPoint(point));
+  }
+  expectSameField(mesh, { Seed::onRegion(region) }, {}, false);
 }
 
 TEST(MarchOnThreads, HeedsCostsAndBarriers)
@@ -121,25 +127,41 @@ TEST(MarchOnThreads, HeedsCostsAndBarriers)
   excluded[mesh->vertexOfPoint(17)] = 0;
   SolveOptions options;
   options.cost = costs;
-  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 17) }, options);
+  expectSameField(mesh, { seedAt(*mesh, 17) }, options);
   options.excluded = excluded;
   options.closedTriangles = closed;
-  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 17) }, options);
+  expectSameField(mesh, { seedAt(*mesh, 17) }, options);
+}
+
+TEST(MarchOnThreads, HasTheFieldOfOneThreadInRandomCases)
+{
+  for (unsigned number = 0; number < 300; ++number)
+  {
+    const RandomCase random = randomCase(number, { .mostSeeds = 1 });
+    FastMarchingSolver one(random.mesh);
+    FastMarchingSolver several(random.mesh);
+    const DistanceField& expected = one.solve(random.seeds, random.options());
+    const DistanceField& field =
+      several.solve(random.seeds, onThreads(2 + number % 4, random.options()));
+    // Where it settles only roughly it depends on the order.
+    if (expected.raisedGain() == 0.0 && field.raisedGain() == 0.0)
+    {
+      EXPECT_LE(difference(expected, field), 1e-9) << random.description();
+    }
+  }
 }
 
 TEST(MarchOnThreads, ThreadsTakeShares)
 {
-  const auto mesh = meshOf(icosphere(5));
-  const std::vector<Seed> seeds{ seedAt(*mesh, 5) };
-  FastMarchingSolver fast(mesh);
-  ReferenceSolver plain(mesh);
-  fast.solve(seeds, onThreads(3));
-  plain.solve(seeds, onThreads(3));
-  for (const ThreadWork& work : { fast.threadWork(), plain.threadWork() })
+  const auto mesh = meshOf(icosphere(6));
+  FastMarchingSolver solver(mesh);
+  for (const Index point : { 5u, 20000u, 40000u })
   {
-    EXPECT_LT(work.updates, 2.2 * mesh->numberOfVertices());
+    solver.solve(std::vector<Seed>{ seedAt(*mesh, point) }, onThreads(3));
+    const ThreadWork& work = solver.threadWork();
+    EXPECT_LT(work.updates, 2.0 * mesh->numberOfVertices());
     EXPECT_LT(work.longestChain, 0.6 * work.updates);
-    EXPECT_GT(work.values, 0);
+    EXPECT_GT(work.sent, 0);
   }
 }
 
@@ -155,7 +177,7 @@ TEST(MarchOnThreads, MayBeMoreThanThereAreProcessors)
 TEST(MarchOnThreads, LeavesOtherPartsUnreached)
 {
   const auto mesh = meshOf(joined(icosphere(3), torus(60, 30, 30.0, 10.0)));
-  expectSameField<FastMarchingSolver>(mesh, { seedAt(*mesh, 0) });
+  expectSameField(mesh, { seedAt(*mesh, 0) });
 }
 
 TEST(MarchOnThreads, MovesItsSeedsFromRunToRun)

@@ -25,13 +25,22 @@ public:
   {
   }
 
-  /** Returns once all threads have arrived. What they wrote before is then seen by all. */
-  void wait()
+  /** Returns once all threads have arrived. What they wrote before is then seen by all.
+   * @return false, at once, if the barrier is or gets broken */
+  bool wait()
   {
     const std::size_t phase = this->Phase.load(std::memory_order_relaxed);
-    this->arrive();
+    if (this->Arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == this->Expected)
+    {
+      this->Arrived.store(0, std::memory_order_relaxed);
+      this->Phase.fetch_add(1, std::memory_order_release);
+    }
     for (std::size_t looks = 0; this->Phase.load(std::memory_order_acquire) == phase; ++looks)
     {
+      if (this->IsBroken.load(std::memory_order_relaxed))
+      {
+        return false;
+      }
       if (looks < Patience)
       {
         pauseProcessor();
@@ -41,17 +50,11 @@ public:
         std::this_thread::yield();
       }
     }
+    return true;
   }
 
-  /** Arrives without waiting, for a thread that will not come again: nor may the others then. */
-  void arrive()
-  {
-    if (this->Arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == this->Expected)
-    {
-      this->Arrived.store(0, std::memory_order_relaxed);
-      this->Phase.fetch_add(1, std::memory_order_release);
-    }
-  }
+  /** For a thread that will not come again: nobody waits any more. */
+  void breakUp() { this->IsBroken.store(true, std::memory_order_relaxed); }
 
 private:
   /** After so many looks, some ten microseconds, a thread leaves the processor to others. */
@@ -61,6 +64,7 @@ private:
   std::atomic<std::size_t> Arrived = 0;
   /** How often all have arrived. */
   std::atomic<std::size_t> Phase = 0;
+  std::atomic<bool> IsBroken = false;
 };
 
 }

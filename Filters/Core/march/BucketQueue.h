@@ -134,9 +134,12 @@ public:
     {
       return;
     }
-    std::vector<Index>& current = this->bucket(this->Current);
-    current.erase(current.begin(), current.begin() + static_cast<std::ptrdiff_t>(this->Next));
-    this->Next = 0;
+    this->dropTaken();
+    if (this->isEmpty())
+    {
+      this->goTo(target);
+      return;
+    }
     std::uint64_t end = this->Current + this->Buckets.size();
     while (end > this->Current && this->bucket(end - 1).empty())
     {
@@ -158,6 +161,38 @@ public:
       this->LastIndex = this->Buckets.size() - 1;
     }
     this->goTo(target);
+  }
+
+  /** How many items wait. */
+  std::size_t size() const { return this->Count; }
+
+  /** Calls visit(item) for each item that waits. */
+  template <class Visit>
+  void visit(const Visit& visit) const
+  {
+    for (std::uint64_t number = 0; number < this->Buckets.size(); ++number)
+    {
+      const std::vector<Index>& bucket = this->Buckets[number];
+      const bool isCurrent = number == this->indexOf(this->Current);
+      std::for_each(bucket.begin() + (isCurrent ? this->taken() : 0), bucket.end(), visit);
+    }
+    for (const Entry& entry : this->Heap)
+    {
+      visit(entry.item);
+    }
+  }
+  /** Removes the items that wait and for which isRemoved(item) holds, in the order of buckets. */
+  template <class Test>
+  void remove(const Test& isRemoved)
+  {
+    this->dropTaken();
+    for (std::vector<Index>& bucket : this->Buckets)
+    {
+      this->Count -= std::erase_if(bucket, isRemoved);
+    }
+    this->Count -=
+      std::erase_if(this->Heap, [&](const Entry& entry) { return isRemoved(entry.item); });
+    std::make_heap(this->Heap.begin(), this->Heap.end());
   }
 
   /** The number of the first bucket in which an item waits. @pre !isEmpty() */
@@ -247,6 +282,15 @@ private:
   {
     this->Current = number;
     this->LastNumber = static_cast<double>(number + this->LastIndex);
+  }
+
+  std::ptrdiff_t taken() const { return static_cast<std::ptrdiff_t>(this->Next); }
+  /** Drops those items of the current bucket that were taken. */
+  void dropTaken()
+  {
+    std::vector<Index>& current = this->bucket(this->Current);
+    current.erase(current.begin(), current.begin() + this->taken());
+    this->Next = 0;
   }
 
   std::size_t indexOf(std::uint64_t number) const { return number & this->LastIndex; }

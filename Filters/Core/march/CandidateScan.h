@@ -31,7 +31,7 @@ class CandidateScan
 {
 public:
   CandidateScan(
-    const TriangleMesh& mesh, const ClosedTriangles& closed, const Cost& cost, const Values& values)
+    const TriangleMesh& mesh, const ClosedTriangles& closed, const Cost& cost, Values& values)
     : Mesh(mesh)
     , Closed(closed)
     , IsAllOpen(Cost::isUnit && closed.isEmpty())
@@ -267,7 +267,7 @@ private:
    * need no triangle to have a cost. */
   bool IsAllOpen;
   const Cost& TriangleCost;
-  const Values& FrontValues;
+  Values& FrontValues;
 };
 
 }

@@ -4,11 +4,11 @@
 
 #if GEODESIC_HAS_LANES
 
+#include "march/BatchedMarch.h"
 #include "march/FieldValues.h"
 #include "march/LabelBounds.h"
 #include "march/LabelMargin.h"
 #include "march/LabelValues.h"
-#include "march/NeighbourUpdate.h"
 #include "march/OneLabelValues.h"
 #include "march/QueuedFront.h"
 #include "march/TriangleCost.h"
@@ -20,7 +20,7 @@
 #include "solve/StopLimit.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -28,11 +28,6 @@ namespace geodesic
 {
 namespace
 {
-
-/** Number of vertices in a batch. They are of one bucket, so hardly any of them gains by another.
- * While they are treated, the rings of the next batch are fetched, and the starts of the rings of
- * the batch after that. */
-constexpr std::size_t BatchSize = 12;
 
 /**
  * Width of the queue's buckets, in heights of triangles: a front's distance grows by about one
@@ -68,7 +63,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   this->States.resize(this->mesh().numberOfVertices());
 }
 
-std::unique_ptr<MarchingSolver> FastMarchingSolver::another() const
+std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
 {
   return std::make_unique<FastMarchingSolver>(
     this->sharedMesh(), this->bounds(), this->MayUseQuads);
@@ -87,28 +82,42 @@ bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const Ver
 }
 
 template <class Cost>
-bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
-  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+void FastMarchingSolver::startQueues(
+  FrontQueues& queues, const Cost& cost, std::size_t groups) const
 {
   const double edge = this->mesh().meanLongestEdge();
   const double height = heightOfMargin(edge, this->bounds()->meanMargin());
   const double width = BucketWidthInHeights * height * cost.mean();
   // A piece without triangles has no edges.
-  this->Queues.start(width > 0.0 ? width : 1.0,
-    2.0 * this->mesh().longestEdgeLength() * cost.largest(),
-    cost.queueOrder() == QueueOrder::ByValue ? 1
-                                             : numberOfGroups(this->mesh().numberOfVertices(),
-                                                 request.front.labels.size(), request.options),
-    cost.queueOrder());
+  queues.start(width > 0.0 ? width : 1.0, 2.0 * this->mesh().longestEdgeLength() * cost.largest(),
+    cost.queueOrder() == QueueOrder::ByValue ? 1 : groups, cost.queueOrder());
+}
+
+template void FastMarchingSolver::startQueues(FrontQueues&, const UnitCost&, std::size_t) const;
+template void FastMarchingSolver::startQueues(FrontQueues&, const VertexCost&, std::size_t) const;
+
+template <class Cost>
+bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
+  const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
+{
+  this->WorkOfThreads = {};
+  const std::size_t threads = bounds ? 1 : this->threadsFor(starts, request, limit);
+  if (threads > 1)
+  {
+    return this->marchOnThreads(threads, starts, cost, request, field);
+  }
+  const std::vector<Label>& labels = request.front.labels;
+  this->startQueues(this->Queues, cost,
+    numberOfGroups(this->mesh().numberOfVertices(), labels.size(), request.options));
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };
-  if (request.front.labels.size() == 1)
+  if (labels.size() == 1)
   {
-    OneLabelValues<Cost> values(context, request.front.labels[0]);
+    OneLabelValues<Cost> values(context, labels[0]);
     return this->run(cost, values, starts, request, limit, control, field);
   }
-  LabelValues<Cost> values(context, request.front.labels, this->Labels, this->Fronts, bounds);
+  LabelValues<Cost> values(context, labels, this->Labels, this->Fronts, bounds);
   return this->run(cost, values, starts, request, limit, control, field);
 }
 
@@ -116,42 +125,15 @@ template <class Cost, class Values>
 bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const StartValue> starts,
   const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field)
 {
-  NeighbourUpdate<Cost, Values> neighbourUpdate(
-    this->mesh(), *this->bounds(), request.closed, cost, values, this->MayUseQuads);
+  BatchedMarch<Cost, Values> batches(this->mesh(), *this->bounds(), request.closed, cost, values,
+    this->Queues, control, this->MayUseQuads);
   for (const StartValue& start : starts)
   {
     values.start(values.enter(start.label, start.vertex), start);
   }
   QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
     values.firstDistance(), values,
-    [&](std::uint64_t end, std::vector<Index>* taken)
-    {
-      std::array<Index, BatchSize> room;
-      std::array<Index, BatchSize> roomOfNext;
-      while (this->Queues.hasBefore(end))
-      {
-        const std::span<const Index> batch = this->Queues.take(room);
-        if (!control.mayGoOn(values.numberOfValues(), batch.size()))
-        {
-          break;
-        }
-        if (taken)
-        {
-          for (const Index item : batch)
-          {
-            taken->push_back(values.vertexOf(item));
-          }
-        }
-        const std::span<const Index> soon = this->Queues.next(3 * BatchSize);
-        for (Index later : soon.subspan(std::min(soon.size(), 2 * BatchSize)))
-        {
-          this->mesh().prefetchRingStart(values.vertexOf(later));
-        }
-        const auto next = soon.first(std::min(soon.size(), BatchSize));
-        std::copy(next.begin(), next.end(), roomOfNext.begin());
-        neighbourUpdate.update(batch, std::span(roomOfNext).first(next.size()));
-      }
-    });
+    [&](std::uint64_t end, std::vector<Index>* taken) { batches.advance(end, taken); });
   const bool finished = request.partition.march(front, limit);
   field.noteRaisedGain(control.raisedGain());
   field.orderReached();

@@ -30,8 +30,9 @@ public:
 #include "march/SecondaryValues.h"
 #include "march/SourceFront.h"
 #include "march/VertexState.h"
+#include "threads/SharedMarch.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -50,12 +51,14 @@ class MarchControl;
  * the formulas of EikonalUpdate.h for a round front (of a point) or a straight one (beside a curve
  * or region). This one takes a batch of vertices at a time, and computes several updates at once:
  *
+ *  - BatchedMarch.h: the loop
  *  - NeighbourUpdate.h: the update of all neighbours of a batch of vertices, step by step
  *  - UpdateBatch.h: the data of a batch, one row of slots for the ring of each vertex
  *  - CandidateScan.h, with UpdateBounds.h: which neighbours can gain at all, by cheap bounds
  *  - CandidateLists.h: lists of the updates to compute
  *  - OneLabelValues.h, or LabelValues.h with SecondaryValues.h: where values are kept
  *  - FrontQueues.h: the queues of a march
+ *  - MarchOnThreads.cxx, with SharedValues.h and SharedMarch.h: a march of one label on threads
  *
  * The march is label correcting: vertices are taken in rough order of distance and again whenever
  * their value falls. As the updates are monotone the result is their greatest fixed point, the same
@@ -81,12 +84,15 @@ public:
   FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
     std::shared_ptr<const UpdateBounds> bounds, bool mayUseQuads = true);
 
+  /** The work of the last march on several threads; all 0 if there was none. */
+  const ThreadWork& threadWork() const { return this->WorkOfThreads; }
+
 protected:
   bool marchFrom(std::span<const StartValue> starts, const UnitCost& cost, const Request& request,
     LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost, const Request& request,
     LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
-  std::unique_ptr<MarchingSolver> another() const override;
+  std::unique_ptr<FrontSolver> another() const override;
 
 private:
   template <class Cost>
@@ -96,11 +102,31 @@ private:
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
+  /** Empties queues for a march. @param groups  see FrontQueues::start() */
+  template <class Cost>
+  void startQueues(FrontQueues& queues, const Cost& cost, std::size_t groups) const;
+
+  /** On how many threads a march without bounds of labels goes on. */
+  std::size_t threadsFor(
+    std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const;
+  /** A march of one label on several threads, see SharedMarch. */
+  template <class Cost>
+  bool marchOnThreads(std::size_t threads, std::span<const StartValue> starts, const Cost& cost,
+    const Request& request, DistanceField& field);
+
   bool MayUseQuads;
   FrontQueues Queues;
   std::vector<VertexState> States;
   SecondaryValues Labels;
   std::vector<SourceFront> Fronts;
+  /** Made at the first march on several threads. */
+  struct OnThreads;
+  struct DeleteThreads
+  {
+    void operator()(OnThreads* threads) const;
+  };
+  std::unique_ptr<OnThreads, DeleteThreads> Threads;
+  ThreadWork WorkOfThreads;
 };
 
 }

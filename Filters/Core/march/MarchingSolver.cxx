@@ -167,7 +167,6 @@ bool MarchingSolver::renewFor(const TriangleMesh& mesh)
   this->Bounds = std::make_shared<UpdateBounds>(mesh);
   this->UnitReaches.reset();
   this->DiscSolver.reset();
-  this->Threads.reset();
   return true;
 }
 
@@ -232,7 +231,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   const bool areDense = labelsAreDense(this->mesh(), request.front, areSpread, request.partition);
   if (!areDense && (labels.size() == 1 || !cost.jumps()))
   {
-    return this->marchShared(starts, cost, request, limit, field);
+    return this->marchFrom(starts, cost, request, nullptr, limit, field);
   }
   // Each march counts its steps on from those of the one before.
   std::size_t before = 0;
@@ -251,7 +250,8 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
-  bool finished = this->marchShared(this->LabelsWithin.starts(), cost, first, firstLimit, field);
+  bool finished =
+    this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field);
   if (finished)
   {
     if (areDense)

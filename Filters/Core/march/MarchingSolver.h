@@ -8,7 +8,6 @@
 #include "march/UpdateBounds.h"
 #include "solve/FrontSolver.h"
 #include "solve/StartValue.h"
-#include "threads/ThreadRounds.h"
 
 #include <memory>
 #include <optional>
@@ -30,9 +29,6 @@ public:
    * neighbours would be wrong at first, and corrected again and again. */
   bool gainsByMaximumDistance() const override { return true; }
 
-  /** The work of the last march on threads; all 0 if there was none. */
-  const ThreadWork& threadWork() const { return this->WorkOfThreads; }
-
 protected:
   MarchingSolver(
     std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds);
@@ -52,7 +48,7 @@ protected:
   virtual bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
     const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   /** Another solver of the same tier on the same mesh, with its own workspace. */
-  virtual std::unique_ptr<MarchingSolver> another() const = 0;
+  virtual std::unique_ptr<FrontSolver> another() const = 0;
 
   const std::shared_ptr<const UpdateBounds>& bounds() const { return this->Bounds; }
 
@@ -60,16 +56,6 @@ private:
   template <class Cost>
   bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
     StopLimit& limit, DistanceField& field);
-
-  /** marchFrom() without bounds of labels, on several threads if the run may use them and is long
-   * enough. */
-  template <class Cost>
-  bool marchShared(std::span<const StartValue> starts, const Cost& cost, const Request& request,
-    StopLimit& limit, DistanceField& field);
-  /** marchFrom() on several threads. */
-  template <class Cost>
-  bool marchOnThreads(std::size_t threads, std::span<const StartValue> starts, const Cost& cost,
-    const Request& request, DistanceField& field);
 
   /** The reaches of a cost of 1 everywhere, made at the first run that may stop. Collective. */
   std::span<const float> unitReaches(Partition& partition);
@@ -86,14 +72,6 @@ private:
   std::unique_ptr<FrontSolver> DiscSolver;
   /** Kept for its memory. */
   LabelBounds LabelsWithin;
-  /** What marches on threads keep from run to run; made at the first one. */
-  struct OnThreads;
-  struct DeleteThreads
-  {
-    void operator()(OnThreads* threads) const;
-  };
-  std::unique_ptr<OnThreads, DeleteThreads> Threads;
-  ThreadWork WorkOfThreads;
 };
 
 }

@@ -9,6 +9,7 @@
 #include "solve/MarchControl.h"
 #include "solve/MarchingFront.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,8 +20,7 @@ namespace geodesic
 /**
  * The march of FastMarchingSolver as a MarchingFront, which a Partition drives.
  * @tparam Values   as in NeighbourUpdate
- * @tparam Advance  called with the number of a bucket, and advance()'s list of vertices that are
- * taken; marches until nothing waits in buckets before it
+ * @tparam Advance  see BatchedMarch::advance()
  */
 template <class Values, class Advance>
 class QueuedFront final : public MarchingFront
@@ -44,6 +44,11 @@ public:
   void advance(double limit, std::vector<Index>* taken) override
   {
     this->AdvanceBefore(this->Queues.endOfMarch(limit - this->FirstDistance), taken);
+    if (taken)
+    {
+      std::transform(taken->begin(), taken->end(), taken->begin(),
+        [&](Index item) { return this->FrontValues.vertexOf(item); });
+    }
   }
 
   double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }

@@ -202,8 +202,7 @@ private:
     const double mayMatter = this->Limit.with(vertex) - seedValue;
     const bool counts =
       value < std::min(std::min(known, kept) * this->Control.keptFraction(), mayMatter);
-    if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex) ||
-      this->Field.isLeftOut(vertex))
+    if (!counts || this->isBeyondBounds(vertex, label, value) || this->Options.isExcluded(vertex))
     {
       return;
     }
@@ -332,7 +331,7 @@ bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const Vertex
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
-std::unique_ptr<MarchingSolver> ReferenceSolver::another() const
+std::unique_ptr<FrontSolver> ReferenceSolver::another() const
 {
   return std::make_unique<ReferenceSolver>(this->sharedMesh(), this->bounds());
 }

@@ -43,7 +43,9 @@ public:
     this->Bits = isQueued ? this->Bits | Queued : this->Bits & ~Queued;
   }
   /** Whether the value waits, is of the label of @p labelBits, and is not final. */
-  bool isQueuedFor(Index labelBits) const { return this->Bits == (Queued | labelBits); }
+  bool isQueuedFor(Index labelBits) const { return this->Bits == queuedFor(labelBits); }
+  /** All bits of a value as in isQueuedFor(). */
+  static Index queuedFor(Index labelBits) { return Queued | labelBits; }
   /** Does setQueued(true) and stores the label of @p labelBits. @pre no other label is stored */
   void queueFor(Index labelBits) { this->Bits |= Queued | labelBits; }
   /** Whether the value is final, see StartValue. */

@@ -21,26 +21,6 @@ void DistanceField::reset()
   this->RaisedGain = 0.0;
 }
 
-void DistanceField::takeOver(const DistanceField& other, Index first, Index last)
-{
-  std::copy(other.Distances.begin() + first, other.Distances.begin() + last,
-    this->Distances.begin() + first);
-  std::copy(other.NearestSeeds.begin() + first, other.NearestSeeds.begin() + last,
-    this->NearestSeeds.begin() + first);
-}
-
-void DistanceField::findReached()
-{
-  this->Reached.resize(this->Distances.size() + 1);
-  std::size_t count = 0;
-  for (Index vertex = 0; vertex < this->Distances.size(); ++vertex)
-  {
-    this->Reached[count] = vertex;
-    count += this->isReached(vertex) ? 1 : 0;
-  }
-  this->Reached.resize(count);
-}
-
 void DistanceField::orderReached()
 {
   if (this->isWhole())

@@ -6,7 +6,6 @@
 #include "base/Index.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -65,24 +64,14 @@ public:
 
   /** Makes all vertices unreached. */
   void reset();
-  /** Leaves vertices out, from first to before last: they get a distance that is no number. As no
-   * comparison with it holds, they neither get nor give a distance. @pre they are unreached */
-  void leaveOut(Index first, Index last)
+  /** The distances, for several threads that set them together; noteReached() is to be called then.
+   */
+  std::span<double> sharedDistances() { return this->Distances; }
+  /** Notes vertices that got a distance by sharedDistances(), each once. */
+  void noteReached(std::span<const Index> vertices)
   {
-    std::fill(this->Distances.begin() + first, this->Distances.begin() + last,
-      std::numeric_limits<double>::quiet_NaN());
+    this->Reached.insert(this->Reached.end(), vertices.begin(), vertices.end());
   }
-  bool isLeftOut(Index vertex) const { return std::isnan(this->Distances[vertex]); }
-  /** Takes in vertices that were left out. */
-  void takeIn(Index first, Index last)
-  {
-    std::fill(this->Distances.begin() + first, this->Distances.begin() + last, Unreached);
-  }
-  /** Takes over the distances and nearest seeds of another field at the vertices from first to
-   * before last. Several threads may do so for different vertices at the same time; then
-   * findReached() is to be called. */
-  void takeOver(const DistanceField& other, Index first, Index last);
-  void findReached();
   /** Notes what MarchControl::raisedGain() says; the largest counts until reset(). */
   void noteRaisedGain(double gain) { this->RaisedGain = std::max(this->RaisedGain, gain); }
   void setLeavesOutElsewhere(bool leavesOut) { this->LeavesOutElsewhere = leavesOut; }

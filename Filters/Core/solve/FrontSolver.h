@@ -73,8 +73,6 @@ protected:
   virtual bool renewFor(const TriangleMesh& /*mesh*/) { return false; }
 
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Mesh; }
-  /** The field that solve() returns. */
-  DistanceField& field() { return this->Field; }
 
 private:
   std::shared_ptr<const TriangleMesh> Mesh;

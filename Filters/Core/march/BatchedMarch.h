@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_BatchedMarch_h
+#define geodesic_BatchedMarch_h
+
+#include "march/FrontQueues.h"
+#include "march/NeighbourUpdate.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/MarchControl.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+/** The loop of FastMarchingSolver: takes batches of vertices from the queues and updates their
+ * neighbours. @tparam Cost, Values  as in NeighbourUpdate */
+template <class Cost, class Values>
+class BatchedMarch
+{
+public:
+  /** @param mayUseQuads  see NeighbourUpdate */
+  BatchedMarch(const TriangleMesh& mesh, const UpdateBounds& bounds, const ClosedTriangles& closed,
+    const Cost& cost, Values& values, FrontQueues& queues, MarchControl& control, bool mayUseQuads)
+    : Mesh(mesh)
+    , FrontValues(values)
+    , Queues(queues)
+    , Control(control)
+    , Update(mesh, bounds, closed, cost, values, mayUseQuads)
+  {
+  }
+
+  /** Goes on until nothing waits in buckets before @p end, or the run is cancelled.
+   * @param taken  gets the items that were taken from the queues; may be null */
+  void advance(std::uint64_t end, std::vector<Index>* taken)
+  {
+    std::array<Index, BatchSize> room;
+    std::array<Index, BatchSize> roomOfNext;
+    while (this->Queues.hasBefore(end))
+    {
+      const std::span<const Index> batch = this->Queues.take(room);
+      if (!this->Control.mayGoOn(this->FrontValues.numberOfValues(), batch.size()))
+      {
+        break;
+      }
+      if (taken)
+      {
+        taken->insert(taken->end(), batch.begin(), batch.end());
+      }
+      const std::span<const Index> soon = this->Queues.next(3 * BatchSize);
+      for (const Index later : soon.subspan(std::min(soon.size(), 2 * BatchSize)))
+      {
+        this->Mesh.prefetchRingStart(this->FrontValues.vertexOf(later));
+      }
+      const auto next = soon.first(std::min(soon.size(), BatchSize));
+      std::copy(next.begin(), next.end(), roomOfNext.begin());
+      this->Update.update(batch, std::span(roomOfNext).first(next.size()));
+    }
+  }
+
+private:
+  /** Number of vertices in a batch. They are of one bucket, so hardly any of them gains by another.
+   * While they are treated, the rings of the next batch are fetched, and the starts of the rings of
+   * the batch after that. */
+  static constexpr std::size_t BatchSize = 12;
+
+  const TriangleMesh& Mesh;
+  Values& FrontValues;
+  FrontQueues& Queues;
+  MarchControl& Control;
+  NeighbourUpdate<Cost, Values> Update;
+};
+
+}
+
+#endif

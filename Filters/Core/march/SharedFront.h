@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SharedFront_h
+#define geodesic_SharedFront_h
+
+#include "march/FrontQueues.h"
+#include "march/SharedValues.h"
+#include "solve/MarchControl.h"
+#include "solve/MarchingFront.h"
+#include "threads/ThreadFront.h"
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/**
+ * A thread's part of a march of FastMarchingSolver as a ThreadFront, which a SharedMarch drives.
+ * @tparam Advance  called with the number of a bucket, see BatchedMarch::advance()
+ */
+template <class Cost, class Advance>
+class SharedFront final : public ThreadFront
+{
+public:
+  /** @param meanLongestEdge  see MarchingFront */
+  SharedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
+    SharedValues<Cost>& values, SharedMarch::Share& share, Advance advance)
+    : Queues(queues)
+    , Control(control)
+    , MeanLongestEdge(meanLongestEdge)
+    , FrontValues(values)
+    , Share(share)
+    , AdvanceBefore(std::move(advance))
+  {
+  }
+
+  void advance(double limit) override { this->AdvanceBefore(this->Queues.endOfMarch(limit)); }
+  void visitAtBorder(const std::function<void(Index)>& visit) override
+  {
+    this->FrontValues.visitAtBorder(visit);
+  }
+  double next() const override { return this->Queues.nextKey(); }
+  std::size_t waiting() const override { return this->queue().size(); }
+  std::size_t numberOfUpdates() const override { return this->Control.count(); }
+  double meanLongestEdge() const override { return this->MeanLongestEdge; }
+  double value(Index vertex) const override { return this->FrontValues.value(vertex); }
+
+  void goBackTo(double value) override { this->Queues.goBackTo(this->Queues.group(0), value); }
+  void lower(Index vertex, double value) override
+  {
+    this->FrontValues.template propose<Way::Along>(this->FrontValues.label(), vertex, value);
+  }
+  void updateRound(Index vertex) override { this->FrontValues.queueNotice(vertex); }
+  void take(Index vertex) override { this->FrontValues.takeOver(vertex); }
+  void visitWaiting(const std::function<void(Index)>& visit) const override
+  {
+    this->queue().visit(
+      [&](Index item)
+      {
+        if (!this->FrontValues.isNotice(item))
+        {
+          visit(item);
+        }
+      });
+  }
+  void giveUp(const std::function<void(Index)>& give) override
+  {
+    this->queue().remove(
+      [&](Index item)
+      {
+        const bool isGiven = !this->FrontValues.isNotice(item) && !this->Share.owns(item);
+        if (isGiven)
+        {
+          give(item);
+        }
+        return isGiven;
+      });
+  }
+
+private:
+  BucketQueue& queue() const { return this->Queues.group(0).best; }
+
+  FrontQueues& Queues;
+  const MarchControl& Control;
+  double MeanLongestEdge;
+  SharedValues<Cost>& FrontValues;
+  SharedMarch::Share& Share;
+  Advance AdvanceBefore;
+};
+
+}
+
+#endif

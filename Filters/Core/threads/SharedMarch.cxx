@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "threads/SharedMarch.h"
+
+#include "mesh/TriangleMesh.h"
+
+#include <cstdint>
+
+namespace geodesic
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/** A round in which no thread makes as many updates takes longer to agree on than to compute. */
+constexpr std::size_t FewUpdates = 256;
+/** The least step of the limit from round to round, in mean edges. */
+constexpr double StepInEdges = 4.0;
+/** Ranges are cut anew where a queue is longer than the mean by so many, and by this part of it. */
+constexpr std::size_t LeastExcess = 4;
+constexpr std::size_t PartOfExcess = 12;
+/** About how many samples of all queues say where ranges are cut. */
+constexpr std::size_t SamplesOfAll = 256;
+
+}
+
+struct SharedMarch::Summary
+{
+  double next = Infinity;
+  std::size_t updates = 0;
+  /** The most updates of any thread in the round. */
+  std::size_t most = 0;
+  bool isCancelled = false;
+  /** Whether the queues are of so unequal length that the ranges are to be cut anew. */
+  bool isUneven = false;
+};
+
+SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options)
+  : Mesh(mesh)
+  , Options(options)
+  , NextReport(options.progressInterval)
+  , Together(threads)
+{
+  for (std::vector<Report>& reports : this->Reports)
+  {
+    reports.resize(threads);
+    for (Report& report : reports)
+    {
+      report.mail.resize(threads);
+    }
+  }
+}
+
+bool SharedMarch::mayGoOn(std::size_t updates)
+{
+  if (!this->Options.onProgress || this->Options.progressInterval == 0 ||
+    updates < this->NextReport)
+  {
+    return true;
+  }
+  const std::size_t interval = this->Options.progressInterval;
+  const std::size_t reported = updates / interval * interval;
+  this->NextReport = reported + interval;
+  return this->Options.onProgress(reported);
+}
+
+SharedMarch::Share::Share(SharedMarch& march, std::size_t thread)
+  : March(march)
+  , Number(thread)
+{
+  const std::size_t threads = march.Reports[0].size();
+  const std::size_t vertices = march.Mesh.numberOfVertices();
+  for (std::size_t i = 1; i <= threads; ++i)
+  {
+    this->Ends.push_back(static_cast<Index>(vertices * i / threads));
+  }
+  this->First = thread > 0 ? this->Ends[thread - 1] : 0;
+  this->Count = this->Ends[thread] - this->First;
+}
+
+std::size_t SharedMarch::Share::ownerOf(Index vertex) const
+{
+  return static_cast<std::size_t>(
+    std::upper_bound(this->Ends.begin(), this->Ends.end(), vertex) - this->Ends.begin());
+}
+
+void SharedMarch::Share::send(Index vertex, double value)
+{
+  Mail& mail = this->report().mail[this->ownerOf(vertex)];
+  mail.values.push_back({ vertex, value });
+  mail.least = std::min(mail.least, value);
+}
+
+bool SharedMarch::Share::march(ThreadFront& front)
+{
+  const double leastStep = StepInEdges * front.meanLongestEdge();
+  double step = 0.5 * leastStep;
+  double end = -Infinity;
+  this->report().next = front.next();
+  this->report().waiting = front.waiting();
+  while (true)
+  {
+    const Summary round = this->meet();
+    if (round.isCancelled || round.next == Infinity)
+    {
+      return !round.isCancelled;
+    }
+    step = round.most < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
+    // What is sent lies up to a step behind the limit.
+    end = std::max({ end, round.next + step, std::min(end + step, round.next + 1.5 * step) });
+    this->takeMail(front);
+    if (round.isUneven && !this->cutRanges(front))
+    {
+      return false;
+    }
+    this->advance(front, end);
+    if (this->Number == 0 && !this->March.mayGoOn(round.updates))
+    {
+      this->report().isCancelled = true;
+    }
+  }
+}
+
+SharedMarch::Summary SharedMarch::Share::meet()
+{
+  Summary summary;
+  if (!this->March.Together.wait())
+  {
+    summary.isCancelled = true;
+    return summary;
+  }
+  const std::vector<Report>& reports = this->March.Reports[this->Parity];
+  std::size_t waiting = 0;
+  std::size_t mostWaiting = 0;
+  std::size_t sent = 0;
+  for (const Report& report : reports)
+  {
+    summary.next = std::min(summary.next, report.next);
+    summary.updates += report.updates;
+    summary.most = std::max(summary.most, report.roundUpdates);
+    summary.isCancelled = summary.isCancelled || report.isCancelled;
+    waiting += report.waiting;
+    mostWaiting = std::max(mostWaiting, report.waiting);
+    sent += report.sent;
+  }
+  const std::size_t mean = waiting / reports.size();
+  summary.isUneven = mostWaiting > mean + mean / PartOfExcess + LeastExcess;
+  if (this->Number == 0)
+  {
+    this->March.Work.longestChain += summary.most;
+    this->March.Work.updates = summary.updates;
+    this->March.Work.sent += sent;
+    ++this->March.Work.rounds;
+  }
+  // From here on this thread writes only to its next report: others may still read the last one.
+  this->Parity ^= 1u;
+  Report& report = this->report();
+  report.updates = this->lastReports()[this->Number].updates;
+  report.roundUpdates = 0;
+  report.sent = 0;
+  for (Mail& mail : report.mail)
+  {
+    mail.values.clear();
+    mail.notices.clear();
+    mail.least = Infinity;
+  }
+  return summary;
+}
+
+void SharedMarch::Share::takeMail(ThreadFront& front)
+{
+  for (const Report& report : this->lastReports())
+  {
+    const Mail& mail = report.mail[this->Number];
+    front.goBackTo(mail.least);
+    for (const auto& [vertex, value] : mail.values)
+    {
+      front.lower(vertex, value);
+    }
+    for (const Index vertex : mail.notices)
+    {
+      front.updateRound(vertex);
+    }
+  }
+}
+
+bool SharedMarch::Share::cutRanges(ThreadFront& front)
+{
+  Report& own = this->report();
+  const std::vector<Report>& reports = this->March.Reports[this->Parity];
+  const std::size_t threads = reports.size();
+  const std::size_t step = threads * front.waiting() / SamplesOfAll + 1;
+  own.samples.clear();
+  std::size_t count = 0;
+  front.visitWaiting(
+    [&](Index vertex)
+    {
+      if (count++ % step == 0)
+      {
+        own.samples.push_back(vertex);
+      }
+    });
+  own.weightOfSample = step;
+  if (!this->March.Together.wait())
+  {
+    return false;
+  }
+  this->findEnds();
+  for (Mail& mail : own.mail)
+  {
+    mail.gifts.clear();
+    mail.leastOfGifts = Infinity;
+  }
+  front.giveUp(
+    [&](Index vertex)
+    {
+      Mail& mail = own.mail[this->ownerOf(vertex)];
+      mail.gifts.push_back(vertex);
+      mail.leastOfGifts = std::min(mail.leastOfGifts, front.value(vertex));
+      ++own.sent;
+    });
+  if (!this->March.Together.wait())
+  {
+    return false;
+  }
+  for (const Report& report : reports)
+  {
+    const Mail& mail = report.mail[this->Number];
+    front.goBackTo(mail.leastOfGifts);
+    for (const Index vertex : mail.gifts)
+    {
+      front.take(vertex);
+    }
+  }
+  return true;
+}
+
+void SharedMarch::Share::findEnds()
+{
+  this->Samples.clear();
+  std::size_t total = 0;
+  for (const Report& report : this->March.Reports[this->Parity])
+  {
+    for (const Index vertex : report.samples)
+    {
+      this->Samples.emplace_back(vertex, report.weightOfSample);
+      total += report.weightOfSample;
+    }
+  }
+  std::sort(this->Samples.begin(), this->Samples.end());
+  // As much weight for each thread; the last one goes on to the last vertex.
+  std::size_t before = 0;
+  std::size_t thread = 0;
+  for (const auto& [vertex, weight] : this->Samples)
+  {
+    before += weight;
+    for (; thread + 1 < this->Ends.size() && before * this->Ends.size() >= total * (thread + 1);
+         ++thread)
+    {
+      this->Ends[thread] = vertex + 1;
+    }
+  }
+  this->First = this->Number > 0 ? this->Ends[this->Number - 1] : 0;
+  this->Count = this->Ends[this->Number] - this->First;
+}
+
+void SharedMarch::Share::advance(ThreadFront& front, double end)
+{
+  const std::size_t before = front.numberOfUpdates();
+  front.advance(end);
+  Report& report = this->report();
+  report.updates = front.numberOfUpdates();
+  report.roundUpdates = report.updates - before;
+  report.waiting = front.waiting();
+  this->sendNotices(front);
+  report.next = front.next();
+  for (const Mail& mail : report.mail)
+  {
+    report.next = std::min(report.next, mail.least);
+    report.sent += mail.values.size() + mail.notices.size();
+  }
+}
+
+void SharedMarch::Share::sendNotices(ThreadFront& front)
+{
+  Report& report = this->report();
+  front.visitAtBorder(
+    [&](Index vertex)
+    {
+      std::uint64_t receivers = std::uint64_t{ 1 } << this->Number;
+      for (const RingEntry& entry : this->March.Mesh.ring(vertex))
+      {
+        const std::size_t owner = this->ownerOf(entry.neighbour());
+        if ((receivers >> owner & 1u) == 0)
+        {
+          receivers |= std::uint64_t{ 1 } << owner;
+          Mail& mail = report.mail[owner];
+          mail.notices.push_back(vertex);
+          mail.least = std::min(mail.least, front.value(vertex));
+        }
+      }
+    });
+}
+
+void SharedMarch::Share::fail()
+{
+  this->March.Together.breakUp();
+}
+
+}

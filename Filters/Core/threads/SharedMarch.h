@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SharedMarch_h
+#define geodesic_SharedMarch_h
+
+#include "base/Index.h"
+#include "base/SpinBarrier.h"
+#include "solve/SolveOptions.h"
+#include "threads/ThreadFront.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+class TriangleMesh;
+
+/** The work of a march on several threads, to reckon what more of them would give. */
+struct ThreadWork
+{
+  std::size_t rounds = 0;
+  /** The number of vertices taken from queues. */
+  std::size_t updates = 0;
+  /** The sum over all rounds of the most updates of any thread. */
+  std::size_t longestChain = 0;
+  /** The number of values, notices and vertices sent. */
+  std::size_t sent = 0;
+};
+
+/**
+ * A march that several threads share, of one label, in one field in shared memory. Each thread owns
+ * the vertices of a range of numbers, that is, a part of the surface that lies together (see
+ * SpatialOrder); those of them that wait are in its queue. All march in rounds, up to a common
+ * limit in each, and wait for each other after it. Where their queues are of unequal length the
+ * ranges are cut anew.
+ *
+ * A thread writes the values of its own vertices only. It reads those of all vertices, also while
+ * their owners write them: a value only falls, and one that was read too early makes an update too
+ * large, never wrong. Between rounds a thread sends to another
+ *
+ * - *values* for vertices of that thread;
+ * - *notices*: vertices of its own that it took from its queue and that have neighbours of that
+ *   thread. The other one updates round them again, now that both see all values of the round. So
+ *   the last values of two neighbours meet in an update, whichever thread has which of them;
+ * - *gifts*: vertices that wait, where the ranges were cut anew.
+ *
+ * As the updates are monotone the field is that of one thread to 1e-9. It is not the same to the
+ * last bit from run to run, as that depends on when values are read.
+ */
+class SharedMarch
+{
+public:
+  static constexpr std::size_t MostThreads = 64;
+
+  /** @param threads  from 1 to MostThreads
+   * @param options  onProgress is called by thread 0, with the updates of all threads
+   * All arguments must live as long as this. */
+  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options);
+
+private:
+  struct ValueOfVertex
+  {
+    Index vertex;
+    double value;
+  };
+  struct Mail
+  {
+    std::vector<ValueOfVertex> values;
+    std::vector<Index> notices;
+    /** The least of the values, and of those of the notices. */
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Index> gifts;
+    double leastOfGifts = std::numeric_limits<double>::infinity();
+  };
+  /** What a thread says after a round. Each on cache lines of its own. */
+  struct alignas(128) Report
+  {
+    /** The least value that waits in its queue, or in its mail. */
+    double next = std::numeric_limits<double>::infinity();
+    /** In all rounds, and in this one. */
+    std::size_t updates = 0;
+    std::size_t roundUpdates = 0;
+    /** How many vertices wait in its queue. */
+    std::size_t waiting = 0;
+    /** How many values, notices and gifts it sends. */
+    std::size_t sent = 0;
+    bool isCancelled = false;
+    /** For each thread what is sent to it. */
+    std::vector<Mail> mail;
+    /** Some of the vertices that wait in its queue, where ranges are to be cut anew. */
+    std::vector<Index> samples;
+    /** How many vertices each of them stands for. */
+    std::size_t weightOfSample = 0;
+  };
+  /** What all reports of a round say together. */
+  struct Summary;
+
+public:
+  /** A thread's side of the march. */
+  class Share
+  {
+  public:
+    Share(SharedMarch& march, std::size_t thread);
+
+    std::size_t number() const { return this->Number; }
+    /** The first of the vertices that this thread owns, and how many there are. */
+    Index first() const { return this->First; }
+    Index count() const { return this->Count; }
+    /** Whether this thread owns a vertex. */
+    bool owns(Index vertex) const { return vertex - this->First < this->Count; }
+    /** The owner of a vertex. */
+    std::size_t ownerOf(Index vertex) const;
+    /** Sends a value to the owner of a vertex. */
+    void send(Index vertex, double value);
+
+    /** Marches until nothing is left to do for any thread. @return false when cancelled */
+    bool march(ThreadFront& front);
+    /** To be called by a thread that ends with an error, instead of going on: ends all. */
+    void fail();
+
+  private:
+    /** Waits for the reports of all threads, and begins the next one. Where another thread failed
+     * the run is cancelled. */
+    Summary meet();
+    /** Takes what was sent in the round before. */
+    void takeMail(ThreadFront& front);
+    /** Cuts the ranges anew, and gives away what waits where this thread is no owner any more.
+     * @return false where another thread failed */
+    bool cutRanges(ThreadFront& front);
+    /** Finds the ends of ranges from the samples of all. */
+    void findEnds();
+    /** Marches up to a value, and says what this thread then has to say. */
+    void advance(ThreadFront& front, double end);
+    void sendNotices(ThreadFront& front);
+
+    Report& report() { return this->March.Reports[this->Parity][this->Number]; }
+    const std::vector<Report>& lastReports() const
+    {
+      return this->March.Reports[this->Parity ^ 1u];
+    }
+
+    SharedMarch& March;
+    std::size_t Number;
+    /** Even and odd rounds take turns in what they write. */
+    std::size_t Parity = 0;
+    /** For each thread the vertex after its last one. Each thread computes the same. */
+    std::vector<Index> Ends;
+    Index First = 0;
+    Index Count = 0;
+    std::vector<std::pair<Index, std::size_t>> Samples;
+  };
+
+  /** The work of the march, once it has ended. */
+  const ThreadWork& work() const { return this->Work; }
+
+private:
+  /** Reports progress of all threads; false once the run is cancelled. Of thread 0. */
+  bool mayGoOn(std::size_t updates);
+
+  const TriangleMesh& Mesh;
+  const SolveOptions& Options;
+  /** At how many updates thread 0 reports next. */
+  std::size_t NextReport;
+  /** For even and odd rounds, by thread. */
+  std::array<std::vector<Report>, 2> Reports;
+  SpinBarrier Together;
+  ThreadWork Work;
+};
+
+}
+
+#endif
