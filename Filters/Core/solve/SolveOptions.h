@@ -104,15 +104,16 @@ struct SolveOptions
    */
   std::span<const SurfacePoint> pathStarts;
   /**
-   * The most threads that share one march of fast marching; 64 at most are used. Marches that may
-   * stop early, at a maximum distance or targets, those of many seeds (see LabelBounds) and those
-   * on pieces of a surface are on one thread; so are all other methods. The field is the same on
-   * any number, to 1e-9.
+   * The most threads that share one march of fast marching; 64 at most are used. Marches of several
+   * labels, that is, of several seeds, or of a line or region, and those that may stop early, at a
+   * maximum distance or targets, or are on pieces of a surface, are on one thread; so are all other
+   * methods. The field is the same on any number, to 1e-9, but on several threads not to the last
+   * bit from run to run.
    */
   std::size_t threads = 1;
   /** So many vertices there must be for each thread that shares a march: below that it gains too
    * little. */
-  std::size_t verticesOfThread = std::size_t{ 1 } << 18;
+  std::size_t verticesOfThread = std::size_t{ 1 } << 17;
   /**
    * How to solve together with the other pieces of the surface. Each piece is given the same seeds,
    * targets and limits; a target that only other pieces have has the vertices NoIndex. Null: the

@@ -12,10 +12,11 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/** A round in which no thread makes as many updates takes longer to agree on than to compute. */
-constexpr std::size_t FewUpdates = 256;
+/** A round in which all threads together make no more updates takes longer to agree on than to
+ * compute. */
+constexpr std::size_t FewUpdates = 64;
 /** The least step of the limit from round to round, in mean edges. */
-constexpr double StepInEdges = 4.0;
+constexpr double StepInEdges = 3.0;
 /** Ranges are cut anew where a queue is longer than the mean by so many, and by this part of it. */
 constexpr std::size_t LeastExcess = 4;
 constexpr std::size_t PartOfExcess = 12;
@@ -28,7 +29,8 @@ struct SharedMarch::Summary
 {
   double next = Infinity;
   std::size_t updates = 0;
-  /** The most updates of any thread in the round. */
+  /** The updates in the round: of all threads, and the most of any. */
+  std::size_t roundUpdates = 0;
   std::size_t most = 0;
   bool isCancelled = false;
   /** Whether the queues are of so unequal length that the ranges are to be cut anew. */
@@ -105,7 +107,7 @@ bool SharedMarch::Share::march(ThreadFront& front)
     {
       return !round.isCancelled;
     }
-    step = round.most < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
+    step = round.roundUpdates < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     // What is sent lies up to a step behind the limit.
     end = std::max({ end, round.next + step, std::min(end + step, round.next + 1.5 * step) });
     this->takeMail(front);
@@ -137,6 +139,7 @@ SharedMarch::Summary SharedMarch::Share::meet()
   {
     summary.next = std::min(summary.next, report.next);
     summary.updates += report.updates;
+    summary.roundUpdates += report.roundUpdates;
     summary.most = std::max(summary.most, report.roundUpdates);
     summary.isCancelled = summary.isCancelled || report.isCancelled;
     waiting += report.waiting;
@@ -287,11 +290,11 @@ void SharedMarch::Share::sendNotices(ThreadFront& front)
   front.visitAtBorder(
     [&](Index vertex)
     {
-      std::uint64_t receivers = std::uint64_t{ 1 } << this->Number;
+      std::uint64_t receivers = 0;
       for (const RingEntry& entry : this->March.Mesh.ring(vertex))
       {
         const std::size_t owner = this->ownerOf(entry.neighbour());
-        if ((receivers >> owner & 1u) == 0)
+        if (owner > this->Number && (receivers >> owner & 1u) == 0)
         {
           receivers |= std::uint64_t{ 1 } << owner;
           Mail& mail = report.mail[owner];

@@ -44,8 +44,9 @@ struct ThreadWork
  *
  * - *values* for vertices of that thread;
  * - *notices*: vertices of its own that it took from its queue and that have neighbours of that
- *   thread. The other one updates round them again, now that both see all values of the round. So
- *   the last values of two neighbours meet in an update, whichever thread has which of them;
+ *   thread, if that has a higher number. The other one updates round them again, now that it sees
+ *   all values of the round. So where both took one of two neighbours in the same round, their last
+ *   values meet in an update; in different rounds the later one sees the value of the other;
  * - *gifts*: vertices that wait, where the ranges were cut anew.
  *
  * As the updates are monotone the field is that of one thread to 1e-9. It is not the same to the
