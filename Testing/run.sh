@@ -4,10 +4,10 @@
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12, 13 or sid.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
 # Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
-#        bash Testing/run.sh bench [distances|paths|worst|exact|ranks]
+#        bash Testing/run.sh bench [distances|paths|worst|exact|ranks|threads]
 # Runs the benchmarks instead, for about half an hour, and writes benchmarks.md, path_benchmarks.md and
-# worst_cases.md in Plugin/Documentation, exact_benchmarks.md with the table of guide/methods.md, and the tables of counts in
-# cluster_benchmarks.md.
+# worst_cases.md in Plugin/Documentation, exact_benchmarks.md with the table of guide/methods.md, and the tables of
+# cluster_benchmarks.md and threads.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Plugin/packages.sh
@@ -101,13 +101,14 @@ install_packages build test
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_SLOPPINESS=locale
 if [[ ${1-} == bench ]]; then
   case ${2-} in
-    '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks ExactBenchmarks RankBenchmarks) ;;
+    '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks ExactBenchmarks RankBenchmarks ThreadBenchmarks) ;;
     distances) targets=(Benchmarks) ;;
     paths) targets=(PathBenchmarks) ;;
     worst) targets=(WorstCaseBenchmarks) ;;
     exact) targets=(ExactBenchmarks) ;;
     ranks) targets=(RankBenchmarks) ;;
-    *) fail "Benchmarks of $2 are not known: name distances, paths, worst, exact or ranks, or none for all" ;;
+    threads) targets=(ThreadBenchmarks) ;;
+    *) fail "Benchmarks of $2 are not known: name distances, paths, worst, exact, ranks or threads, or none for all" ;;
   esac
   cmake --preset bench
   # One after the other: side by side they would disturb each other.

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What one field of fast marching takes on several threads:
+//   ThreadBenchmark SURFACE THREADS RUNS
+// SURFACE is sphere:LEVELS, torus:POINTS_ACROSS, terrain:POINTS_ALONG_A_SIDE or bunny:SUBDIVISIONS.
+// Each run has another seed. Prints the name and number of all that is measured or counted, a pair
+// a line: times are medians in milliseconds of the clock. thread_suite.py makes tables.
+
+#include "Solving.h"
+#include "Surfaces.h"
+#include "WorstSurfaces.h"
+#include "march/FastMarchingSolver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+Surface surfaceCalled(const std::string& name)
+{
+  const std::size_t colon = name.find(':');
+  const std::string kind = name.substr(0, colon);
+  const int size = std::stoi(name.substr(colon + 1));
+  if (kind == "sphere")
+  {
+    return icosphere(size);
+  }
+  if (kind == "torus")
+  {
+    return torus(2 * static_cast<Index>(size), static_cast<Index>(size), 3.0, 1.0);
+  }
+  if (kind == "terrain")
+  {
+    return hillyGrid(static_cast<Index>(size), static_cast<Index>(size));
+  }
+  if (kind == "bunny")
+  {
+    return subdivided(bunny(), size);
+  }
+  throw std::invalid_argument(name + " is none of sphere, torus, terrain and bunny with a size.");
+}
+
+double median(std::vector<double> numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  return numbers[numbers.size() / 2];
+}
+
+/** Milliseconds of the clock. */
+template <class Work>
+double timeOf(const Work& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
+}
+
+void measure(const std::string& surface, std::size_t threads, int runs)
+{
+  const auto mesh = meshOf(surfaceCalled(surface));
+  FastMarchingSolver alone(mesh);
+  FastMarchingSolver shared(mesh);
+  std::mt19937 random(1);
+  std::vector<double> ones;
+  std::vector<double> severals;
+  std::vector<double> ratios;
+  double difference = 0.0;
+  ThreadWork work;
+  for (int run = 0; run <= runs; ++run)
+  {
+    const std::vector<Seed> seeds{ Seed::atPoint(
+      mesh->pointAtVertex(static_cast<Index>(random() % mesh->numberOfVertices()))) };
+    SolveOptions options;
+    const double one = timeOf([&] { alone.solve(seeds, options); });
+    options.threads = threads;
+    options.verticesOfThread = 1;
+    const double several = timeOf([&] { shared.solve(seeds, options); });
+    const DistanceField& expected = alone.solve(seeds);
+    const DistanceField& field = shared.solve(seeds, options);
+    for (const Index vertex : expected.reached())
+    {
+      difference = std::max(difference,
+        std::abs(field.distance(vertex) - expected.distance(vertex)) / expected.largestDistance());
+    }
+    if (run == 0)
+    {
+      std::printf("first_alone %.2f\nfirst %.2f\n", one, several);
+      continue;
+    }
+    ones.push_back(one);
+    severals.push_back(several);
+    ratios.push_back(one / several);
+    work.updates += shared.threadWork().updates;
+    work.longestChain += shared.threadWork().longestChain;
+    work.rounds += shared.threadWork().rounds;
+    work.sent += shared.threadWork().sent;
+  }
+  // One thread takes hardly more than one update a vertex.
+  const double vertices = mesh->numberOfVertices();
+  const double all = vertices * runs;
+  std::printf("vertices %.0f\nalone %.2f\ntime %.2f\nratio %.3f\ndifference %.2g\n", vertices,
+    median(ones), median(severals), median(ratios), difference);
+  std::printf("updates %.3f\nrounds %.0f\nsent %.4f\nbalance %.3f\nspeed %.3f\n",
+    static_cast<double>(work.updates) / all, static_cast<double>(work.rounds) / runs,
+    static_cast<double>(work.sent) / all,
+    static_cast<double>(work.updates) / static_cast<double>(work.longestChain),
+    all / static_cast<double>(work.longestChain));
+}
+
+}
+
+int main(int count, char** words)
+{
+  if (count != 4)
+  {
+    std::fprintf(stderr, "usage: ThreadBenchmark SURFACE THREADS RUNS\n");
+    return 1;
+  }
+  try
+  {
+    measure(words[1], std::stoul(words[2]), std::stoi(words[3]));
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "ThreadBenchmark: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
