@@ -29,11 +29,6 @@ void callTogether(std::size_t threads, const Work& work)
     Leave
   };
   std::atomic<Signal> signal = Wait;
-  const auto give = [&](Signal given)
-  {
-    signal = given;
-    signal.notify_all();
-  };
   std::vector<std::jthread> others;
   try
   {
@@ -42,7 +37,12 @@ void callTogether(std::size_t threads, const Work& work)
       others.emplace_back(
         [&, thread]
         {
-          signal.wait(Wait);
+          // It does not sleep: a thread that is woken up is often put on the waking one's
+          // processor.
+          while (signal == Wait)
+          {
+            std::this_thread::yield();
+          }
           if (signal == Begin)
           {
             work(thread);
@@ -52,10 +52,10 @@ void callTogether(std::size_t threads, const Work& work)
   }
   catch (...)
   {
-    give(Leave);
+    signal = Leave;
     throw;
   }
-  give(Begin);
+  signal = Begin;
   work(std::size_t{ 0 });
 }
 

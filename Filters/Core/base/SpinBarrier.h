@@ -22,6 +22,7 @@ class SpinBarrier
 public:
   explicit SpinBarrier(std::size_t threads)
     : Expected(threads)
+    , Patience(threads <= std::thread::hardware_concurrency() ? UsualPatience : 0)
   {
   }
 
@@ -41,7 +42,7 @@ public:
       {
         return false;
       }
-      if (looks < Patience)
+      if (looks < this->Patience)
       {
         pauseProcessor();
       }
@@ -57,10 +58,13 @@ public:
   void breakUp() { this->IsBroken.store(true, std::memory_order_relaxed); }
 
 private:
-  /** After so many looks, some ten microseconds, a thread leaves the processor to others. */
-  static constexpr std::size_t Patience = 4000;
+  /** Some ten microseconds. */
+  static constexpr std::size_t UsualPatience = 4000;
 
   std::size_t Expected;
+  /** After so many looks a thread leaves the processor to others; at once if there are more threads
+   * than processors. */
+  std::size_t Patience;
   std::atomic<std::size_t> Arrived = 0;
   /** How often all have arrived. */
   std::atomic<std::size_t> Phase = 0;

@@ -101,10 +101,7 @@ bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const Sta
       std::rethrow_exception(error);
     }
   }
-  for (const std::vector<Index>& vertices : this->Threads->reached)
-  {
-    field.noteReached(vertices);
-  }
+  field.noteReached(this->Threads->reached);
   field.noteRaisedGain(*std::max_element(raisedGains.begin(), raisedGains.end()));
   field.orderReached();
   field.setNearestSeed(request.front.labels[0].seed);

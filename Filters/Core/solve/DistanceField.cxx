@@ -21,6 +21,25 @@ void DistanceField::reset()
   this->RaisedGain = 0.0;
 }
 
+void DistanceField::noteReached(std::span<const std::vector<Index>> lists)
+{
+  std::size_t count = 0;
+  for (const std::vector<Index>& list : lists)
+  {
+    count += list.size();
+  }
+  if (count == this->Distances.size())
+  {
+    // All vertices: orderReached() needs no more than their number.
+    this->Reached.resize(count);
+    return;
+  }
+  for (const std::vector<Index>& list : lists)
+  {
+    this->Reached.insert(this->Reached.end(), list.begin(), list.end());
+  }
+}
+
 void DistanceField::orderReached()
 {
   if (this->isWhole())

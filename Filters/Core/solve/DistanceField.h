@@ -67,11 +67,9 @@ public:
   /** The distances, for several threads that set them together; noteReached() is to be called then.
    */
   std::span<double> sharedDistances() { return this->Distances; }
-  /** Notes vertices that got a distance by sharedDistances(), each once. */
-  void noteReached(std::span<const Index> vertices)
-  {
-    this->Reached.insert(this->Reached.end(), vertices.begin(), vertices.end());
-  }
+  /** Notes the vertices that got a distance by sharedDistances(), each once in all lists; then
+   * orderReached() is to be called. */
+  void noteReached(std::span<const std::vector<Index>> lists);
   /** Notes what MarchControl::raisedGain() says; the largest counts until reset(). */
   void noteRaisedGain(double gain) { this->RaisedGain = std::max(this->RaisedGain, gain); }
   void setLeavesOutElsewhere(bool leavesOut) { this->LeavesOutElsewhere = leavesOut; }
