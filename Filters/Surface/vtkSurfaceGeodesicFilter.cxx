@@ -294,8 +294,8 @@ void vtkSurfaceGeodesicFilter::CheckNumberOfThreads() const
   if (this->NumberOfThreads < -1 || this->NumberOfThreads > most)
   {
     throw std::invalid_argument("NumberOfThreads is " + std::to_string(this->NumberOfThreads) +
-      "; give -1 (the default), 0 (all processors) or a number from 1 to " +
-      std::to_string(most) + ".");
+      "; give -1 (the default), 0 (all processors) or a number from 1 to " + std::to_string(most) +
+      ".");
   }
 }
 
