@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One march on several threads gives the field of one thread.
+// One march on several threads gives the field of one thread. Without vector extensions there are
+// no marches on threads (see Platform.h).
+
+#include "base/Platform.h"
+
+#if GEODESIC_HAS_LANES
 
 #include "RandomMeshes.h"
 #include "Solving.h"
@@ -244,3 +249,5 @@ TEST(MarchOnThreads, SmallSurfacesAndBoundedRunsStayOnOneThread)
   solver.solve(seeds, options);
   EXPECT_EQ(solver.threadWork().rounds, 0);
 }
+
+#endif
