@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts what a field on many ranks takes, with all ranks in this process:
 //   RankCounts SURFACE SEED RANKS PATCHES
-// SURFACE is sphere:LEVELS or bunny:SUBDIVISIONS. SEED is cut, middle (of a rank's piece, where
+// For SURFACE see NamedSurface.h. SEED is cut, middle (of a rank's piece, where
 // each rank has one) or the number of a random place. PATCHES is how many patches each rank has.
 // Prints the name and number of all that is counted, a pair a line. rank_suite.py makes a table.
 
 #include "DealtSurface.h"
+#include "NamedSurface.h"
 #include "SimulatedRanks.h"
 #include "Solving.h"
 #include "algorithm/DistributedSolver.h"
@@ -29,22 +30,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-Surface surfaceCalled(const std::string& name)
-{
-  const std::size_t colon = name.find(':');
-  const std::string kind = name.substr(0, colon);
-  const int levels = std::stoi(name.substr(colon + 1));
-  if (kind == "sphere")
-  {
-    return icosphere(levels);
-  }
-  if (kind == "bunny")
-  {
-    return subdivided(bunny(), levels);
-  }
-  throw std::invalid_argument(name + " is not sphere:LEVELS or bunny:SUBDIVISIONS.");
-}
 
 /** The point that is farthest from all cuts. */
 Index middleOf(const std::shared_ptr<const TriangleMesh>& mesh, std::vector<Index> cuts)
@@ -135,7 +120,7 @@ void print(const char* name, double value)
 
 void count(const std::string& name, const std::string& place, int ranks, int patches)
 {
-  const Surface surface = surfaceCalled(name);
+  const Surface surface = namedSurface(name);
   const auto mesh = meshOf(surface);
   const Index seed =
     seedPoint(place, surface, mesh, pointsOnCuts(surface, dealt(surface, std::max(ranks, 2), 1)));

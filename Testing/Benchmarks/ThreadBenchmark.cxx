@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What one field of fast marching takes on several threads:
 //   ThreadBenchmark SURFACE THREADS RUNS
-// SURFACE is sphere:LEVELS, torus:POINTS_ACROSS, terrain:POINTS_ALONG_A_SIDE or bunny:SUBDIVISIONS.
-// Each run has another seed. Prints the name and number of all that is measured or counted, a pair
-// a line: times are medians in milliseconds of the clock. thread_suite.py makes tables.
+// For SURFACE see NamedSurface.h. Each run has another seed. Prints the name and number of all that
+// is measured or counted, a pair a line: times are medians in milliseconds of the clock.
+// thread_suite.py makes tables.
 
+#include "NamedSurface.h"
 #include "Solving.h"
-#include "Surfaces.h"
-#include "WorstSurfaces.h"
 #include "march/FastMarchingSolver.h"
 
 #include <algorithm>
@@ -17,7 +16,6 @@
 #include <cstdio>
 #include <exception>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,30 +24,6 @@ using namespace geodesic::testing;
 
 namespace
 {
-
-Surface surfaceCalled(const std::string& name)
-{
-  const std::size_t colon = name.find(':');
-  const std::string kind = name.substr(0, colon);
-  const int size = std::stoi(name.substr(colon + 1));
-  if (kind == "sphere")
-  {
-    return icosphere(size);
-  }
-  if (kind == "torus")
-  {
-    return torus(2 * static_cast<Index>(size), static_cast<Index>(size), 3.0, 1.0);
-  }
-  if (kind == "terrain")
-  {
-    return hillyGrid(static_cast<Index>(size), static_cast<Index>(size));
-  }
-  if (kind == "bunny")
-  {
-    return subdivided(bunny(), size);
-  }
-  throw std::invalid_argument(name + " is none of sphere, torus, terrain and bunny with a size.");
-}
 
 double median(std::vector<double> numbers)
 {
@@ -69,7 +43,7 @@ double timeOf(const Work& work)
 
 void measure(const std::string& surface, std::size_t threads, int runs)
 {
-  const auto mesh = meshOf(surfaceCalled(surface));
+  const auto mesh = meshOf(namedSurface(surface));
   FastMarchingSolver alone(mesh);
   FastMarchingSolver shared(mesh);
   std::mt19937 random(1);

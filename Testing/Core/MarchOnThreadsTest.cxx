@@ -133,6 +133,11 @@ TEST(MarchOnThreads, HeedsCostsAndBarriers)
   SolveOptions options;
   options.cost = costs;
   expectSameField(mesh, { seedAt(*mesh, 17) }, options);
+  // So far apart that vertices are taken strictly by their values.
+  const std::vector<double> spread = randomCosts(mesh->numberOfVertices(), 4.0, 4);
+  options.cost = spread;
+  expectSameField(mesh, { seedAt(*mesh, 17) }, options);
+  options.cost = costs;
   options.excluded = excluded;
   options.closedTriangles = closed;
   expectSameField(mesh, { seedAt(*mesh, 17) }, options);
@@ -183,6 +188,41 @@ TEST(MarchOnThreads, LeavesOtherPartsUnreached)
 {
   const auto mesh = meshOf(joined(icosphere(3), torus(60, 30, 30.0, 10.0)));
   expectSameField(mesh, { seedAt(*mesh, 0) });
+}
+
+TEST(MarchOnThreads, EndsWhereAllPointsAreOnePlace)
+{
+  Surface surface = icosphere(3);
+  std::fill(surface.points.begin(), surface.points.end(), Vector3{ 1.0, 2.0, 3.0 });
+  expectSameField(meshOf(surface), { seedAt(*meshOf(surface), 0) });
+}
+
+TEST(MarchOnThreads, HasTheFieldOfOneThreadRoundAPointOfVeryManyTriangles)
+{
+  const auto mesh = meshOf(disc(100000));
+  expectSameField(mesh, { seedAt(*mesh, 0) });
+  // The value of the centre comes too late for other threads: they have gone all the way round.
+  // Without a restart on one thread that took a square of updates.
+  expectSameField(mesh, { seedAt(*mesh, 50000) }, {}, false);
+}
+
+TEST(MarchOnThreads, ProgressGoesOnWhereOneThreadBeginsAgain)
+{
+  const auto mesh = meshOf(disc(100000));
+  FastMarchingSolver solver(mesh);
+  std::size_t last = 0;
+  SolveOptions options = onThreads(3);
+  options.onProgress = [&](std::size_t taken)
+  {
+    EXPECT_GT(taken, last);
+    last = taken;
+    return true;
+  };
+  const std::vector<Seed> seeds{ seedAt(*mesh, 50000) };
+  solver.solve(seeds, options);
+  EXPECT_EQ(solver.threadWork().rounds, 0);
+  options.onProgress = [](std::size_t) { return false; };
+  EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
 }
 
 TEST(MarchOnThreads, MovesItsSeedsFromRunToRun)

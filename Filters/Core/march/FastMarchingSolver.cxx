@@ -104,7 +104,22 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
   const std::size_t threads = bounds ? 1 : this->threadsFor(starts, request, limit);
   if (threads > 1)
   {
-    return this->marchOnThreads(threads, starts, cost, request, field);
+    if (const auto isFinished = this->marchOnThreads(threads, starts, cost, request, field))
+    {
+      return *isFinished;
+    }
+    // Once more, on one thread. Progress goes on from where it was.
+    const std::size_t before = this->WorkOfThreads.updates;
+    SolveOptions options = request.options;
+    options.threads = 1;
+    if (options.onProgress)
+    {
+      options.onProgress = [&](std::size_t taken)
+      { return request.options.onProgress(before + taken); };
+    }
+    const Request again{ request.front, request.closed, options, request.partition,
+      request.hasCost };
+    return this->marchAtCost(starts, cost, again, bounds, limit, field);
   }
   const std::vector<Label>& labels = request.front.labels;
   this->startQueues(this->Queues, cost,

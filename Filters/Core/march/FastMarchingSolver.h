@@ -34,6 +34,7 @@ public:
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -109,10 +110,13 @@ private:
   /** On how many threads a march without bounds of labels goes on. */
   std::size_t threadsFor(
     std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const;
-  /** A march of one label on several threads, see SharedMarch. */
+  /** A march of one label on several threads, see SharedMarch.
+   * @return false when cancelled; nothing, with the field reset, where the front does not settle
+   *         soon: what reaches another thread a round later may go against the order of the march,
+   *         and one thread gets on better */
   template <class Cost>
-  bool marchOnThreads(std::size_t threads, std::span<const StartValue> starts, const Cost& cost,
-    const Request& request, DistanceField& field);
+  std::optional<bool> marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
+    const Cost& cost, const Request& request, DistanceField& field);
 
   bool MayUseQuads;
   FrontQueues Queues;

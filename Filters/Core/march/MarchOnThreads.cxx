@@ -10,15 +10,25 @@
 #include "march/SharedFront.h"
 #include "march/SharedValues.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
 #include "threads/SharedMarch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <exception>
 
 namespace geodesic
 {
+namespace
+{
+
+/** The most updates of a thread for each vertex that it came to first. Usual are 1 to 2. It is far
+ * below that at which the least gain is raised (see MarchControl). */
+constexpr std::size_t MostUpdates = 4;
+
+}
 
 /** What marches on threads keep from run to run. */
 struct FastMarchingSolver::OnThreads
@@ -45,8 +55,9 @@ std::size_t FastMarchingSolver::threadsFor(
 }
 
 template <class Cost>
-bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
-  const Cost& cost, const Request& request, DistanceField& field)
+std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
+  std::span<const StartValue> starts, const Cost& cost, const Request& request,
+  DistanceField& field)
 {
   if (!this->Threads || this->Threads->queues.size() != threads)
   {
@@ -57,8 +68,8 @@ bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const Sta
   SolveOptions options = request.options;
   options.onProgress = nullptr;
   std::vector<std::exception_ptr> errors(threads);
-  std::vector<double> raisedGains(threads);
   std::vector<std::uint8_t> areFinished(threads);
+  std::atomic<bool> settles = true;
   callTogether(threads,
     [&](std::size_t thread)
     {
@@ -68,7 +79,7 @@ bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const Sta
         FrontQueues& queues = this->Threads->queues[thread];
         this->startQueues(queues, cost, 1);
         StopLimit limit(this->mesh(), options, field);
-        MarchControl control(options, limit);
+        MarchControl control(options, limit, MostUpdates);
         const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, options, limit,
           control, field, queues, this->States };
         std::vector<Index>& reached = this->Threads->reached[thread];
@@ -86,7 +97,11 @@ bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const Sta
         SharedFront front(queues, control, this->mesh().meanLongestEdge() * cost.mean(), values,
           share, [&](std::uint64_t end) { batches.advance(end, nullptr); });
         areFinished[thread] = share.march(front) ? 1 : 0;
-        raisedGains[thread] = control.raisedGain();
+      }
+      catch (const FrontDoesNotSettle&)
+      {
+        settles = false;
+        share.fail();
       }
       catch (...)
       {
@@ -101,18 +116,23 @@ bool FastMarchingSolver::marchOnThreads(std::size_t threads, std::span<const Sta
       std::rethrow_exception(error);
     }
   }
+  this->WorkOfThreads = march.work();
   field.noteReached(this->Threads->reached);
-  field.noteRaisedGain(*std::max_element(raisedGains.begin(), raisedGains.end()));
+  if (!settles)
+  {
+    field.fillReached(std::span(this->States), VertexState());
+    field.reset();
+    return std::nullopt;
+  }
   field.orderReached();
   field.setNearestSeed(request.front.labels[0].seed);
   field.fillReached(std::span(this->States), VertexState());
-  this->WorkOfThreads = march.work();
   return std::find(areFinished.begin(), areFinished.end(), 0) == areFinished.end();
 }
 
-template bool FastMarchingSolver::marchOnThreads(
+template std::optional<bool> FastMarchingSolver::marchOnThreads(
   std::size_t, std::span<const StartValue>, const UnitCost&, const Request&, DistanceField&);
-template bool FastMarchingSolver::marchOnThreads(
+template std::optional<bool> FastMarchingSolver::marchOnThreads(
   std::size_t, std::span<const StartValue>, const VertexCost&, const Request&, DistanceField&);
 
 }

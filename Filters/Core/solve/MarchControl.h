@@ -6,6 +6,7 @@
 #include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -13,6 +14,13 @@
 
 namespace geodesic
 {
+
+/** A front that takes too many updates, see MarchControl. */
+class FrontDoesNotSettle : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /**
  * Counts what a march takes from its queue; reports progress and follows the targets meanwhile.
@@ -37,9 +45,13 @@ public:
    * do all cuts of them agree. */
   static constexpr std::size_t SmallMarch = 10000;
 
-  MarchControl(const SolveOptions& options, StopLimit& limit)
+  /** @param mostUpdates  for each value that is kept, if these are to be fewer. The least gain is
+   * not raised before then */
+  MarchControl(const SolveOptions& options, StopLimit& limit, std::size_t mostUpdates = MostUpdates)
     : Options(options)
     , Limit(limit)
+    , Most(mostUpdates)
+    , NextRelaxation(std::min(mostUpdates, UsualUpdates))
     , NextReport(
         options.onProgress && options.progressInterval > 0 ? options.progressInterval : Never)
   {
@@ -53,7 +65,7 @@ public:
   /**
    * To be asked before each step, or before several; false once the run is cancelled.
    * @param values  how many values vertices keep so far
-   * @throws std::runtime_error where the march is beyond its budget
+   * @throws FrontDoesNotSettle where the march is beyond its budget
    */
   bool mayGoOn(std::size_t values, std::size_t steps = 1)
   {
@@ -104,11 +116,11 @@ private:
 
   void relax(std::size_t values)
   {
-    if (this->NextRelaxation >= MostUpdates)
+    if (this->NextRelaxation >= this->Most)
     {
-      throw std::runtime_error("The front does not settle: it took " + std::to_string(this->Count) +
+      throw FrontDoesNotSettle("The front does not settle: it took " + std::to_string(this->Count) +
         " updates for " + std::to_string(values) + " values, more than the limit of " +
-        std::to_string(MostUpdates) +
+        std::to_string(this->Most) +
         " for each. The surface has needles, or triangles that lie on each other. Clean or remesh "
         "the surface, or use the method Dijkstra.");
     }
@@ -119,8 +131,9 @@ private:
 
   const SolveOptions& Options;
   StopLimit& Limit;
+  std::size_t Most;
   /** The number of updates for each value at which the least gain is raised next. */
-  std::size_t NextRelaxation = UsualUpdates;
+  std::size_t NextRelaxation;
   std::size_t LastReport = 0;
   std::size_t NextReport;
   std::size_t Repetitions = 0;

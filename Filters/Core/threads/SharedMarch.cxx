@@ -95,7 +95,9 @@ void SharedMarch::Share::send(Index vertex, double value)
 
 bool SharedMarch::Share::march(ThreadFront& front)
 {
-  const double leastStep = StepInEdges * front.meanLongestEdge();
+  // Where all points are one place, no step would lead on.
+  const double edge = front.meanLongestEdge();
+  const double leastStep = edge > 0.0 ? StepInEdges * edge : Infinity;
   double step = 0.5 * leastStep;
   double end = -Infinity;
   this->report().next = front.next();
