@@ -32,6 +32,7 @@ public:
 #include "march/VertexState.h"
 #include "threads/SharedMarch.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -131,6 +132,9 @@ private:
   };
   std::unique_ptr<OnThreads, DeleteThreads> Threads;
   ThreadWork WorkOfThreads;
+  /** Whether a front did not settle on threads, without and with a cost: then later ones of this
+   * surface do not try. */
+  std::array<bool, 2> IsBetterAlone{};
 };
 
 }

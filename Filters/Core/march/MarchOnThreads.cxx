@@ -48,6 +48,7 @@ std::size_t FastMarchingSolver::threadsFor(
 {
   const bool mayShare = request.front.labels.size() == 1 && !limit.isPossible() &&
     !request.partition.isDivided() && !starts.empty() &&
+    !this->IsBetterAlone[request.hasCost ? 1 : 0] &&
     this->mesh().numberOfVertices() < SharedValues<UnitCost>::MostVertices;
   const std::size_t worthwhile =
     this->mesh().numberOfVertices() / std::max<std::size_t>(request.options.verticesOfThread, 1);
@@ -122,6 +123,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   {
     field.fillReached(std::span(this->States), VertexState());
     field.reset();
+    this->IsBetterAlone[request.hasCost ? 1 : 0] = true;
     return std::nullopt;
   }
   field.orderReached();
