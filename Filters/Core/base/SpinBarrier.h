@@ -22,8 +22,14 @@ class SpinBarrier
 public:
   explicit SpinBarrier(std::size_t threads)
     : Expected(threads)
-    , Patience(threads <= std::thread::hardware_concurrency() ? UsualPatience : 0)
+    , Patience(runAtOnce(threads) ? UsualPatience : 0)
   {
+  }
+
+  /** Whether the machine has a processor for each of so many threads. */
+  static bool runAtOnce(std::size_t threads)
+  {
+    return threads <= std::thread::hardware_concurrency();
   }
 
   /** Returns once all threads have arrived. What they wrote before is then seen by all.
@@ -52,6 +58,12 @@ public:
       }
     }
     return true;
+  }
+
+  /** Whether a thread that came now would wait for others. */
+  bool othersAreComing() const
+  {
+    return this->Arrived.load(std::memory_order_relaxed) + 1 < this->Expected;
   }
 
   /** For a thread that will not come again: nobody waits any more. */

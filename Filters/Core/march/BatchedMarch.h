@@ -52,14 +52,11 @@ public:
       {
         taken->insert(taken->end(), batch.begin(), batch.end());
       }
-      const std::span<const Index> soon = this->Queues.next(3 * BatchSize);
-      for (const Index later : soon.subspan(std::min(soon.size(), 2 * BatchSize)))
+      for (const Index later : this->Queues.upcoming(2 * BatchSize, roomOfNext))
       {
         this->Mesh.prefetchRingStart(this->FrontValues.vertexOf(later));
       }
-      const auto next = soon.first(std::min(soon.size(), BatchSize));
-      std::copy(next.begin(), next.end(), roomOfNext.begin());
-      this->Update.update(batch, std::span(roomOfNext).first(next.size()));
+      this->Update.update(batch, this->Queues.upcoming(0, roomOfNext));
     }
   }
 

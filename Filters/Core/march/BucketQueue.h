@@ -165,6 +165,11 @@ public:
 
   /** How many items wait. */
   std::size_t size() const { return this->Count; }
+  /** How many of them wait in the current bucket; not if items come by value. */
+  std::size_t sizeOfBucket() const
+  {
+    return this->Buckets[this->indexOf(this->Current)].size() - this->Next;
+  }
 
   /** Calls visit(item) for each item that waits. */
   template <class Visit>
@@ -234,23 +239,35 @@ public:
       this->Count -= taken;
       return room.first(taken);
     }
-    const std::span<const Index> taken = this->next(room.size());
-    std::copy(taken.begin(), taken.end(), room.begin());
-    this->Next += taken.size();
-    this->Count -= taken.size();
-    return room.first(taken.size());
+    const std::size_t taken = std::min(room.size(), this->sizeOfBucket());
+    std::copy_n(&this->bucket(this->Current)[this->Next], taken, room.data());
+    this->Next += taken;
+    this->Count -= taken;
+    return room.first(taken);
   }
 
-  /** The next items of the current bucket, without taking them: @p most of them, or all if they are
-   * fewer. None if items come by value. Valid until the next push. */
-  std::span<const Index> next(std::size_t most) const
+  /**
+   * Items that are likely to be taken after the next @p skip ones, without taking them: those of
+   * the current bucket, then of the one behind it. None if items come by value.
+   * @param room  for the items, as many as fit
+   * @return the part of @p room that holds them
+   */
+  std::span<const Index> upcoming(std::size_t skip, std::span<Index> room) const
   {
-    if (this->IsByValue)
+    std::size_t filled = 0;
+    std::size_t first = this->Next + skip;
+    for (std::uint64_t number = this->Current; number <= this->Current + 1; ++number)
     {
-      return {};
+      const std::vector<Index>& items = this->Buckets[this->indexOf(number)];
+      if (first < items.size())
+      {
+        const std::size_t count = std::min(room.size() - filled, items.size() - first);
+        std::copy_n(items.data() + first, count, room.data() + filled);
+        filled += count;
+      }
+      first -= std::min(first, items.size());
     }
-    const std::span<const Index> items = this->Buckets[this->indexOf(this->Current)];
-    return items.subspan(this->Next, std::min(most, items.size() - this->Next));
+    return room.first(filled);
   }
 
   /** The memory of the items, also of those that have room only. Time linear in the number of

@@ -124,13 +124,14 @@ private:
   std::vector<VertexState> States;
   SecondaryValues Labels;
   std::vector<SourceFront> Fronts;
-  /** Made at the first march on several threads. */
-  struct OnThreads;
-  struct DeleteThreads
+  /** What a thread keeps from march to march. It changes with each step, so it is on cache lines of
+   * its own: two threads that write to one line wait for each other. */
+  struct alignas(128) OfThread
   {
-    void operator()(OnThreads* threads) const;
+    FrontQueues queues;
+    std::vector<Index> reached;
   };
-  std::unique_ptr<OnThreads, DeleteThreads> Threads;
+  std::vector<OfThread> Threads;
   ThreadWork WorkOfThreads;
   /** Whether a front did not settle on threads, without and with a cost: then later ones of this
    * surface do not try. */

@@ -104,8 +104,11 @@ public:
     this->Taken += taken.size();
     return taken;
   }
-  /** See BucketQueue::next(). */
-  std::span<const Index> next(std::size_t most) const { return this->Current->next(most); }
+  /** See BucketQueue::upcoming(). */
+  std::span<const Index> upcoming(std::size_t skip, std::span<Index> room) const
+  {
+    return this->Current->upcoming(skip, room);
+  }
 
   /** Goes back to the bucket of a key in the queues of a group; see BucketQueue::goBackTo(). */
   void goBackTo(FrontGroup& group, double key)

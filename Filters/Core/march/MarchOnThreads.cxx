@@ -30,19 +30,6 @@ constexpr std::size_t MostUpdates = 4;
 
 }
 
-/** What marches on threads keep from run to run. */
-struct FastMarchingSolver::OnThreads
-{
-  /** For each thread. */
-  std::vector<FrontQueues> queues;
-  std::vector<std::vector<Index>> reached;
-};
-
-void FastMarchingSolver::DeleteThreads::operator()(OnThreads* threads) const
-{
-  delete threads;
-}
-
 std::size_t FastMarchingSolver::threadsFor(
   std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const
 {
@@ -60,11 +47,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   std::span<const StartValue> starts, const Cost& cost, const Request& request,
   DistanceField& field)
 {
-  if (!this->Threads || this->Threads->queues.size() != threads)
-  {
-    this->Threads.reset(
-      new OnThreads{ std::vector<FrontQueues>(threads), std::vector<std::vector<Index>>(threads) });
-  }
+  this->Threads.resize(threads);
   SharedMarch march(this->mesh(), threads, request.options);
   SolveOptions options = request.options;
   options.onProgress = nullptr;
@@ -77,13 +60,12 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
       SharedMarch::Share share(march, thread);
       try
       {
-        FrontQueues& queues = this->Threads->queues[thread];
+        auto& [queues, reached] = this->Threads[thread];
         this->startQueues(queues, cost, 1);
         StopLimit limit(this->mesh(), options, field);
         MarchControl control(options, limit, MostUpdates);
         const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, options, limit,
           control, field, queues, this->States };
-        std::vector<Index>& reached = this->Threads->reached[thread];
         reached.clear();
         SharedValues<Cost> values(context, request.front.labels[0], share, reached);
         BatchedMarch<Cost, SharedValues<Cost>> batches(this->mesh(), *this->bounds(),
@@ -118,7 +100,12 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
     }
   }
   this->WorkOfThreads = march.work();
-  field.noteReached(this->Threads->reached);
+  std::vector<std::span<const Index>> reached;
+  for (const OfThread& thread : this->Threads)
+  {
+    reached.emplace_back(thread.reached);
+  }
+  field.noteReached(reached);
   if (!settles)
   {
     field.fillReached(std::span(this->States), VertexState());

@@ -8,6 +8,7 @@
 #include "threads/SharedMarch.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,7 @@ namespace geodesic
 
 /**
  * The values of a march of one label on several threads, for one of them: as OneLabelValues, in a
- * field that all threads share (see SharedMarch). In the state of a vertex that waits in a queue,
- * the label is the thread of the queue.
+ * field that all threads share (see SharedMarch). A vertex waits in the queue of its owner.
  */
 template <class Cost>
 class SharedValues
@@ -30,8 +30,7 @@ public:
     , Share(share)
     , Reached(reached)
     , IsByValue(context.cost.queueOrder() == QueueOrder::ByValue)
-    , Only(label, VertexState::labelBitsOf(static_cast<Index>(share.number())),
-        context.cost.smallest())
+    , Only(label, 0, context.cost.smallest())
     , Distances(context.field.sharedDistances())
   {
     this->Only.group = &context.queues.group(0);
@@ -51,9 +50,8 @@ public:
       : Distances(of.Distances.data())
       , States(of.Context.states.data())
       , SeedValue(of.Only.seedValue)
-      , IsQueued(VertexState::queuedFor(of.Only.labelBits))
       , First(of.Share.first())
-      , Count(of.Share.count())
+      , Last(of.Share.first() + of.Share.count() - 1)
       , AreOthers(of.AreOthers)
     {
     }
@@ -62,24 +60,27 @@ public:
     template <class Real>
     GEODESIC_INLINED BestValues<Real> look(const Indices<Real>& vertices) const
     {
-      const BitsOf<Real> states =
-        bitsWith<Real>([&](int lane) { return readShared(this->States[vertices[lane]]).bits(); });
-      const BitsOf<Real> numbers =
-        bitsWith<Real>([&](int lane) { return vertices[lane] - this->First; });
-      this->AreOthers |= highestBits<Real>(numbers >= this->Count);
-      return { lanesOf<Real>(
-                 [&](int lane) { return readShared(this->Distances[vertices[lane]]); }) -
-          this->SeedValue,
-        0, highestBits<Real>(states == this->IsQueued) };
+      const auto values = readSharedLanes([&](const auto& read)
+        { return lanesOf<Real>([&](int lane) { return read(this->Distances[vertices[lane]]); }); });
+      const auto states = readSharedLanes(
+        [&](const auto& read) {
+          return bitsWith<Real>(
+            [&](int lane) { return read(this->States[vertices[lane]]).bits(); });
+        });
+      BitsOf<Real> numbers;
+      std::memcpy(&numbers, vertices.data(), sizeof numbers);
+      // The highest bit of each is set where the vertex is another thread's.
+      const BitsOf<Real> others = (numbers - this->First) | (this->Last - numbers);
+      this->AreOthers |= highestBits<Real>(others);
+      return { values - this->SeedValue, 0, highestBits<Real>(states & ~others) };
     }
 
   private:
     const double* Distances;
     const VertexState* States;
     double SeedValue;
-    Index IsQueued;
     Index First;
-    Index Count;
+    Index Last;
     unsigned& AreOthers;
   };
   Reader reader(const SourceFront&) { return Reader(*this); }
@@ -89,9 +90,10 @@ public:
   {
     value = this->Only.leastOf.raised(value, this->Context.mesh.position(vertex));
     const VertexState state = this->state(vertex);
+    const bool isOwn = this->Share.owns(vertex);
     const double old = this->value(vertex);
     const double ceiling = old * this->Context.control.keptFraction();
-    if (state.isQueuedFor(this->Only.labelBits))
+    if (isOwn && state.isQueuedFor(0))
     {
       // A processor can't predict whether the value counts, so there is no branch on it.
       const Pair held = select(Pair{ value } < Pair{ ceiling }, Pair{ value }, Pair{ old });
@@ -108,12 +110,12 @@ public:
     const bool isFixed = !(Cost::isUnit && way == Way::Along) && state.isFinal();
     if (!(value < ceiling) || isFixed || this->Context.options.isExcluded(vertex))
     {
-      return { old, old, state.isQueued() };
+      return { old, old, isOwn && state.isQueued() };
     }
-    if (!this->Share.owns(vertex))
+    if (!isOwn)
     {
       this->Share.send(vertex, value);
-      return { old, old, state.isQueued() };
+      return { old, old, false };
     }
     this->set(vertex, state, value);
     return { value, value, true };
@@ -183,13 +185,7 @@ public:
   /** Queues an update round a vertex of another thread. */
   void queueNotice(Index vertex) { this->queue(vertex | Notice, this->value(vertex)); }
   /** Queues a vertex of this thread that waited in another thread's queue. */
-  void takeOver(Index vertex)
-  {
-    VertexState state = this->state(vertex);
-    state.setLabel(static_cast<Index>(this->Share.number()));
-    this->setState(vertex, state);
-    this->queue(vertex, this->value(vertex));
-  }
+  void takeOver(Index vertex) { this->queue(vertex, this->value(vertex)); }
 
 private:
   static constexpr Index Notice = MostVertices;
@@ -232,7 +228,6 @@ private:
     this->setFirst(vertex, value);
     if (!state.isQueued() || this->IsByValue)
     {
-      state.setLabel(static_cast<Index>(this->Share.number()));
       state.setQueued(true);
       this->setState(vertex, state);
       this->queue(vertex, value);

@@ -21,10 +21,10 @@ void DistanceField::reset()
   this->RaisedGain = 0.0;
 }
 
-void DistanceField::noteReached(std::span<const std::vector<Index>> lists)
+void DistanceField::noteReached(std::span<const std::span<const Index>> lists)
 {
   std::size_t count = 0;
-  for (const std::vector<Index>& list : lists)
+  for (const std::span<const Index> list : lists)
   {
     count += list.size();
   }
@@ -34,7 +34,7 @@ void DistanceField::noteReached(std::span<const std::vector<Index>> lists)
     this->Reached.resize(count);
     return;
   }
-  for (const std::vector<Index>& list : lists)
+  for (const std::span<const Index> list : lists)
   {
     this->Reached.insert(this->Reached.end(), list.begin(), list.end());
   }

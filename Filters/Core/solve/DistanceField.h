@@ -69,7 +69,7 @@ public:
   std::span<double> sharedDistances() { return this->Distances; }
   /** Notes the vertices that got a distance by sharedDistances(), each once in all lists; then
    * orderReached() is to be called. */
-  void noteReached(std::span<const std::vector<Index>> lists);
+  void noteReached(std::span<const std::span<const Index>> lists);
   /** Notes what MarchControl::raisedGain() says; the largest counts until reset(). */
   void noteRaisedGain(double gain) { this->RaisedGain = std::max(this->RaisedGain, gain); }
   void setLeavesOutElsewhere(bool leavesOut) { this->LeavesOutElsewhere = leavesOut; }

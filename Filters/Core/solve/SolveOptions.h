@@ -113,7 +113,7 @@ struct SolveOptions
   std::size_t threads = 1;
   /** So many vertices there must be for each thread that shares a march: below that it gains too
    * little. */
-  std::size_t verticesOfThread = std::size_t{ 1 } << 17;
+  std::size_t verticesOfThread = std::size_t{ 1 } << 16;
   /**
    * How to solve together with the other pieces of the surface. Each piece is given the same seeds,
    * targets and limits; a target that only other pieces have has the vertices NoIndex. Null: the

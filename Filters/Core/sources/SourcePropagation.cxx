@@ -161,7 +161,7 @@ void SourcePropagation::startAt(const Label& label, Index number)
 void SourcePropagation::takeRound()
 {
   this->Queue.hasBefore(this->Queue.nextBucket() + 1);
-  this->Work.round.resize(this->Queue.next(SIZE_MAX).size());
+  this->Work.round.resize(this->Queue.sizeOfBucket());
   this->Queue.take(this->Work.round);
 }
 

@@ -4,6 +4,7 @@
 
 #include "mesh/TriangleMesh.h"
 
+#include <chrono>
 #include <cstdint>
 
 namespace geodesic
@@ -17,9 +18,19 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t FewUpdates = 64;
 /** The least step of the limit from round to round, in mean edges. */
 constexpr double StepInEdges = 3.0;
-/** Ranges are cut anew where a queue is longer than the mean by so many, and by this part of it. */
-constexpr std::size_t LeastExcess = 4;
-constexpr std::size_t PartOfExcess = 12;
+/** Ranges are cut anew where a queue takes longer than the mean by this part of it and by so many
+ * vertices of usual pace. */
+constexpr double PartOfExcess = 1.0 / 12.0;
+constexpr double LeastExcess = 4.0;
+/** A round of fewer vertices says nothing about a thread's pace. Of others, each counts for this
+ * part of it: the more, the faster it follows, and the more a round that something else delayed
+ * counts. */
+constexpr std::size_t LeastTimed = 32;
+constexpr double PartOfRound = 0.125;
+/** How far a thread goes on while it would wait for others, in mean edges, and in how many steps.
+ * What it does too early it does in vain. */
+constexpr double MostAhead = 1.5;
+constexpr int StepsAhead = 5;
 /** About how many samples of all queues say where ranges are cut. */
 constexpr std::size_t SamplesOfAll = 256;
 
@@ -33,7 +44,7 @@ struct SharedMarch::Summary
   std::size_t roundUpdates = 0;
   std::size_t most = 0;
   bool isCancelled = false;
-  /** Whether the queues are of so unequal length that the ranges are to be cut anew. */
+  /** Whether the queues are so unequal that the ranges are to be cut anew. */
   bool isUneven = false;
 };
 
@@ -41,6 +52,7 @@ SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const So
   : Mesh(mesh)
   , Options(options)
   , NextReport(options.progressInterval)
+  , RunAtOnce(SpinBarrier::runAtOnce(threads))
   , Together(threads)
 {
   for (std::vector<Report>& reports : this->Reports)
@@ -134,8 +146,8 @@ SharedMarch::Summary SharedMarch::Share::meet()
     return summary;
   }
   const std::vector<Report>& reports = this->March.Reports[this->Parity];
-  std::size_t waiting = 0;
-  std::size_t mostWaiting = 0;
+  double load = 0.0;
+  double mostLoad = 0.0;
   std::size_t sent = 0;
   for (const Report& report : reports)
   {
@@ -144,12 +156,13 @@ SharedMarch::Summary SharedMarch::Share::meet()
     summary.roundUpdates += report.roundUpdates;
     summary.most = std::max(summary.most, report.roundUpdates);
     summary.isCancelled = summary.isCancelled || report.isCancelled;
-    waiting += report.waiting;
-    mostWaiting = std::max(mostWaiting, report.waiting);
+    const double ofThread = static_cast<double>(report.waiting) * report.pace;
+    load += ofThread;
+    mostLoad = std::max(mostLoad, ofThread);
     sent += report.sent;
   }
-  const std::size_t mean = waiting / reports.size();
-  summary.isUneven = mostWaiting > mean + mean / PartOfExcess + LeastExcess;
+  const double mean = load / static_cast<double>(reports.size());
+  summary.isUneven = mostLoad > (1.0 + PartOfExcess) * mean + LeastExcess * UsualPace;
   if (this->Number == 0)
   {
     this->March.Work.longestChain += summary.most;
@@ -253,16 +266,25 @@ void SharedMarch::Share::findEnds()
     }
   }
   std::sort(this->Samples.begin(), this->Samples.end());
-  // As much weight for each thread; the last one goes on to the last vertex.
-  std::size_t before = 0;
+  // As much time for each thread; the last one goes on to the last vertex.
+  double speeds = 0.0;
+  for (const Report& report : this->lastReports())
+  {
+    speeds += 1.0 / report.pace;
+  }
+  const auto weightOf = [&](std::size_t thread)
+  { return static_cast<double>(total) / (this->lastReports()[thread].pace * speeds); };
+  double end = weightOf(0);
+  double before = 0.0;
   std::size_t thread = 0;
   for (const auto& [vertex, weight] : this->Samples)
   {
-    before += weight;
-    for (; thread + 1 < this->Ends.size() && before * this->Ends.size() >= total * (thread + 1);
-         ++thread)
+    before += static_cast<double>(weight);
+    while (thread + 1 < this->Ends.size() && before >= end)
     {
       this->Ends[thread] = vertex + 1;
+      ++thread;
+      end += weightOf(thread);
     }
   }
   this->First = this->Number > 0 ? this->Ends[this->Number - 1] : 0;
@@ -272,17 +294,46 @@ void SharedMarch::Share::findEnds()
 void SharedMarch::Share::advance(ThreadFront& front, double end)
 {
   const std::size_t before = front.numberOfUpdates();
+  const std::size_t waiting = front.waiting();
+  const auto start = std::chrono::steady_clock::now();
   front.advance(end);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (this->March.RunAtOnce)
+  {
+    this->learnPace(waiting, taken.count());
+    this->goOnFrom(front, end);
+  }
   Report& report = this->report();
   report.updates = front.numberOfUpdates();
   report.roundUpdates = report.updates - before;
   report.waiting = front.waiting();
+  report.pace = this->Pace;
   this->sendNotices(front);
   report.next = front.next();
   for (const Mail& mail : report.mail)
   {
     report.next = std::min(report.next, mail.least);
     report.sent += mail.values.size() + mail.notices.size();
+  }
+}
+
+void SharedMarch::Share::learnPace(std::size_t waiting, double seconds)
+{
+  if (waiting >= LeastTimed)
+  {
+    // A thread may have had to leave its processor to another for long: twice as long counts.
+    const double pace =
+      std::clamp(seconds / static_cast<double>(waiting), 0.5 * this->Pace, 2.0 * this->Pace);
+    this->Pace += PartOfRound * (pace - this->Pace);
+  }
+}
+
+void SharedMarch::Share::goOnFrom(ThreadFront& front, double end)
+{
+  const double step = MostAhead / StepsAhead * front.meanLongestEdge();
+  for (int i = 1; i <= StepsAhead && this->March.Together.othersAreComing(); ++i)
+  {
+    front.advance(end + i * step);
   }
 }
 

@@ -35,8 +35,8 @@ struct ThreadWork
  * A march that several threads share, of one label, in one field in shared memory. Each thread owns
  * the vertices of a range of numbers, that is, a part of the surface that lies together (see
  * SpatialOrder); those of them that wait are in its queue. All march in rounds, up to a common
- * limit in each, and wait for each other after it. Where their queues are of unequal length the
- * ranges are cut anew.
+ * limit in each, and wait for each other after it; a thread that is early goes on a little
+ * meanwhile. Where the queues would take them unequal times the ranges are cut anew.
  *
  * A thread writes the values of its own vertices only. It reads those of all vertices, also while
  * their owners write them: a value only falls, and one that was read too early makes an update too
@@ -77,6 +77,8 @@ private:
     std::vector<Index> gifts;
     double leastOfGifts = std::numeric_limits<double>::infinity();
   };
+  /** The pace of a thread of which nothing is known yet; only relations count. */
+  static constexpr double UsualPace = 1e-6;
   /** What a thread says after a round. Each on cache lines of its own. */
   struct alignas(128) Report
   {
@@ -87,6 +89,8 @@ private:
     std::size_t roundUpdates = 0;
     /** How many vertices wait in its queue. */
     std::size_t waiting = 0;
+    /** How many seconds a round takes this thread for each of them, about. */
+    double pace = UsualPace;
     /** How many values, notices and gifts it sends. */
     std::size_t sent = 0;
     bool isCancelled = false;
@@ -136,6 +140,11 @@ public:
     void findEnds();
     /** Marches up to a value, and says what this thread then has to say. */
     void advance(ThreadFront& front, double end);
+    /** Learns from the last round how long rounds take. @param waiting how many vertices it had
+     * @param seconds what it took */
+    void learnPace(std::size_t waiting, double seconds);
+    /** Marches beyond a value until the others come too. */
+    void goOnFrom(ThreadFront& front, double end);
     void sendNotices(ThreadFront& front);
 
     Report& report() { return this->March.Reports[this->Parity][this->Number]; }
@@ -152,6 +161,7 @@ public:
     std::vector<Index> Ends;
     Index First = 0;
     Index Count = 0;
+    double Pace = UsualPace;
     std::vector<std::pair<Index, std::size_t>> Samples;
   };
 
@@ -166,6 +176,9 @@ private:
   const SolveOptions& Options;
   /** At how many updates thread 0 reports next. */
   std::size_t NextReport;
+  /** Where threads take turns on a processor, what a round takes says nothing, and none is early.
+   */
+  bool RunAtOnce;
   /** For even and odd rounds, by thread. */
   std::array<std::vector<Report>, 2> Reports;
   SpinBarrier Together;
