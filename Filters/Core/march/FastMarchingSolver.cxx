@@ -101,10 +101,12 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
   const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
   this->WorkOfThreads = {};
-  const std::size_t threads = bounds ? 1 : this->threadsFor(starts, request, limit);
+  // In the order of values each thread would soon be far from that of all.
+  const bool mayShare = !bounds && cost.queueOrder() == QueueOrder::ByBucket;
+  const std::size_t threads = mayShare ? this->threadsFor(starts, request, limit) : 1;
   if (threads > 1)
   {
-    if (const auto isFinished = this->marchOnThreads(threads, starts, cost, request, field))
+    if (const auto isFinished = this->marchOnThreads(threads, starts, cost, request, limit, field))
     {
       return *isFinished;
     }

@@ -111,13 +111,17 @@ private:
   /** On how many threads a march without bounds of labels goes on. */
   std::size_t threadsFor(
     std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const;
-  /** A march of one label on several threads, see SharedMarch.
+  /** A march of one label that goes on on several threads once its front is long, see SharedMarch.
    * @return false when cancelled; nothing, with the field reset, where the front does not settle
    *         soon: what reaches another thread a round later may go against the order of the march,
    *         and one thread gets on better */
   template <class Cost>
   std::optional<bool> marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
-    const Cost& cost, const Request& request, DistanceField& field);
+    const Cost& cost, const Request& request, StopLimit& limit, DistanceField& field);
+  /** Its second part. @param updates  those of the first part */
+  template <class Cost>
+  std::optional<bool> goOnOnThreads(
+    std::size_t updates, const Cost& cost, const Request& request, DistanceField& field);
 
   bool MayUseQuads;
   FrontQueues Queues;

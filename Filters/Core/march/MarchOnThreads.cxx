@@ -7,6 +7,7 @@
 
 #include "base/CallsTogether.h"
 #include "march/BatchedMarch.h"
+#include "march/OneLabelValues.h"
 #include "march/SharedFront.h"
 #include "march/SharedValues.h"
 #include "mesh/TriangleMesh.h"
@@ -27,6 +28,9 @@ namespace
 /** The most updates of a thread for each vertex that it came to first. Usual are 1 to 2. It is far
  * below that at which the least gain is raised (see MarchControl). */
 constexpr std::size_t MostUpdates = 4;
+/** How many mean edges a front goes on on one thread until it is asked again whether it has become
+ * long. */
+constexpr double EdgesAtOnce = 1.0;
 
 }
 
@@ -44,11 +48,55 @@ std::size_t FastMarchingSolver::threadsFor(
 
 template <class Cost>
 std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
-  std::span<const StartValue> starts, const Cost& cost, const Request& request,
+  std::span<const StartValue> starts, const Cost& cost, const Request& request, StopLimit& limit,
   DistanceField& field)
 {
   this->Threads.resize(threads);
-  SharedMarch march(this->mesh(), threads, request.options);
+  FrontQueues& queues = this->Threads[0].queues;
+  this->startQueues(queues, cost, 1);
+  MarchControl control(request.options, limit);
+  const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
+    control, field, queues, this->States };
+  OneLabelValues<Cost> values(context, request.front.labels[0]);
+  for (const StartValue& start : starts)
+  {
+    values.start(values.label(), start);
+  }
+  BatchedMarch<Cost, OneLabelValues<Cost>> batches(this->mesh(), *this->bounds(), request.closed,
+    cost, values, queues, control, this->MayUseQuads);
+  const auto isToBeShared = [&]
+  {
+    return SharedMarch::isToBeShared(queues.group(0).best.size(),
+      this->mesh().numberOfVertices() - field.reached().size(), threads, request.options);
+  };
+  // Where all points are one place, no step would lead on.
+  const double edge = this->mesh().meanLongestEdge() * cost.mean();
+  const double step = edge > 0.0 ? EdgesAtOnce * edge : DistanceField::Unreached;
+  while (!queues.group(0).best.isEmpty() && !control.isCancelled() && !isToBeShared())
+  {
+    batches.advance(queues.endOfMarch(queues.nextKey() + step), nullptr);
+  }
+  if (!queues.group(0).best.isEmpty() && !control.isCancelled())
+  {
+    return this->goOnOnThreads(control.count(), cost, request, field);
+  }
+  field.noteRaisedGain(control.raisedGain());
+  field.orderReached();
+  values.finish();
+  return !control.isCancelled();
+}
+
+template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
+  std::span<const StartValue>, const UnitCost&, const Request&, StopLimit&, DistanceField&);
+template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
+  std::span<const StartValue>, const VertexCost&, const Request&, StopLimit&, DistanceField&);
+
+template <class Cost>
+std::optional<bool> FastMarchingSolver::goOnOnThreads(
+  std::size_t updates, const Cost& cost, const Request& request, DistanceField& field)
+{
+  const std::size_t threads = this->Threads.size();
+  SharedMarch march(this->mesh(), threads, request.options, updates, field.reached().size());
   SolveOptions options = request.options;
   options.onProgress = nullptr;
   std::vector<std::exception_ptr> errors(threads);
@@ -61,22 +109,18 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
       try
       {
         auto& [queues, reached] = this->Threads[thread];
-        this->startQueues(queues, cost, 1);
+        reached.clear();
+        if (thread > 0)
+        {
+          this->startQueues(queues, cost, 1);
+        }
         StopLimit limit(this->mesh(), options, field);
         MarchControl control(options, limit, MostUpdates);
         const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, options, limit,
           control, field, queues, this->States };
-        reached.clear();
         SharedValues<Cost> values(context, request.front.labels[0], share, reached);
         BatchedMarch<Cost, SharedValues<Cost>> batches(this->mesh(), *this->bounds(),
           request.closed, cost, values, queues, control, this->MayUseQuads);
-        for (const StartValue& start : starts)
-        {
-          if (share.owns(start.vertex))
-          {
-            values.start(start);
-          }
-        }
         SharedFront front(queues, control, this->mesh().meanLongestEdge() * cost.mean(), values,
           share, [&](std::uint64_t end) { batches.advance(end, nullptr); });
         areFinished[thread] = share.march(front) ? 1 : 0;
@@ -118,11 +162,6 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   field.fillReached(std::span(this->States), VertexState());
   return std::find(areFinished.begin(), areFinished.end(), 0) == areFinished.end();
 }
-
-template std::optional<bool> FastMarchingSolver::marchOnThreads(
-  std::size_t, std::span<const StartValue>, const UnitCost&, const Request&, DistanceField&);
-template std::optional<bool> FastMarchingSolver::marchOnThreads(
-  std::size_t, std::span<const StartValue>, const VertexCost&, const Request&, DistanceField&);
 
 }
 

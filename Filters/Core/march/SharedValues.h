@@ -121,22 +121,6 @@ public:
     return { value, value, true };
   }
 
-  /** Gives a vertex that this thread owns a start value. */
-  void start(const StartValue& first)
-  {
-    VertexState state = this->state(first.vertex);
-    state.setFinal(first.isFinal);
-    this->setState(first.vertex, state);
-    if (first.isIdle)
-    {
-      this->setFirst(first.vertex, first.value);
-    }
-    else
-    {
-      this->set(first.vertex, state, first.value);
-    }
-  }
-
   double value(Index vertex) const
   {
     return readShared(this->Distances[vertex]) - this->Only.seedValue;

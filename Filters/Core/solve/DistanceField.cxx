@@ -23,7 +23,7 @@ void DistanceField::reset()
 
 void DistanceField::noteReached(std::span<const std::span<const Index>> lists)
 {
-  std::size_t count = 0;
+  std::size_t count = this->Reached.size();
   for (const std::span<const Index> list : lists)
   {
     count += list.size();

@@ -67,8 +67,8 @@ public:
   /** The distances, for several threads that set them together; noteReached() is to be called then.
    */
   std::span<double> sharedDistances() { return this->Distances; }
-  /** Notes the vertices that got a distance by sharedDistances(), each once in all lists; then
-   * orderReached() is to be called. */
+  /** Notes the vertices that got their first distance by sharedDistances(), each once in all lists;
+   * then orderReached() is to be called. */
   void noteReached(std::span<const std::span<const Index>> lists);
   /** Notes what MarchControl::raisedGain() says; the largest counts until reset(). */
   void noteRaisedGain(double gain) { this->RaisedGain = std::max(this->RaisedGain, gain); }

@@ -31,6 +31,21 @@ constexpr double PartOfRound = 0.125;
  * What it does too early it does in vain. */
 constexpr double MostAhead = 1.5;
 constexpr int StepsAhead = 5;
+/** A front is short where fewer vertices wait for each thread. */
+constexpr std::size_t MostOfShort = 64;
+std::size_t shortFront(std::size_t threads, const SolveOptions& options)
+{
+  return threads * std::min(MostOfShort, options.verticesOfThread);
+}
+/** At how many updates the next report is due. */
+std::size_t reportAfter(std::size_t updates, const SolveOptions& options)
+{
+  const std::size_t interval = options.progressInterval;
+  return interval > 0 ? (updates / interval + 1) * interval
+                      : std::numeric_limits<std::size_t>::max();
+}
+/** The most updates of the first thread while it goes on alone, so that it can be cancelled. */
+constexpr std::size_t MostAlone = 20000;
 /** About how many samples of all queues say where ranges are cut. */
 constexpr std::size_t SamplesOfAll = 256;
 
@@ -44,14 +59,26 @@ struct SharedMarch::Summary
   std::size_t roundUpdates = 0;
   std::size_t most = 0;
   bool isCancelled = false;
+  /** How many vertices wait, and how many have a value. */
+  std::size_t waiting = 0;
+  std::size_t reached = 0;
   /** Whether the queues are so unequal that the ranges are to be cut anew. */
   bool isUneven = false;
 };
 
-SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options)
+bool SharedMarch::isToBeShared(
+  std::size_t waiting, std::size_t unreached, std::size_t threads, const SolveOptions& options)
+{
+  return waiting >= 2 * shortFront(threads, options) && unreached > waiting;
+}
+
+SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options,
+  std::size_t updates, std::size_t reached)
   : Mesh(mesh)
   , Options(options)
-  , NextReport(options.progressInterval)
+  , UpdatesBefore(updates)
+  , ReachedBefore(reached)
+  , NextReport(reportAfter(updates, options))
   , RunAtOnce(SpinBarrier::runAtOnce(threads))
   , Together(threads)
 {
@@ -67,29 +94,26 @@ SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const So
 
 bool SharedMarch::mayGoOn(std::size_t updates)
 {
-  if (!this->Options.onProgress || this->Options.progressInterval == 0 ||
-    updates < this->NextReport)
+  if (!this->Options.onProgress || updates < this->NextReport)
   {
     return true;
   }
-  const std::size_t interval = this->Options.progressInterval;
-  const std::size_t reported = updates / interval * interval;
-  this->NextReport = reported + interval;
-  return this->Options.onProgress(reported);
+  this->NextReport = reportAfter(updates, this->Options);
+  return this->Options.onProgress(this->NextReport - this->Options.progressInterval);
 }
 
 SharedMarch::Share::Share(SharedMarch& march, std::size_t thread)
   : March(march)
   , Number(thread)
 {
-  const std::size_t threads = march.Reports[0].size();
-  const std::size_t vertices = march.Mesh.numberOfVertices();
-  for (std::size_t i = 1; i <= threads; ++i)
-  {
-    this->Ends.push_back(static_cast<Index>(vertices * i / threads));
-  }
-  this->First = thread > 0 ? this->Ends[thread - 1] : 0;
-  this->Count = this->Ends[thread] - this->First;
+  this->Ends.assign(march.Reports[0].size(), march.Mesh.numberOfVertices());
+  this->setRange();
+}
+
+void SharedMarch::Share::setRange()
+{
+  this->First = this->Number > 0 ? this->Ends[this->Number - 1] : 0;
+  this->Count = this->Ends[this->Number] - this->First;
 }
 
 std::size_t SharedMarch::Share::ownerOf(Index vertex) const
@@ -125,7 +149,7 @@ bool SharedMarch::Share::march(ThreadFront& front)
     // What is sent lies up to a step behind the limit.
     end = std::max({ end, round.next + step, std::min(end + step, round.next + 1.5 * step) });
     this->takeMail(front);
-    if (round.isUneven && !this->cutRanges(front))
+    if (!this->adapt(round, front))
     {
       return false;
     }
@@ -137,9 +161,29 @@ bool SharedMarch::Share::march(ThreadFront& front)
   }
 }
 
+bool SharedMarch::Share::adapt(const Summary& round, ThreadFront& front)
+{
+  const std::size_t threads = this->Ends.size();
+  if (this->isOfOne())
+  {
+    const std::size_t unreached = this->March.Mesh.numberOfVertices() - round.reached;
+    return !isToBeShared(round.waiting, unreached, threads, this->March.Options) ||
+      this->cutRanges(front);
+  }
+  if (round.waiting < shortFront(threads, this->March.Options))
+  {
+    std::fill(this->Ends.begin(), this->Ends.end(), this->Ends.back());
+    this->setRange();
+    return this->handOver(front);
+  }
+  return !round.isUneven || this->cutRanges(front);
+}
+
 SharedMarch::Summary SharedMarch::Share::meet()
 {
   Summary summary;
+  summary.updates = this->March.UpdatesBefore;
+  summary.reached = this->March.ReachedBefore;
   if (!this->March.Together.wait())
   {
     summary.isCancelled = true;
@@ -158,6 +202,8 @@ SharedMarch::Summary SharedMarch::Share::meet()
     summary.isCancelled = summary.isCancelled || report.isCancelled;
     const double ofThread = static_cast<double>(report.waiting) * report.pace;
     load += ofThread;
+    summary.waiting += report.waiting;
+    summary.reached += report.reached;
     mostLoad = std::max(mostLoad, ofThread);
     sent += report.sent;
   }
@@ -204,10 +250,19 @@ void SharedMarch::Share::takeMail(ThreadFront& front)
 
 bool SharedMarch::Share::cutRanges(ThreadFront& front)
 {
+  this->takeSamples(front);
+  if (!this->March.Together.wait())
+  {
+    return false;
+  }
+  this->findEnds();
+  return this->handOver(front);
+}
+
+void SharedMarch::Share::takeSamples(const ThreadFront& front)
+{
   Report& own = this->report();
-  const std::vector<Report>& reports = this->March.Reports[this->Parity];
-  const std::size_t threads = reports.size();
-  const std::size_t step = threads * front.waiting() / SamplesOfAll + 1;
+  const std::size_t step = own.mail.size() * front.waiting() / SamplesOfAll + 1;
   own.samples.clear();
   std::size_t count = 0;
   front.visitWaiting(
@@ -219,11 +274,11 @@ bool SharedMarch::Share::cutRanges(ThreadFront& front)
       }
     });
   own.weightOfSample = step;
-  if (!this->March.Together.wait())
-  {
-    return false;
-  }
-  this->findEnds();
+}
+
+bool SharedMarch::Share::handOver(ThreadFront& front)
+{
+  Report& own = this->report();
   for (Mail& mail : own.mail)
   {
     mail.gifts.clear();
@@ -241,7 +296,7 @@ bool SharedMarch::Share::cutRanges(ThreadFront& front)
   {
     return false;
   }
-  for (const Report& report : reports)
+  for (const Report& report : this->March.Reports[this->Parity])
   {
     const Mail& mail = report.mail[this->Number];
     front.goBackTo(mail.leastOfGifts);
@@ -287,26 +342,29 @@ void SharedMarch::Share::findEnds()
       end += weightOf(thread);
     }
   }
-  this->First = this->Number > 0 ? this->Ends[this->Number - 1] : 0;
-  this->Count = this->Ends[this->Number] - this->First;
+  this->setRange();
 }
 
 void SharedMarch::Share::advance(ThreadFront& front, double end)
 {
   const std::size_t before = front.numberOfUpdates();
-  const std::size_t waiting = front.waiting();
-  const auto start = std::chrono::steady_clock::now();
-  front.advance(end);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (this->March.RunAtOnce)
+  if (this->isOfOne())
   {
-    this->learnPace(waiting, taken.count());
-    this->goOnFrom(front, end);
+    this->goOnAlone(front, end);
+  }
+  else if (this->March.RunAtOnce)
+  {
+    this->goOnTimed(front, end);
+  }
+  else
+  {
+    front.advance(end);
   }
   Report& report = this->report();
   report.updates = front.numberOfUpdates();
   report.roundUpdates = report.updates - before;
   report.waiting = front.waiting();
+  report.reached = front.reached();
   report.pace = this->Pace;
   this->sendNotices(front);
   report.next = front.next();
@@ -317,19 +375,32 @@ void SharedMarch::Share::advance(ThreadFront& front, double end)
   }
 }
 
-void SharedMarch::Share::learnPace(std::size_t waiting, double seconds)
+void SharedMarch::Share::goOnAlone(ThreadFront& front, double end)
 {
+  const std::size_t before = front.numberOfUpdates();
+  front.advance(end);
+  while (front.waiting() > 0 &&
+    front.waiting() < 2 * shortFront(this->Ends.size(), this->March.Options) &&
+    front.numberOfUpdates() - before < MostAlone)
+  {
+    end = std::max(end, front.next()) + StepInEdges * front.meanLongestEdge();
+    front.advance(end);
+  }
+}
+
+void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
+{
+  const std::size_t waiting = front.waiting();
+  const auto start = std::chrono::steady_clock::now();
+  front.advance(end);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (waiting >= LeastTimed)
   {
     // A thread may have had to leave its processor to another for long: twice as long counts.
     const double pace =
-      std::clamp(seconds / static_cast<double>(waiting), 0.5 * this->Pace, 2.0 * this->Pace);
+      std::clamp(taken.count() / static_cast<double>(waiting), 0.5 * this->Pace, 2.0 * this->Pace);
     this->Pace += PartOfRound * (pace - this->Pace);
   }
-}
-
-void SharedMarch::Share::goOnFrom(ThreadFront& front, double end)
-{
   const double step = MostAhead / StepsAhead * front.meanLongestEdge();
   for (int i = 1; i <= StepsAhead && this->March.Together.othersAreComing(); ++i)
   {

@@ -36,7 +36,9 @@ struct ThreadWork
  * the vertices of a range of numbers, that is, a part of the surface that lies together (see
  * SpatialOrder); those of them that wait are in its queue. All march in rounds, up to a common
  * limit in each, and wait for each other after it; a thread that is early goes on a little
- * meanwhile. Where the queues would take them unequal times the ranges are cut anew.
+ * meanwhile. Where the queues would take them unequal times the ranges are cut anew. Where so few
+ * vertices wait that rounds are not worth it, as at the start, the first thread owns all and goes
+ * on alone.
  *
  * A thread writes the values of its own vertices only. It reads those of all vertices, also while
  * their owners write them: a value only falls, and one that was read too early makes an update too
@@ -57,10 +59,23 @@ class SharedMarch
 public:
   static constexpr std::size_t MostThreads = 64;
 
-  /** @param threads  from 1 to MostThreads
+  /** Whether a front that one thread has is to be shared.
+   * @param waiting    how many vertices wait: too few are not worth the rounds
+   * @param unreached  how many vertices have no value: where more wait, nearly all that is left to
+   *                   do has begun */
+  static bool isToBeShared(
+    std::size_t waiting, std::size_t unreached, std::size_t threads, const SolveOptions& options);
+
+  /**
+   * At first thread 0 owns all.
+   * @param threads  from 1 to MostThreads
    * @param options  onProgress is called by thread 0, with the updates of all threads
-   * All arguments must live as long as this. */
-  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options);
+   * @param updates  how many there were before
+   * @param reached  how many vertices had a value before
+   * All arguments must live as long as this.
+   */
+  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options,
+    std::size_t updates, std::size_t reached);
 
 private:
   struct ValueOfVertex
@@ -89,6 +104,8 @@ private:
     std::size_t roundUpdates = 0;
     /** How many vertices wait in its queue. */
     std::size_t waiting = 0;
+    /** To how many vertices it gave their first value. */
+    std::size_t reached = 0;
     /** How many seconds a round takes this thread for each of them, about. */
     double pace = UsualPace;
     /** How many values, notices and gifts it sends. */
@@ -133,18 +150,28 @@ public:
     Summary meet();
     /** Takes what was sent in the round before. */
     void takeMail(ThreadFront& front);
-    /** Cuts the ranges anew, and gives away what waits where this thread is no owner any more.
-     * @return false where another thread failed */
+    /** Whether the first thread owns all vertices. */
+    bool isOfOne() const { return this->Ends[0] == this->Ends.back(); }
+    /** Changes who owns what if that is due. @return false where another thread failed */
+    bool adapt(const Summary& round, ThreadFront& front);
+    /** Makes ranges of equal work. @return false where another thread failed */
     bool cutRanges(ThreadFront& front);
+    /** Notes some of the vertices that wait. */
+    void takeSamples(const ThreadFront& front);
     /** Finds the ends of ranges from the samples of all. */
     void findEnds();
+    /** Sets this thread's range by the ends of all. */
+    void setRange();
+    /** Gives away what waits where this thread is no owner any more, and takes what it now owns.
+     * @return false where another thread failed */
+    bool handOver(ThreadFront& front);
     /** Marches up to a value, and says what this thread then has to say. */
     void advance(ThreadFront& front, double end);
-    /** Learns from the last round how long rounds take. @param waiting how many vertices it had
-     * @param seconds what it took */
-    void learnPace(std::size_t waiting, double seconds);
-    /** Marches beyond a value until the others come too. */
-    void goOnFrom(ThreadFront& front, double end);
+    /** Does so where all threads run at the same time: learns how long it takes, and goes on while
+     * it would wait for others. */
+    void goOnTimed(ThreadFront& front, double end);
+    /** Marches up to a value, and on until the front is to be shared. */
+    void goOnAlone(ThreadFront& front, double end);
     void sendNotices(ThreadFront& front);
 
     Report& report() { return this->March.Reports[this->Parity][this->Number]; }
@@ -174,6 +201,9 @@ private:
 
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
+  /** What was done before the march. */
+  std::size_t UpdatesBefore;
+  std::size_t ReachedBefore;
   /** At how many updates thread 0 reports next. */
   std::size_t NextReport;
   /** Where threads take turns on a processor, what a round takes says nothing, and none is early.

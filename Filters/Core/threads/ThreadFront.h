@@ -29,6 +29,8 @@ public:
   virtual std::size_t waiting() const = 0;
   /** Calls visit(vertex) for each vertex that waits as this thread's. */
   virtual void visitWaiting(const std::function<void(Index vertex)>& visit) const = 0;
+  /** To how many vertices this thread gave their first value. */
+  virtual std::size_t reached() const = 0;
   /** The number of vertices taken from the queue so far. */
   virtual std::size_t numberOfUpdates() const = 0;
   /** TriangleMesh::meanLongestEdge() times the mean cost. */

@@ -29,10 +29,16 @@ void ThinTriangleNotice::update(RankGroup& ranks,
   this->OfAll.all = ofAll(this->OfThisRank.all);
 }
 
+bool ThinTriangleNotice::areMany() const
+{
+  const auto [thin, all] = this->OfAll;
+  return thin > 0 && static_cast<double>(thin) >= ManyThinTriangles * static_cast<double>(all);
+}
+
 std::string ThinTriangleNotice::text(bool hasCost) const
 {
   const auto [thin, all] = this->OfAll;
-  if (thin == 0 || static_cast<double>(thin) < ManyThinTriangles * static_cast<double>(all))
+  if (!this->areMany())
   {
     return {};
   }

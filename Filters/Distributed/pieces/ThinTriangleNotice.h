@@ -31,6 +31,8 @@ public:
     const bridge::InputBlocks& blocks);
 
   std::size_t thin() const { return this->OfAll.thin; }
+  /** Whether there are so many that the user should know. */
+  bool areMany() const;
   /** What the user should know; empty if there is nothing.
    * @param hasCost  with costs no other method serves */
   std::string text(bool hasCost) const;
