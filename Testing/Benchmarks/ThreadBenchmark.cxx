@@ -59,7 +59,8 @@ void measure(const std::string& surface, std::size_t threads, int runs)
     SolveOptions options;
     const double one = timeOf([&] { alone.solve(seeds, options); });
     options.threads = threads;
-    options.verticesOfThread = 1;
+    options.verticesOfThread =
+      std::min<std::size_t>(options.verticesOfThread, mesh->numberOfVertices() / threads);
     const double several = timeOf([&] { shared.solve(seeds, options); });
     const DistanceField& expected = alone.solve(seeds);
     const DistanceField& field = shared.solve(seeds, options);

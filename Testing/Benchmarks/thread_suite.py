@@ -16,7 +16,7 @@ TIMED = {"sphere": ["sphere:7", "sphere:8", "sphere:9"], "torus": ["torus:286", 
 COUNTED = {"sphere": "sphere:10", "terrain": "terrain:3200", "Bunny, subdivided": "bunny:4"}
 TINY = {"sphere": ["sphere:4"]}
 THREADS = [2, 4, 16, 64]
-RUNS, RUNS_COUNTED = 9, 1
+RUNS, RUNS_COUNTED = 15, 1
 BEGIN, END = "<!-- Tables of thread_suite.py: -->", "<!-- End of the tables. -->"
 LARGEST_DIFFERENCE = 1e-9
 

@@ -82,6 +82,7 @@ SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const So
   , RunAtOnce(SpinBarrier::runAtOnce(threads))
   , Together(threads)
 {
+  this->Work.longestChain = updates;
   for (std::vector<Report>& reports : this->Reports)
   {
     reports.resize(threads);
