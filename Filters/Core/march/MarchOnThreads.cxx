@@ -25,9 +25,6 @@ namespace geodesic
 namespace
 {
 
-/** The most updates of a thread for each vertex that it came to first. Usual are 1 to 2. It is far
- * below that at which the least gain is raised (see MarchControl). */
-constexpr std::size_t MostUpdates = 4;
 /** How many mean edges a front goes on on one thread until it is asked again whether it has become
  * long. */
 constexpr double EdgesAtOnce = 1.0;
@@ -115,7 +112,7 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(
           this->startQueues(queues, cost, 1);
         }
         StopLimit limit(this->mesh(), options, field);
-        MarchControl control(options, limit, MostUpdates);
+        MarchControl control(options, limit, SharedMarch::MostUpdates);
         const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, options, limit,
           control, field, queues, this->States };
         SharedValues<Cost> values(context, request.front.labels[0], share, reached);

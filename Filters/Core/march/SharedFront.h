@@ -44,7 +44,7 @@ public:
   }
   double next() const override { return this->Queues.nextKey(); }
   std::size_t waiting() const override { return this->queue().size(); }
-  std::size_t reached() const override { return this->FrontValues.numberOfValues(); }
+  std::size_t reached() const override { return this->FrontValues.numberOfReached(); }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
   double value(Index vertex) const override { return this->FrontValues.value(vertex); }

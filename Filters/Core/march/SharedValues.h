@@ -125,7 +125,13 @@ public:
   {
     return readShared(this->Distances[vertex]) - this->Only.seedValue;
   }
-  std::size_t numberOfValues() const { return this->Reached.size(); }
+  /** How many vertices have a value, those of other threads as far as is known. */
+  std::size_t numberOfValues() const
+  {
+    return this->Share.reachedByOthers() + this->Reached.size();
+  }
+  /** To how many of them this thread gave it. */
+  std::size_t numberOfReached() const { return this->Reached.size(); }
 
   // An item of the queue is a vertex, or stands for an update round a vertex of another thread.
 

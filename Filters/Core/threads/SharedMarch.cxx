@@ -3,6 +3,7 @@
 #include "threads/SharedMarch.h"
 
 #include "mesh/TriangleMesh.h"
+#include "solve/MarchControl.h"
 
 #include <chrono>
 #include <cstdint>
@@ -32,7 +33,7 @@ constexpr double PartOfRound = 0.125;
 constexpr double MostAhead = 1.5;
 constexpr int StepsAhead = 5;
 /** A front is short where fewer vertices wait for each thread. */
-constexpr std::size_t MostOfShort = 64;
+constexpr std::size_t MostOfShort = 8;
 std::size_t shortFront(std::size_t threads, const SolveOptions& options)
 {
   return threads * std::min(MostOfShort, options.verticesOfThread);
@@ -146,6 +147,11 @@ bool SharedMarch::Share::march(ThreadFront& front)
     {
       return !round.isCancelled;
     }
+    if (round.updates > MostUpdates * (round.reached + MarchControl::SmallMarch))
+    {
+      throw FrontDoesNotSettle("The front does not settle on several threads.");
+    }
+    this->ReachedByOthers = round.reached - front.reached();
     step = round.roundUpdates < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     // What is sent lies up to a step behind the limit.
     end = std::max({ end, round.next + step, std::min(end + step, round.next + 1.5 * step) });

@@ -58,6 +58,9 @@ class SharedMarch
 {
 public:
   static constexpr std::size_t MostThreads = 64;
+  /** The most updates for each vertex that has a value. Usual are 1 to 2. It is far below that at
+   * which the least gain is raised (see MarchControl). */
+  static constexpr std::size_t MostUpdates = 4;
 
   /** Whether a front that one thread has is to be shared.
    * @param waiting    how many vertices wait: too few are not worth the rounds
@@ -136,10 +139,14 @@ public:
     bool owns(Index vertex) const { return vertex - this->First < this->Count; }
     /** The owner of a vertex. */
     std::size_t ownerOf(Index vertex) const;
+    /** How many vertices others gave their first value, up to the last round. */
+    std::size_t reachedByOthers() const { return this->ReachedByOthers; }
     /** Sends a value to the owner of a vertex. */
     void send(Index vertex, double value);
 
-    /** Marches until nothing is left to do for any thread. @return false when cancelled */
+    /** Marches until nothing is left to do for any thread.
+     * @return false when cancelled
+     * @throws FrontDoesNotSettle where all together take more than MostUpdates */
     bool march(ThreadFront& front);
     /** To be called by a thread that ends with an error, instead of going on: ends all. */
     void fail();
@@ -188,6 +195,7 @@ public:
     std::vector<Index> Ends;
     Index First = 0;
     Index Count = 0;
+    std::size_t ReachedByOthers = 0;
     double Pace = UsualPace;
     std::vector<std::pair<Index, std::size_t>> Samples;
   };
