@@ -17,7 +17,8 @@ namespace geodesic
 
 /**
  * The values of a march of one label on several threads, for one of them: as OneLabelValues, in a
- * field that all threads share (see SharedMarch). A vertex waits in the queue of its owner.
+ * field that all threads share (see SharedMarch). A vertex waits in the queue of its owner, once:
+ * the queues are not by value.
  */
 template <class Cost>
 class SharedValues
@@ -29,7 +30,6 @@ public:
     : Context(context)
     , Share(share)
     , Reached(reached)
-    , IsByValue(context.cost.queueOrder() == QueueOrder::ByValue)
     , Only(label, 0, context.cost.smallest())
     , Distances(context.field.sharedDistances())
   {
@@ -97,13 +97,6 @@ public:
     {
       // A processor can't predict whether the value counts, so there is no branch on it.
       const Pair held = select(Pair{ value } < Pair{ ceiling }, Pair{ value }, Pair{ old });
-      if constexpr (!Cost::isUnit)
-      {
-        if (this->IsByValue && held[0] < old)
-        {
-          this->queue(vertex, value);
-        }
-      }
       this->setValue(vertex, held[0]);
       return { held[0], held[0], true };
     }
@@ -151,11 +144,6 @@ public:
     {
       this->Last = vertex;
       VertexState state = this->state(vertex);
-      // By value a vertex may be in the queue several times.
-      if (!state.isQueued())
-      {
-        return { NoIndex, nullptr, 0.0 };
-      }
       state.setQueued(false);
       this->setState(vertex, state);
     }
@@ -216,7 +204,7 @@ private:
   void set(Index vertex, VertexState state, double value)
   {
     this->setFirst(vertex, value);
-    if (!state.isQueued() || this->IsByValue)
+    if (!state.isQueued())
     {
       state.setQueued(true);
       this->setState(vertex, state);
@@ -228,7 +216,6 @@ private:
   const MarchContext<Cost>& Context;
   SharedMarch::Share& Share;
   std::vector<Index>& Reached;
-  bool IsByValue;
   SourceFront Only;
   std::span<double> Distances;
   /** The vertex that was popped last, if it is this thread's. */
