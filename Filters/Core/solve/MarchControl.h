@@ -57,6 +57,17 @@ public:
   {
   }
 
+  /** Ends a march that took too many updates. @param most  for each value
+   * @throws FrontDoesNotSettle always */
+  [[noreturn]] static void endUnsettled(std::size_t updates, std::size_t values, std::size_t most)
+  {
+    throw FrontDoesNotSettle("The front does not settle: it took " + std::to_string(updates) +
+      " updates for " + std::to_string(values) + " values, more than the limit of " +
+      std::to_string(most) +
+      " for each. The surface has needles, or triangles that lie on each other. Clean or remesh "
+      "the surface, or use the method Dijkstra.");
+  }
+
   /** The least gain that counts if that was raised, as a part of a value; else 0. */
   double raisedGain() const { return this->NextRelaxation > UsualUpdates ? this->LeastGain : 0.0; }
   /** A new value counts below this fraction of the old one. */
@@ -118,11 +129,7 @@ private:
   {
     if (this->NextRelaxation >= this->Most)
     {
-      throw FrontDoesNotSettle("The front does not settle: it took " + std::to_string(this->Count) +
-        " updates for " + std::to_string(values) + " values, more than the limit of " +
-        std::to_string(this->Most) +
-        " for each. The surface has needles, or triangles that lie on each other. Clean or remesh "
-        "the surface, or use the method Dijkstra.");
+      endUnsettled(this->Count, values, this->Most);
     }
     this->NextRelaxation += 10;
     this->LeastGain *= 10.0;

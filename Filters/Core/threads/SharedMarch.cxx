@@ -149,7 +149,7 @@ bool SharedMarch::Share::march(ThreadFront& front)
     }
     if (round.updates > MostUpdates * (round.reached + MarchControl::SmallMarch))
     {
-      throw FrontDoesNotSettle("The front does not settle on several threads.");
+      MarchControl::endUnsettled(round.updates, round.reached, MostUpdates);
     }
     this->ReachedByOthers = round.reached - front.reached();
     step = round.roundUpdates < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
