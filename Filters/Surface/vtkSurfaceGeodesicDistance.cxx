@@ -17,7 +17,6 @@
 #include "algorithm/DealtField.h"
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
-#include "base/IdleProcessors.h"
 #include "base/NumberText.h"
 #include "filter/ProgressReporter.h"
 #include "filter/SettlingNotice.h"
@@ -324,7 +323,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.memoryLimit = this->GetMemoryLimitInBytes();
-  options.threads = this->GetThreadsOfField(ranks);
+  options.threads = this->GetThreadsOfField(ranks, internal.Thin.areMany());
   options.tolerance = this->GetCheckedTolerance();
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
@@ -352,22 +351,6 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   internal.Dealt.clear();
   internal.Field = &internal.Solver.get(method, surface.mesh()).solve(openSeeds, options);
   this->ReportWork(run, partition, *internal.Field, internal.Lined.mesh()->numberOfPoints());
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkSurfaceGeodesicDistance::GetThreadsOfField(
-  geodesic::distributed::RankGroup& ranks) const
-{
-  const std::size_t threads = this->GetThreadsOfRun(ranks);
-  if (this->NumberOfThreads >= 0)
-  {
-    return threads;
-  }
-  // Threads of one march wait for each other: beside other busy programs they are slower than one.
-  // On needles a front may not settle on several.
-  return this->Internal->Thin.areMany()
-    ? 1
-    : std::min<std::size_t>(threads, geodesic::idleProcessors());
 }
 
 //------------------------------------------------------------------------------

@@ -333,8 +333,6 @@ private:
   void CheckUnreachedValue() const;
   /** Whether the method needs the surface on the first rank, and may bring it there. */
   bool Gathers(const geodesic::distributed::RankGroup& ranks) const;
-  /** Returns on how many threads of this rank a field may be computed. Collective. */
-  std::size_t GetThreadsOfField(geodesic::distributed::RankGroup& ranks) const;
   /** Solves on triangles that are dealt to other ranks. Collective, on several ranks. */
   void SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
     const geodesic::SolveOptions& options,

@@ -9,6 +9,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
+#include "base/IdleProcessors.h"
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ErrorMessage.h"
@@ -309,6 +310,20 @@ std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfRun(geodesic::distributed::Ran
   }
   const auto ofVtk = static_cast<std::size_t>(geodesic::bridge::threadsOfVtk());
   return this->NumberOfThreads == 0 ? all : std::min(all, ofVtk);
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfField(
+  geodesic::distributed::RankGroup& ranks, bool areManyThin) const
+{
+  const std::size_t threads = this->GetThreadsOfRun(ranks);
+  if (this->NumberOfThreads >= 0)
+  {
+    return threads;
+  }
+  // Threads of one march wait for each other: beside other busy programs they are slower than one.
+  // On needles a front may not settle on several.
+  return areManyThin ? 1 : std::min<std::size_t>(threads, geodesic::idleProcessors());
 }
 
 //------------------------------------------------------------------------------

@@ -236,6 +236,9 @@ protected:
   std::size_t GetMemoryLimitInBytes() const;
   /** The number of threads of this rank that a run uses. Collective. */
   std::size_t GetThreadsOfRun(geodesic::distributed::RankGroup& ranks) const;
+  /** The number of threads of this rank that share one field. Collective. @param areManyThin
+   * whether many triangles are thin */
+  std::size_t GetThreadsOfField(geodesic::distributed::RankGroup& ranks, bool areManyThin) const;
 
   int CostMode = COST;
   int Method = FAST_MARCHING;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -73,6 +74,17 @@ void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
       }
     }
   }
+}
+
+/** Expects each report to be of more updates than the last one, which it notes. */
+std::function<bool(std::size_t)> expectMoreThan(std::size_t& last)
+{
+  return [&](std::size_t taken)
+  {
+    EXPECT_GT(taken, last);
+    last = taken;
+    return true;
+  };
 }
 
 std::vector<double> randomCosts(Index count, double sigma, unsigned number)
@@ -224,6 +236,28 @@ TEST(MarchOnThreads, OneThreadGoesOnAloneWhereTheFrontIsShort)
   EXPECT_LE(difference(one.solve(seeds), field), 1e-9);
 }
 
+TEST(MarchOnThreads, SmallPartsStayOnOneThread)
+{
+  // A thousand spheres.
+  const Surface sphere = icosphere(3);
+  Surface all;
+  for (int part = 0; part < 1000; ++part)
+  {
+    const auto first = static_cast<Index>(all.points.size());
+    all.points.insert(all.points.end(), sphere.points.begin(), sphere.points.end());
+    for (const Triangle& t : sphere.triangles)
+    {
+      all.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+  }
+  const auto mesh = meshOf(all);
+  FastMarchingSolver solver(mesh);
+  SolveOptions options;
+  options.threads = 2;
+  solver.solve(std::vector<Seed>{ seedAt(*mesh, 0) }, options);
+  EXPECT_EQ(solver.threadWork().rounds, 0);
+}
+
 TEST(MarchOnThreads, ProgressGoesOnWhereOneThreadBeginsAgain)
 {
   // Needles on which vertices lower each other again and again.
@@ -236,12 +270,7 @@ TEST(MarchOnThreads, ProgressGoesOnWhereOneThreadBeginsAgain)
   FastMarchingSolver solver(mesh);
   std::size_t last = 0;
   SolveOptions options = onThreads(3);
-  options.onProgress = [&](std::size_t taken)
-  {
-    EXPECT_GT(taken, last);
-    last = taken;
-    return true;
-  };
+  options.onProgress = expectMoreThan(last);
   const std::vector<Seed> seeds{ seedAt(*mesh, 15000) };
   solver.solve(seeds, options);
   EXPECT_EQ(solver.threadWork().rounds, 0);
@@ -268,12 +297,7 @@ TEST(MarchOnThreads, ReportsProgressOfAllAndEndsWhenCancelled)
   FastMarchingSolver solver(mesh);
   std::size_t last = 0;
   SolveOptions options = onThreads(3);
-  options.onProgress = [&](std::size_t taken)
-  {
-    EXPECT_GE(taken, last);
-    last = taken;
-    return true;
-  };
+  options.onProgress = expectMoreThan(last);
   const std::vector<Seed> seeds{ seedAt(*mesh, 0) };
   solver.solve(seeds, options);
   EXPECT_GT(last, mesh->numberOfVertices() / 2);

@@ -25,9 +25,9 @@ namespace geodesic
 namespace
 {
 
-/** How many mean edges a front goes on on one thread until it is asked again whether it has become
- * long. */
-constexpr double EdgesAtOnce = 1.0;
+/** To start threads takes as long as some hundred updates. So a march that may be over soon, as on
+ * one of many small parts, is not shared. */
+constexpr std::size_t LeastUpdates = 2048;
 
 }
 
@@ -61,19 +61,23 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   }
   BatchedMarch<Cost, OneLabelValues<Cost>> batches(this->mesh(), *this->bounds(), request.closed,
     cost, values, queues, control, this->MayUseQuads);
+  const BucketQueue& queue = queues.group(0).best;
   const auto isToBeShared = [&]
   {
-    return SharedMarch::isToBeShared(queues.group(0).best.size(),
-      this->mesh().numberOfVertices() - field.reached().size(), threads, request.options);
+    const std::size_t reached = field.reached().size();
+    return control.count() >= std::min(LeastUpdates, request.options.verticesOfThread) &&
+      control.count() <= SharedMarch::mostUpdates(reached) &&
+      SharedMarch::isToBeShared(
+        queue.size(), this->mesh().numberOfVertices() - reached, threads, request.options);
   };
-  // Where all points are one place, no step would lead on.
+  // A mean edge at a time. Where all points are one place, no step would lead on.
   const double edge = this->mesh().meanLongestEdge() * cost.mean();
-  const double step = edge > 0.0 ? EdgesAtOnce * edge : DistanceField::Unreached;
-  while (!queues.group(0).best.isEmpty() && !control.isCancelled() && !isToBeShared())
+  const double step = edge > 0.0 ? edge : DistanceField::Unreached;
+  while (!queue.isEmpty() && !control.isCancelled() && !isToBeShared())
   {
     batches.advance(queues.endOfMarch(queues.nextKey() + step), nullptr);
   }
-  if (!queues.group(0).best.isEmpty() && !control.isCancelled())
+  if (!queue.isEmpty() && !control.isCancelled())
   {
     return this->goOnOnThreads(control.count(), cost, request, field);
   }

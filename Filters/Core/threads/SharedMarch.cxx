@@ -67,6 +67,11 @@ struct SharedMarch::Summary
   bool isUneven = false;
 };
 
+std::size_t SharedMarch::mostUpdates(std::size_t reached)
+{
+  return MostUpdates * (reached + MarchControl::SmallMarch);
+}
+
 bool SharedMarch::isToBeShared(
   std::size_t waiting, std::size_t unreached, std::size_t threads, const SolveOptions& options)
 {
@@ -147,7 +152,7 @@ bool SharedMarch::Share::march(ThreadFront& front)
     {
       return !round.isCancelled;
     }
-    if (round.updates > MostUpdates * (round.reached + MarchControl::SmallMarch))
+    if (round.updates > mostUpdates(round.reached))
     {
       MarchControl::endUnsettled(round.updates, round.reached, MostUpdates);
     }

@@ -61,6 +61,8 @@ public:
   /** The most updates for each vertex that has a value. Usual are 1 to 2. It is far below that at
    * which the least gain is raised (see MarchControl). */
   static constexpr std::size_t MostUpdates = 4;
+  /** The most updates of all threads together, by the number of vertices that have a value. */
+  static std::size_t mostUpdates(std::size_t reached);
 
   /** Whether a front that one thread has is to be shared.
    * @param waiting    how many vertices wait: too few are not worth the rounds
