@@ -6,7 +6,6 @@
 #include "base/Index.h"
 #include "mesh/TriangleMesh.h"
 
-#include <algorithm>
 #include <array>
 
 namespace geodesic
@@ -28,7 +27,15 @@ public:
   constexpr void addNew(Index vertex) { this->Vertices[this->Count++] = vertex; }
   constexpr bool contains(Index vertex) const
   {
-    return std::find(this->begin(), this->end(), vertex) != this->end();
+    // std::find takes longer for so few.
+    for (int i = 0; i < this->Count; ++i)
+    {
+      if (this->Vertices[i] == vertex)
+      {
+        return true;
+      }
+    }
+    return false;
   }
   constexpr int size() const { return this->Count; }
   constexpr Index operator[](int i) const { return this->Vertices[i]; }
@@ -40,6 +47,17 @@ private:
   std::array<Index, 6> Vertices{};
   int Count = 0;
 };
+
+/** Whether a face may have all vertices that carry two points: it has room for three. */
+constexpr bool mayShareFace(const Carriers& a, const Carriers& b)
+{
+  int size = a.size();
+  for (const Index vertex : b)
+  {
+    size += a.contains(vertex) ? 0 : 1;
+  }
+  return size <= 3;
+}
 
 /** The vertices whose weights carry the point: a vertex, the ends of an edge, a face's corners.
  */

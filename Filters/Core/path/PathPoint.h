@@ -76,31 +76,29 @@ inline bool liesIn(const PathPoint& point, const Triangle& face)
   return true;
 }
 
-/** Whether the point is a vertex. */
-inline bool isVertex(const PathPoint& point)
+/** The vertex at which the point is; NoIndex if it is at none. */
+constexpr Index vertexOf(const PathPoint& point)
 {
-  return point.carriers().size() == 1;
-}
-
-/** Whether both points are the same vertex. */
-inline bool isSameVertex(const PathPoint& a, const PathPoint& b)
-{
-  return isVertex(a) && isVertex(b) && a.carriers()[0] == b.carriers()[0];
-}
-
-/** Whether no more than three vertices carry two points: no face has room for more. */
-inline bool mayShareFace(const PathPoint& a, const PathPoint& b)
-{
+  Index vertex = NoIndex;
   int carriers = 0;
   for (int i = 0; i < 3; ++i)
   {
-    carriers += a.weights[i] > 0.0 ? 1 : 0;
-    const bool isInA = (a.weights[0] > 0.0 && a.corners[0] == b.corners[i]) ||
-      (a.weights[1] > 0.0 && a.corners[1] == b.corners[i]) ||
-      (a.weights[2] > 0.0 && a.corners[2] == b.corners[i]);
-    carriers += b.weights[i] > 0.0 && !isInA ? 1 : 0;
+    vertex = point.weights[i] > 0.0 ? point.corners[i] : vertex;
+    carriers += point.weights[i] > 0.0 ? 1 : 0;
   }
-  return carriers <= 3;
+  return carriers == 1 ? vertex : NoIndex;
+}
+
+/** Whether the point is a vertex. */
+constexpr bool isVertex(const PathPoint& point)
+{
+  return vertexOf(point) != NoIndex;
+}
+
+/** Whether both points are the same vertex. */
+constexpr bool isSameVertex(const PathPoint& a, const PathPoint& b)
+{
+  return isVertex(a) && vertexOf(a) == vertexOf(b);
 }
 
 /** All vertices that carry one of two points, which may share no face. */

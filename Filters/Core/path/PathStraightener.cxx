@@ -28,11 +28,6 @@ bool isShorter(double newLength, double length)
   return newLength < length * (1.0 - LeastShortening);
 }
 
-Index vertexAt(const PathPoint& point)
-{
-  return point.carriers()[0];
-}
-
 /** Whether two points are the ends of an edge. */
 bool isEdge(const PathPoint& a, const PathPoint& b)
 {
@@ -144,7 +139,7 @@ bool PathStraightener::Row::isStraight() const
 bool PathStraightener::leadRound(
   Row& row, const PathPoint& from, const PathPoint& through, const PathPoint& to)
 {
-  const Index vertex = vertexAt(through);
+  const Index vertex = vertexOf(through);
   this->Turn.clear();
   const std::optional<double> angle = this->Link.appendShorterSide(vertex, from, to, this->Turn);
   if (!angle)
@@ -258,7 +253,7 @@ bool PathStraightener::doAllTurn(std::span<const StraightPiece> pieces)
     const StraightPiece& before = pieces[i - 1];
     doTurn = this->Link
                .appendShorterSide(
-                 vertexAt(before.end), before.lastButOne(), pieces[i].second(), this->Turn)
+                 vertexOf(before.end), before.lastButOne(), pieces[i].second(), this->Turn)
                .has_value();
   }
   return doTurn;
@@ -272,7 +267,7 @@ bool PathStraightener::turns(Pieces& pieces, const Place place)
     const bool doesTurn = next != pieces.end() &&
       this->Link
         .appendShorterSide(
-          vertexAt(place->piece.end), place->piece.lastButOne(), next->piece.second(), place->turn)
+          vertexOf(place->piece.end), place->piece.lastButOne(), next->piece.second(), place->turn)
         .has_value();
     place->joint = doesTurn ? Joint::Turns : Joint::Stays;
   }

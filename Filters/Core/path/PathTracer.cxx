@@ -3,6 +3,7 @@
 #include "path/PathTracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,6 +23,9 @@ constexpr double LeastGain = 1e-7;
 /** The part that a step which gains less, as it only cuts off a corner, gains together with the one
  * before. A path of a million edges gains more. */
 constexpr double LeastGainOfTwo = 1e-6;
+
+/** By so much of its length a step ahead may be farther than the last step has said. */
+constexpr double MostBeyond = 0.01;
 
 /** Whether a step leaves less of a path. @param left, leftBefore  what was left after the last
  * step, and after the one before */
@@ -197,7 +201,7 @@ std::optional<SurfacePath> PathTracer::traceToAim(
 std::optional<PathTracer::Step> PathTracer::stepToSeed(
   const PathPoint& point, PathOrder order) const
 {
-  if (this->Aim != NoIndex && !mayShareFace(point, this->Seeds[this->Aim]))
+  if (this->Aim != NoIndex && !mayShareFace(point.carriers(), this->Seeds[this->Aim].carriers()))
   {
     // No face has room for both, which is told sooner than the faces are found.
     return std::nullopt;
@@ -238,57 +242,69 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(
 std::optional<PathTracer::Step> PathTracer::stepAhead(const SurfacePath& path, double left) const
 {
   const PathPoint& here = path.back();
+  const Place from{ here.carriers(), here.position(this->Surface.mesh()) };
   std::optional<Step> best;
-  if (path.size() == 1 || here.carriers().size() != 2)
+  if (path.size() == 1 || from.carriers.size() != 2)
   {
-    this->tryFaces(
-      here, [](const Triangle&) { return true; }, best);
+    visitFaces(this->Surface, here, [&](const Triangle& face) { this->tryFace(from, face, best); });
     return best;
   }
   // The last step was the best one across its face, so that two steps across it, there and back,
   // leave no less.
   const auto isBehind = [&last = path[path.size() - 2]](const Triangle& face)
   { return liesIn(last, face); };
-  this->tryFaces(
-    here, [&](const Triangle& face) { return !isBehind(face); }, best);
+  visitFaces(this->Surface, here,
+    [&](const Triangle& face)
+    {
+      if (!isBehind(face))
+      {
+        this->tryFace(from, face, best);
+      }
+    });
+  if (best && best->total - left <= MostBeyond * (best->total - best->left))
+  {
+    return best;
+  }
   // Where it comes back across a face, a third step there would be one of very many, to and fro
   // between the sides of a needle.
-  const auto isCrossedOnce = [&](const Triangle& face)
-  { return isBehind(face) && !(path.size() > 2 && liesIn(path[path.size() - 3], face)); };
-  if (!best || best->total > left)
-  {
-    this->tryFaces(here, isCrossedOnce, best);
-  }
+  const auto isCrossedTwice = [&](const Triangle& face)
+  { return path.size() > 2 && liesIn(path[path.size() - 3], face); };
+  visitFaces(this->Surface, here,
+    [&](const Triangle& face)
+    {
+      if (isBehind(face) && !isCrossedTwice(face))
+      {
+        this->tryFace(from, face, best);
+      }
+    });
   return best;
 }
 
-template <class Choice>
-void PathTracer::tryFaces(
-  const PathPoint& point, const Choice& choice, std::optional<Step>& best) const
+void PathTracer::tryFace(const Place& from, const Triangle& face, std::optional<Step>& best) const
 {
-  const Carriers carriers = point.carriers();
-  const Vector3 position = point.position(this->Surface.mesh());
-  visitFaces(this->Surface, point,
-    [&](const Triangle& face)
+  const double cost = this->Surface.costOf(face);
+  const std::array<Corner, 3> corners{ this->cornerAt(face[0]), this->cornerAt(face[1]),
+    this->cornerAt(face[2]) };
+  std::array<bool, 3> isBelow{};
+  const auto tryOpposite = [&](int c, int a, int b)
+  {
+    if (from.carriers.contains(face[c]) &&
+      this->tryEdge(from.position, corners[a], corners[b], cost, best))
     {
-      if (!choice(face))
-      {
-        return;
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        const Index a = face[(c + 1) % 3];
-        const Index b = face[(c + 2) % 3];
-        if (carriers.contains(face[c]))
-        {
-          this->tryEdge(position, face, a, b, best);
-        }
-        if (carriers.size() > 1 || carriers[0] != face[c])
-        {
-          this->tryVertex(position, face[c], this->Surface.costOf(face), best);
-        }
-      }
-    });
+      isBelow[a] = true;
+      isBelow[b] = true;
+    }
+  };
+  tryOpposite(0, 1, 2);
+  tryOpposite(1, 2, 0);
+  tryOpposite(2, 0, 1);
+  for (int c = 0; c < 3; ++c)
+  {
+    if (!isBelow[c] && (from.carriers.size() > 1 || from.carriers[0] != face[c]))
+    {
+      tryVertex(from.position, corners[c], cost, best);
+    }
+  }
 }
 
 std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& point) const
@@ -303,7 +319,7 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
     if (isLower)
     {
       const double cost = 0.5 * (costAt(this->Surface, point) + this->Surface.costOf(vertex));
-      this->tryVertex(position, vertex, cost, best);
+      tryVertex(position, this->cornerAt(vertex), cost, best);
     }
   };
   if (carriers.size() == 1)
@@ -375,27 +391,26 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
   return {};
 }
 
-void PathTracer::tryEdge(
-  const Vector3& position, const Triangle& face, Index a, Index b, std::optional<Step>& best) const
+bool PathTracer::tryEdge(const Vector3& position, const Corner& a, const Corner& b, double cost,
+  std::optional<Step>& best) const
 {
-  if (!this->leadsToAim(a) || !this->leadsToAim(b) ||
-    this->Field.nearestSeed(a) != this->Field.nearestSeed(b))
+  if (!a.leadsToAim || !b.leadsToAim ||
+    (this->Aim == NoIndex &&
+      this->Field.nearestSeed(a.vertex) != this->Field.nearestSeed(b.vertex)))
   {
-    return;
+    return false;
   }
-  const TriangleMesh& mesh = this->Surface.mesh();
-  const double cost = this->Surface.costOf(face);
-  const double fromA = this->Field.distance(a) / cost;
-  const double fromB = this->Field.distance(b) / cost;
-  const Vector3 edge = mesh.position(b) - mesh.position(a);
+  const double fromA = a.left / cost;
+  const double fromB = b.left / cost;
+  const Vector3 edge = b.position - a.position;
   const double square = dot(edge, edge);
   if (!((fromA - fromB) * (fromA - fromB) < square))
   {
-    return;
+    return false;
   }
   const double length = std::sqrt(square);
   const double inverse = 1.0 / length;
-  const Vector3 toPoint = position - mesh.position(a);
+  const Vector3 toPoint = position - a.position;
   const double foot = dot(toPoint, edge) * inverse;
   const double height = norm(cross(toPoint, edge)) * inverse;
   const FlatSource source(fromA, fromB, length, inverse);
@@ -403,28 +418,28 @@ void PathTracer::tryEdge(
   const double fraction = place * inverse;
   if (!(fraction > VertexFraction && fraction < 1.0 - VertexFraction))
   {
-    return;
+    return false;
   }
   const double left = source.phi(place);
   const double total = left + std::sqrt((foot - place) * (foot - place) + height * height);
   if (!best || cost * total < best->total)
   {
-    best = Step{ PathPoint::onEdge(a, b, fraction), cost * left, cost * total };
+    best = Step{ PathPoint::onEdge(a.vertex, b.vertex, fraction), cost * left, cost * total };
   }
+  return true;
 }
 
 void PathTracer::tryVertex(
-  const Vector3& position, Index vertex, double cost, std::optional<Step>& best) const
+  const Vector3& position, const Corner& corner, double cost, std::optional<Step>& best)
 {
-  const double left = this->Field.distance(vertex);
-  if (!this->leadsToAim(vertex) || (best && !(left < best->total)))
+  if (!corner.leadsToAim || (best && !(corner.left < best->total)))
   {
     return;
   }
-  const double total = left + cost * norm(position - this->Surface.mesh().position(vertex));
+  const double total = corner.left + cost * norm(position - corner.position);
   if (!best || total < best->total)
   {
-    best = Step{ PathPoint::atVertex(vertex), left, total };
+    best = Step{ PathPoint::atVertex(corner.vertex), corner.left, total };
   }
 }
 

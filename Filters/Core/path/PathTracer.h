@@ -79,6 +79,22 @@ private:
     /** The same from where the step begins. */
     double total;
   };
+  /** Where a step begins. */
+  struct Place
+  {
+    Carriers carriers;
+    Vector3 position;
+  };
+  /** What a step needs of a vertex to which it may lead. */
+  struct Corner
+  {
+    Index vertex;
+    /** See leadsToAim(). */
+    bool leadsToAim;
+    /** Distance from the vertex to the seed. */
+    double left;
+    const Vector3& position;
+  };
 
   std::optional<SurfacePath> traceToAim(
     const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const;
@@ -92,10 +108,8 @@ private:
    * not a second time.
    * @param left  by the last step */
   std::optional<Step> stepAhead(const SurfacePath& path, double left) const;
-  /** Replaces @p best by the step to the edges of the faces round a point, as far as @p choice
-   * holds for a face, if that has a lower total. */
-  template <class Choice>
-  void tryFaces(const PathPoint& point, const Choice& choice, std::optional<Step>& best) const;
+  /** Replaces @p best by the step across a face if that has a lower total. */
+  void tryFace(const Place& from, const Triangle& face, std::optional<Step>& best) const;
   /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.
    */
   std::optional<Step> stepAlongEdges(const PathPoint& point) const;
@@ -106,13 +120,22 @@ private:
    * with a seed, without @p vertex itself; empty if there is none
    */
   std::vector<Index> descentAlongEdges(Index vertex) const;
-  /** Replaces @p best by the step from a place to the best point inside an edge, if that has a
-   * lower total. */
-  void tryEdge(const Vector3& position, const Triangle& face, Index a, Index b,
+  Corner cornerAt(Index vertex) const
+  {
+    return { vertex, this->leadsToAim(vertex), this->Field.distance(vertex),
+      this->Surface.mesh().position(vertex) };
+  }
+  /**
+   * Replaces @p best by the step from a position to the best point inside an edge, if that has a
+   * lower total.
+   * @param cost of a unit of length of the step
+   * @return whether there is such a point: steps to the edge's ends have no lower total then
+   */
+  bool tryEdge(const Vector3& position, const Corner& a, const Corner& b, double cost,
     std::optional<Step>& best) const;
-  /** The same for the step to a vertex. @param cost of a unit of length of the step */
-  void tryVertex(
-    const Vector3& position, Index vertex, double cost, std::optional<Step>& best) const;
+  /** The same for the step to a vertex. */
+  static void tryVertex(
+    const Vector3& position, const Corner& corner, double cost, std::optional<Step>& best);
 
   const WeightedMesh& Surface;
   const DistanceField& Field;

@@ -92,30 +92,49 @@ inline Index centreOf(const WeightedMesh& surface, const Carriers& carriers)
                                          [&](Index a, Index b) { return sizeOf(a) < sizeOf(b); });
 }
 
+/** Calls @p visit with each open face on both sides of an edge. @param centre one of its ends, the
+ * one whose ring is looked through */
+template <class Visit>
+inline void visitFacesOfEdge(
+  const WeightedMesh& surface, Index centre, Index other, const Visit& visit)
+{
+  const std::span<const RingEntry> ring = surface.ring(centre);
+  surface.countSteps(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (ring[i].neighbour() != other)
+    {
+      continue;
+    }
+    if (i > 0 && surface.isOpen(centre, i - 1))
+    {
+      visit(Triangle{ centre, ring[i - 1].neighbour(), other });
+    }
+    // The last entry of a ring opens no triangle.
+    if (surface.isOpen(centre, i))
+    {
+      visit(Triangle{ centre, other, ring[i + 1].neighbour() });
+    }
+  }
+}
+
 /** Calls @p visit with each open face in which the point lies. */
 template <class Visit>
 inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visit&& visit)
 {
   const Carriers carriers = point.carriers();
   const Index centre = centreOf(surface, carriers);
-  // The carriers beside the centre; fewer are the centre or the last one again.
-  std::array<Index, 2> others{ centre, centre };
-  for (const Index carrier : carriers)
+  if (carriers.size() == 2)
   {
-    if (carrier != centre)
-    {
-      others = { others[1], carrier };
-    }
+    visitFacesOfEdge(surface, centre, carriers[carriers[0] == centre ? 1 : 0], visit);
+    return;
   }
   const std::span<const RingEntry> ring = surface.ring(centre);
   surface.countSteps(ring.size());
-  // The last entry of a ring opens no triangle.
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)
   {
     const Triangle face{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-    const auto isCorner = [&](Index vertex)
-    { return vertex == centre || vertex == face[1] || vertex == face[2]; };
-    if (isCorner(others[0]) && isCorner(others[1]) && surface.isOpen(centre, i))
+    if (surface.isOpen(centre, i) && liesIn(point, face))
     {
       visit(face);
     }
