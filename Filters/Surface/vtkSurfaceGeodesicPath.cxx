@@ -15,6 +15,7 @@
 #include "algorithm/PathSearches.h"
 #include "algorithm/WholeSurface.h"
 #include "base/NumberText.h"
+#include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
 #include "filter/VtkVersions.h"
 #include "global/GlobalPoints.h"
@@ -38,6 +39,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <limits>
 #include <map>
 #include <optional>
@@ -519,12 +521,10 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
   const bool namesBlocks =
     run.ranks.size() == 1 && !internal.Surface->piece().numbering().hasUniqueIds();
   geodesic::bridge::PathOutput paths(this->HeightOffset, namesBlocks);
-  const double maximumLength =
-    this->UseMaximumPathLength ? this->MaximumPathLength : std::numeric_limits<double>::infinity();
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;
   vtkNew<vtkIdTypeArray> nearestSeeds;
   nearestSeeds->SetName("NearestSeed");
-  double arcLength = 0.0;
+  std::deque<geodesic::SurfacePath> beginnings;
   for (std::size_t i = 0; i < internal.Segments.size(); ++i)
   {
     const Segment& segment = internal.Segments[i];
@@ -535,15 +535,19 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
       const geodesic::bridge::PathAttributes& attributes = path.corridor
         ? static_cast<const geodesic::bridge::PathAttributes&>(*path.corridor)
         : run.input;
-      const double length = paths.add(attributes,
-        geodesic::beginningOf(attributes.mesh(), path.path, maximumLength,
-          std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1),
-        static_cast<vtkIdType>(i), isChain ? arcLength : 0.0);
-      arcLength += length;
+      if (this->UseMaximumPathLength)
+      {
+        beginnings.push_back(
+          geodesic::beginningOf(attributes.mesh(), path.path, this->MaximumPathLength,
+            std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1));
+      }
+      paths.add(attributes, this->UseMaximumPathLength ? beginnings.back() : path.path,
+        static_cast<vtkIdType>(i));
       nearestSeeds->InsertNextValue(segment.NearestSeed);
     }
   }
-  paths.writeTo(output);
+  const std::size_t threads = this->GetThreadsOfRun(run.ranks);
+  paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads)));
   if (!isChain)
   {
     output->GetCellData()->AddArray(nearestSeeds);

@@ -82,7 +82,7 @@ int vtkPolygonalSurfaceContourLineInterpolator2::InterpolateLine(
     {
       return 0;
     }
-    const geodesic::bridge::SurfaceNormals normals(
+    geodesic::bridge::SurfaceNormals normals(
       surface.mesh(), begin.surface->GetPointData()->GetNormals());
     for (const PathPoint& point : *path)
     {

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/PathOutput.h"
 
-#include "output/SurfaceNormals.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -14,20 +13,38 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
 
 namespace geodesic::bridge
 {
 namespace
 {
 
-/** The vertices that carry a point, nearest first. */
-std::vector<Index> nearestCarriers(const PathPoint& point)
+/** The two nearest of the vertices that carry a point; at a vertex twice the same. */
+std::array<Index, 2> nearestCarriers(const PathPoint& point)
 {
   const Carriers carriers = point.carriers();
-  std::vector<Index> nearest(carriers.begin(), carriers.end());
-  std::stable_sort(nearest.begin(), nearest.end(),
-    [&](Index a, Index b) { return weightOf(point, a) > weightOf(point, b); });
+  std::array<Index, 2> nearest{ carriers[0], carriers[carriers.size() > 1 ? 1 : 0] };
+  for (int i = 1; i < carriers.size(); ++i)
+  {
+    const double weight = weightOf(point, carriers[i]);
+    if (weight > weightOf(point, nearest[0]))
+    {
+      nearest = { carriers[i], nearest[0] };
+    }
+    else if (weight > weightOf(point, nearest[1]))
+    {
+      nearest[1] = carriers[i];
+    }
+  }
   return nearest;
+}
+
+SurfaceNormals normalsOf(const PathAttributes& attributes)
+{
+  return { attributes.mesh(), [&attributes](Index vertex) { return attributes.normalOf(vertex); } };
 }
 
 }
@@ -36,7 +53,7 @@ PathOutput::PathOutput(double heightOffset, bool namesBlocks)
   : HeightOffset(heightOffset)
   , NamesBlocks(namesBlocks)
 {
-  this->Points->SetDataTypeToDouble();
+  this->Positions->SetNumberOfComponents(3);
   this->ArcLengths->SetName("ArcLength");
   this->OriginalPointIds->SetName("OriginalPointIds");
   this->EdgePointIds->SetName("EdgePointIds");
@@ -52,50 +69,133 @@ PathOutput::PathOutput(double heightOffset, bool namesBlocks)
 
 PathOutput::~PathOutput() = default;
 
-double PathOutput::add(
-  const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment, double arcLength)
+void PathOutput::add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment)
 {
-  const TriangleMesh& mesh = attributes.mesh();
-  const SurfaceNormals normals(mesh, [&](Index vertex) { return attributes.normalOf(vertex); });
-  double length = 0.0;
-  // A polyline needs at least two points.
-  const std::size_t count = std::max<std::size_t>(path.size(), 2);
-  this->Lines->InsertNextCell(static_cast<int>(count));
-  for (std::size_t i = 0; i < count; ++i)
+  this->Lines.push_back({ attributes, path, this->Size });
+  this->Size += this->Lines.back().size();
+  this->Segments->InsertNextValue(segment);
+}
+
+void PathOutput::allocate()
+{
+  const auto size = static_cast<vtkIdType>(this->Size);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ this->Positions,
+         this->ArcLengths, this->OriginalPointIds, this->EdgePointIds, this->Normals })
   {
-    const PathPoint& point = path[std::min(i, path.size() - 1)];
-    const Vector3 position = point.position(mesh);
-    if (i > 0)
-    {
-      length += norm(position - path[i - 1].position(mesh));
-    }
+    array->SetNumberOfTuples(size);
+  }
+  if (this->NamesBlocks)
+  {
+    this->OriginalBlocks->SetNumberOfTuples(size);
+    this->EdgeBlocks->SetNumberOfTuples(size);
+  }
+  this->Lengths->SetNumberOfTuples(static_cast<vtkIdType>(this->Lines.size()));
+}
+
+double PathOutput::write(const Line& line, SurfaceNormals& normals)
+{
+  const PathAttributes& attributes = line.attributes;
+  double length = 0.0;
+  Vector3 before;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    const auto at = static_cast<vtkIdType>(line.start + i);
+    const PathPoint& point = line.path[std::min(i, line.path.size() - 1)];
+    const Vector3 position = point.position(attributes.mesh());
+    length += i > 0 ? norm(position - before) : 0.0;
+    before = position;
     const Vector3 normal = normals.at(point);
     const Vector3 raised = position + this->HeightOffset * normal;
-    this->Lines->InsertCellPoint(this->Points->InsertNextPoint(raised.x, raised.y, raised.z));
-    const std::vector<Index> nearest = nearestCarriers(point);
-    const Index first = nearest[0];
-    const Index second = nearest[nearest.size() > 1 ? 1 : 0];
-    this->ArcLengths->InsertNextValue(arcLength + length);
-    this->OriginalPointIds->InsertNextValue(attributes.idOf(first));
-    this->OriginalBlocks->InsertNextValue(attributes.blockOf(first));
-    for (Index end : { first, second })
+    this->Positions->SetTypedTuple(at, std::array{ raised.x, raised.y, raised.z }.data());
+    this->Normals->SetTypedTuple(at, std::array{ normal.x, normal.y, normal.z }.data());
+    this->ArcLengths->SetValue(at, length);
+    const auto [first, second] = nearestCarriers(point);
+    const std::array ids{ attributes.idOf(first), attributes.idOf(second) };
+    this->OriginalPointIds->SetValue(at, ids[0]);
+    this->EdgePointIds->SetTypedTuple(at, ids.data());
+    if (this->NamesBlocks)
     {
-      this->EdgePointIds->InsertNextValue(attributes.idOf(end));
-      this->EdgeBlocks->InsertNextValue(attributes.blockOf(end));
+      const std::array blocks{ attributes.blockOf(first), attributes.blockOf(second) };
+      this->OriginalBlocks->SetValue(at, blocks[0]);
+      this->EdgeBlocks->SetTypedTuple(at, blocks.data());
     }
-    this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
   }
-  this->Segments->InsertNextValue(segment);
-  this->Lengths->InsertNextValue(length);
-  this->TotalLength += length;
   return length;
 }
 
-void PathOutput::writeTo(vtkPolyData* output) const
+std::optional<SurfaceNormals> PathOutput::normalsOfAll() const
 {
+  // To find the triangles round one vertex takes as long as to go through so many of all.
+  constexpr std::size_t many = 8;
+  if (this->Lines.empty())
+  {
+    return std::nullopt;
+  }
+  const PathAttributes& attributes = this->Lines.front().attributes;
+  const bool areOfOne = std::all_of(this->Lines.begin(), this->Lines.end(),
+    [&](const Line& line) { return &line.attributes == &attributes; });
+  if (!areOfOne || many * this->Size < attributes.mesh().numberOfVertices())
+  {
+    return std::nullopt;
+  }
+  SurfaceNormals normals = normalsOf(attributes);
+  normals.makeAll();
+  return normals;
+}
+
+void PathOutput::addLengths(bool isChain)
+{
+  for (std::size_t i = 0; i < this->Lines.size(); ++i)
+  {
+    if (isChain)
+    {
+      double* const arcLengths =
+        this->ArcLengths->GetPointer(static_cast<vtkIdType>(this->Lines[i].start));
+      std::for_each(arcLengths, arcLengths + this->Lines[i].size(),
+        [&](double& arcLength) { arcLength += this->TotalLength; });
+    }
+    this->TotalLength += this->Lengths->GetValue(static_cast<vtkIdType>(i));
+  }
+}
+
+void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team)
+{
+  this->allocate();
+  std::optional<SurfaceNormals> ofAll = this->normalsOfAll();
+  team.run(this->Size,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      const PathAttributes* attributes = nullptr;
+      std::optional<SurfaceNormals> own;
+      for (auto line = std::ranges::lower_bound(this->Lines, first, {}, &Line::start);
+           line != this->Lines.end() && line->start < last; ++line)
+      {
+        if (!ofAll && attributes != &line->attributes)
+        {
+          attributes = &line->attributes;
+          own.emplace(normalsOf(*attributes));
+        }
+        this->Lengths->SetValue(
+          line - this->Lines.begin(), this->write(*line, ofAll ? *ofAll : *own));
+      }
+    });
+  this->addLengths(isChain);
+  vtkNew<vtkPoints> points;
+  points->SetData(this->Positions);
+  vtkNew<vtkCellArray> lines;
+  lines->AllocateExact(
+    static_cast<vtkIdType>(this->Lines.size()), static_cast<vtkIdType>(this->Size));
+  for (const Line& line : this->Lines)
+  {
+    lines->InsertNextCell(static_cast<int>(line.size()));
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      lines->InsertCellPoint(static_cast<vtkIdType>(line.start + i));
+    }
+  }
   output->Initialize();
-  output->SetPoints(this->Points);
-  output->SetLines(this->Lines);
+  output->SetPoints(points);
+  output->SetLines(lines);
   vtkPointData* pointData = output->GetPointData();
   pointData->SetScalars(this->ArcLengths);
   pointData->AddArray(this->OriginalPointIds);

@@ -3,16 +3,20 @@
 #ifndef geodesic_bridge_PathOutput_h
 #define geodesic_bridge_PathOutput_h
 
+#include "base/ThreadTeam.h"
 #include "output/PathAttributes.h"
+#include "output/SurfaceNormals.h"
 #include "path/PathPoint.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
-class vtkCellArray;
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 class vtkDoubleArray;
 class vtkIdTypeArray;
-class vtkPoints;
 class vtkPolyData;
 
 namespace geodesic::bridge
@@ -43,22 +47,45 @@ public:
   ~PathOutput();
 
   /**
+   * Adds a path; this and the attributes must live as long as this object.
    * @param attributes the mesh that the path runs on, and the attributes of the input
    * @param segment    the path's number, for the array Segment
-   * @param arcLength  the value of ArcLength at the path's first point
-   * @return the path's length on the surface, without the offset
    */
-  double add(
-    const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment, double arcLength);
-  void writeTo(vtkPolyData* output) const;
+  void add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment);
+  /**
+   * Writes all paths.
+   * @param isChain whether ArcLength goes on from each path to the next one
+   * @param team    threads to work on
+   */
+  void writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team);
+  /** The length of all paths on the surface, without the offset, once they are written. */
   double totalLength() const { return this->TotalLength; }
 
 private:
+  struct Line
+  {
+    const PathAttributes& attributes;
+    const SurfacePath& path;
+    /** The place of its first point among those of all lines. */
+    std::size_t start;
+
+    /** A polyline needs at least two points. */
+    std::size_t size() const { return this->path.size() < 2 ? 2 : this->path.size(); }
+  };
+
+  void allocate();
+  /** Writes all that belongs to the points of a line. @return its length */
+  double write(const Line& line, SurfaceNormals& normals);
+  /** All normals of the surface, where so many paths are on one that this is faster. */
+  std::optional<SurfaceNormals> normalsOfAll() const;
+  void addLengths(bool isChain);
+
   double HeightOffset;
   bool NamesBlocks;
   double TotalLength = 0.0;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Lines;
+  std::vector<Line> Lines;
+  std::size_t Size = 0;
+  vtkNew<vtkDoubleArray> Positions;
   vtkNew<vtkDoubleArray> ArcLengths;
   vtkNew<vtkIdTypeArray> OriginalPointIds;
   vtkNew<vtkIdTypeArray> EdgePointIds;

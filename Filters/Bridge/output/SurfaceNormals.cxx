@@ -18,6 +18,13 @@ Vector3 normalized(const Vector3& v)
   return length > 0.0 ? 1.0 / length * v : Vector3{ 0.0, 0.0, 1.0 };
 }
 
+/** The normal of a triangle on its front, twice its area long. */
+Vector3 normalOf(const TriangleMesh& mesh, const Triangle& t)
+{
+  return cross(
+    mesh.position(t[1]) - mesh.position(t[0]), mesh.position(t[2]) - mesh.position(t[0]));
+}
+
 }
 
 SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNormals)
@@ -35,7 +42,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNorm
 {
 }
 
-Vector3 SurfaceNormals::at(const PathPoint& point) const
+Vector3 SurfaceNormals::at(const PathPoint& point)
 {
   Vector3 normal;
   for (Index vertex : point.carriers())
@@ -45,7 +52,39 @@ Vector3 SurfaceNormals::at(const PathPoint& point) const
   return normalized(normal);
 }
 
-Vector3 SurfaceNormals::atVertex(Index vertex) const
+void SurfaceNormals::makeAll()
+{
+  std::vector<Vector3> all(this->Mesh.numberOfVertices());
+  for (const Triangle& t : this->Mesh.triangles())
+  {
+    const Vector3 normal = normalOf(this->Mesh, t);
+    for (const Index corner : t)
+    {
+      all[corner] = all[corner] + normal;
+    }
+  }
+  for (Index vertex = 0; vertex < this->Mesh.numberOfVertices(); ++vertex)
+  {
+    all[vertex] = normalized(this->OfInput(vertex).value_or(all[vertex]));
+  }
+  this->All = std::move(all);
+}
+
+const Vector3& SurfaceNormals::atVertex(Index vertex)
+{
+  if (!this->All.empty())
+  {
+    return this->All[vertex];
+  }
+  const auto [known, isNew] = this->Made.try_emplace(vertex);
+  if (isNew)
+  {
+    known->second = this->makeAtVertex(vertex);
+  }
+  return known->second;
+}
+
+Vector3 SurfaceNormals::makeAtVertex(Index vertex) const
 {
   if (const std::optional<Vector3> normal = this->OfInput(vertex))
   {
@@ -59,10 +98,8 @@ Vector3 SurfaceNormals::atVertex(Index vertex) const
     {
       // Rings have no orientation, but the triangle has the orientation of the input's face.
       const std::array<Index, 3> corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
-      const Triangle& t = this->Mesh.triangle(this->Mesh.trianglesWith(corners).front());
-      sum = sum +
-        cross(this->Mesh.position(t[1]) - this->Mesh.position(t[0]),
-          this->Mesh.position(t[2]) - this->Mesh.position(t[0]));
+      sum =
+        sum + normalOf(this->Mesh, this->Mesh.triangle(this->Mesh.trianglesWith(corners).front()));
     }
   }
   return normalized(sum);

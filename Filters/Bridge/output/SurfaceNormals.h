@@ -7,13 +7,17 @@
 
 #include <functional>
 #include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 class vtkDataArray;
 
 namespace geodesic::bridge
 {
 
-/** Unit normals at points of a surface. */
+/** Unit normals at points of a surface. Those of vertices are made as they are needed, by one
+ * thread, and kept, as many paths go past the same ones; or all at once by makeAll(). */
 class SurfaceNormals
 {
 public:
@@ -37,14 +41,22 @@ public:
   /** @param inputNormals the input's normal at each point; null if it has none */
   SurfaceNormals(const TriangleMesh& mesh, vtkDataArray* inputNormals);
 
+  /** Makes the normals of all vertices; then any number of threads may ask for normals. Time O(n).
+   */
+  void makeAll();
+
   /** The normal at a point; between vertices it is interpolated. */
-  Vector3 at(const PathPoint& point) const;
+  Vector3 at(const PathPoint& point);
 
 private:
-  Vector3 atVertex(Index vertex) const;
+  const Vector3& atVertex(Index vertex);
+  Vector3 makeAtVertex(Index vertex) const;
 
   const TriangleMesh& Mesh;
   InputNormal OfInput;
+  std::unordered_map<Index, Vector3> Made;
+  /** One for each vertex; empty until they are all made. */
+  std::vector<Vector3> All;
 };
 
 }
