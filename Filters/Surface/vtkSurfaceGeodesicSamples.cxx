@@ -24,8 +24,8 @@
 #include "input/InputSurface.h"
 #include "lines/GlobalLines.h"
 #include "lines/LinedSurface.h"
-#include "methods/KeptSolver.h"
 #include "methods/SolverTable.h"
+#include "methods/SolverTeam.h"
 #include "output/BlockOutput.h"
 #include "output/FieldArray.h"
 #include "output/PathAttributes.h"
@@ -99,7 +99,7 @@ struct vtkSurfaceGeodesicSamples::Internals
 {
   std::shared_ptr<const geodesic::distributed::DistributedSurface> Surface;
   geodesic::distributed::LinedSurface Lined;
-  geodesic::KeptSolver Solver;
+  geodesic::SolverTeam Solvers;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicSamples);
@@ -254,7 +254,8 @@ void vtkSurfaceGeodesicSamples::Compute(geodesic::distributed::RankGroup& ranks,
         }
       }
     });
-  geodesic::DistanceSolver& solver = internal.Solver.get(method, surface.mesh());
+  internal.Solvers.prepare(
+    method, surface.mesh(), ranks.size() > 1 ? 1 : this->GetThreadsOfRun(ranks));
   const std::vector<geodesic::Seed> firstPoints = geodesic::distributed::seedsAt(std::move(first));
   const std::vector<std::uint8_t> isMade = madeBySplitting(internal.Lined.split());
   request.firstPoints = firstPoints;
@@ -265,7 +266,7 @@ void vtkSurfaceGeodesicSamples::Compute(geodesic::distributed::RankGroup& ranks,
   geodesic::bridge::ProgressReporter reporter(*this, steps);
   request.onProgress = [&](double part)
   { return reporter.report(static_cast<std::size_t>(part * steps)); };
-  const geodesic::Sampling sampling = geodesic::sampleFarthest(solver, request);
+  const geodesic::Sampling sampling = geodesic::sampleFarthest(internal.Solvers, request);
   if (sampling.isCancelled)
   {
     return;

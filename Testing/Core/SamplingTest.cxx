@@ -7,13 +7,16 @@
 #include "Solving.h"
 #include "march/FastMarchingSolver.h"
 #include "methods/SolverTable.h"
+#include "methods/SolverTeam.h"
 #include "solve/ClosedTriangles.h"
 #include "survey/FarthestPointSampling.h"
+#include "survey/FarthestVertices.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -72,6 +75,30 @@ Truth truthOf(DistanceSolver& solver, const Sampling& sampling, const SolveOptio
     }
   }
   return truth;
+}
+
+/** Expects that two samplings took the same samples, and have the same field. */
+void expectSame(const Sampling& a, const Sampling& b, double tolerance)
+{
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t i = 0; i < a.samples.size(); ++i)
+  {
+    ASSERT_EQ(a.samples[i].vertex, b.samples[i].vertex) << "sample " << i;
+    ASSERT_EQ(a.samples[i].position, b.samples[i].position) << "sample " << i;
+  }
+  ASSERT_NEAR(a.coveringRadius, b.coveringRadius, tolerance * a.coveringRadius);
+  ASSERT_EQ(a.numberOfUnreached, b.numberOfUnreached);
+  for (std::size_t v = 0; v < a.field.distances().size(); ++v)
+  {
+    const auto vertex = static_cast<Index>(v);
+    ASSERT_EQ(a.field.isReached(vertex), b.field.isReached(vertex)) << "vertex " << v;
+    if (a.field.isReached(vertex))
+    {
+      ASSERT_NEAR(a.field.distance(vertex), b.field.distance(vertex),
+        tolerance * std::max(a.coveringRadius, a.field.distance(vertex)))
+        << "vertex " << v;
+    }
+  }
 }
 
 /** Checks a sampling by the fields of whole solves. @param tolerance  in parts of the distance */
@@ -326,4 +353,121 @@ TEST(Sampling, CostsFewSolves)
   CountingSolver countingDense(solver);
   samplingOf(countingDense, 20000, 0.0, {}, dense);
   EXPECT_EQ(countingDense.reached(), mesh->numberOfVertices());
+}
+
+// On random surfaces of all kinds, with costs and barriers; also where points lie in rows, so that
+// many are equally far.
+TEST(Sampling, IsTheSameForAnyNumberOfThreads)
+{
+  for (const SolverTraits& traits : solverTable())
+  {
+    if (!traits.isOffered)
+    {
+      continue;
+    }
+    for (unsigned number = 0; number < 12; ++number)
+    {
+      const RandomCase random = randomCase(number, { 1, traits.takesCosts, traits.takesBarriers });
+      SCOPED_TRACE(std::string(traits.name) + ", " + random.description());
+      SamplingRequest request;
+      request.count = 40;
+      request.options = random.options();
+      const auto solver = traits.make(random.mesh);
+      const Sampling ofOne = sampleFarthest(*solver, request);
+      for (const std::size_t threads : { 1, 2, 8 })
+      {
+        SolverTeam team;
+        team.prepare(traits, random.mesh, threads);
+        expectSame(ofOne, sampleFarthest(team, request), toleranceOf(traits));
+      }
+    }
+  }
+  for (const Surface& surface :
+    { planeGrid(60, 60, 6.0, 6.0), icosphere(5), delaunayPlane(5000, 2) })
+  {
+    const auto mesh = meshOf(surface);
+    FastMarchingSolver solver(mesh);
+    SolverTeam team;
+    team.prepare(solverOfName("FastMarching"), mesh, 2);
+    for (const std::size_t count : { 50, 1000, 3000 })
+    {
+      SamplingRequest request;
+      request.count = count;
+      expectSame(samplingOf(solver, count), sampleFarthest(team, request), 1e-9);
+    }
+  }
+}
+
+// Marches of vertices that become no samples would be work for nothing.
+TEST(Sampling, ThreadsMarchFromFewVerticesForNothing)
+{
+  const auto mesh = meshOf(delaunayPlane(20000, 1));
+  FastMarchingSolver solver(mesh);
+  const Sampling sampling = samplingOf(solver, 500);
+  const std::vector<std::uint8_t> isOpen(mesh->numberOfVertices(), 1);
+  FarthestVertices farthest(*mesh, sampling.field.distances(), isOpen);
+  farthest.setLevel(farthest.farthest() * (1.0 - 1e-9));
+  const std::vector<Index> apart = farthest.apartFrom(farthest.firstAtLevel(), 64);
+  ASSERT_GT(apart.size(), 32u);
+  std::set<Index> taken;
+  for (const Sample& sample : samplingOf(solver, 700).samples)
+  {
+    taken.insert(sample.vertex);
+  }
+  const auto used =
+    std::count_if(apart.begin(), apart.end(), [&](Index vertex) { return taken.contains(vertex); });
+  EXPECT_GT(used, static_cast<std::ptrdiff_t>(apart.size() * 9 / 10));
+}
+
+TEST(Sampling, IsCancelledOnThreads)
+{
+  const auto mesh = meshOf(icosphere(5));
+  SolverTeam team;
+  team.prepare(solverOfName("FastMarching"), mesh, 2);
+  SamplingRequest request;
+  request.count = 500;
+  int reports = 0;
+  request.onProgress = [&](double part)
+  {
+    EXPECT_LE(part, 1.0);
+    return ++reports < 60;
+  };
+  EXPECT_TRUE(sampleFarthest(team, request).isCancelled);
+  EXPECT_LT(reports, 70);
+  // The next run is whole.
+  request.onProgress = {};
+  FastMarchingSolver solver(mesh);
+  expectSame(samplingOf(solver, 500), sampleFarthest(team, request), 1e-9);
+}
+
+// Each thread has its part of the memory; what needs more is marched again alone, with all of it.
+TEST(Sampling, NeedsNoMoreMemoryOnThreads)
+{
+  const auto mesh = meshOf(icosphere(4));
+  const SolverTraits& exact = solverOfName("Exact");
+  SamplingRequest request;
+  request.count = 30;
+  const auto solver = exact.make(mesh);
+  const auto isEnough = [&](std::size_t limit)
+  {
+    request.options.memoryLimit = limit;
+    try
+    {
+      sampleFarthest(*solver, request);
+      return true;
+    }
+    catch (const std::exception&)
+    {
+      return false;
+    }
+  };
+  std::size_t limit = 1 << 16;
+  while (!isEnough(limit))
+  {
+    limit += limit / 4;
+  }
+  SolverTeam team;
+  team.prepare(exact, mesh, 3);
+  const Sampling alone = sampleFarthest(*solver, request);
+  expectSame(alone, sampleFarthest(team, request), 1e-9);
 }

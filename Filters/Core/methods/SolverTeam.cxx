@@ -44,6 +44,12 @@ DistanceSolver& SolverTeam::ofThread(std::size_t thread)
   return *solver;
 }
 
+std::size_t SolverTeam::memoryOfEach(std::size_t limit) const
+{
+  const std::size_t all = limit > 0 ? limit : machineMemory() / 4 * 3;
+  return std::max<std::size_t>(all / this->Solvers.size(), 1);
+}
+
 std::size_t SolverTeam::stepsToMakeOne() const
 {
   // Starting a thread takes as long as some thousand steps.

@@ -38,6 +38,8 @@ public:
   DistanceSolver& ofThread(std::size_t thread);
   /** Replaces a solver whose workspace an exception has left undefined. */
   void renew(std::size_t thread) { this->Solvers[thread].reset(); }
+  /** Each thread's part of SolveOptions::memoryLimit, while several work. */
+  std::size_t memoryOfEach(std::size_t limit) const;
   /** How many vertices a march takes in the time that it takes to make a solver. */
   std::size_t stepsToMakeOne() const;
 

@@ -362,10 +362,14 @@ std::optional<SurfacePath> PathFinder::pathByCorner(Index corner, const PathPoin
   constexpr double rounding = 1e-12;
   const TriangleMesh& mesh = this->Solver.mesh();
   const SurfacePath& known = meeting.path();
-  const auto traced =
-    PathTracer(this->Surface, *this->Field, this->Ends)
-      .trace(PathPoint::atVertex(corner), this->Field->nearestSeed(corner), PathOrder::Edges,
-        [&](const SurfacePath& path) { return meeting.placeOfMeeting(path) > 0; });
+  PathTracer::MayEnd mayEnd;
+  if (!known.empty())
+  {
+    mayEnd = [&](const SurfacePath& path) { return meeting.placeOfMeeting(path) > 0; };
+  }
+  const auto traced = PathTracer(this->Surface, *this->Field, this->Ends)
+                        .trace(PathPoint::atVertex(corner), this->Field->nearestSeed(corner),
+                          PathOrder::Edges, mayEnd);
   if (!traced)
   {
     return std::nullopt;

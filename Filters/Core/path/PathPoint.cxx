@@ -42,9 +42,12 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double fraction)
 Carriers unionOf(const PathPoint& a, const PathPoint& b)
 {
   Carriers all = a.carriers();
-  for (Index vertex : b.carriers())
+  for (int i = 0; i < 3; ++i)
   {
-    all.add(vertex);
+    if (b.weights[i] > 0.0)
+    {
+      all.add(b.corners[i]);
+    }
   }
   return all;
 }
@@ -99,9 +102,12 @@ SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
 double lengthOf(const TriangleMesh& mesh, const SurfacePath& path)
 {
   double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i)
+  Vector3 before;
+  for (std::size_t i = 0; i < path.size(); ++i)
   {
-    length += norm(path[i].position(mesh) - path[i - 1].position(mesh));
+    const Vector3 position = path[i].position(mesh);
+    length += i > 0 ? norm(position - before) : 0.0;
+    before = position;
   }
   return length;
 }

@@ -5,9 +5,11 @@
 #include "base/NumberText.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
+#include "methods/SolverTeam.h"
 #include "solve/DistanceSolver.h"
 #include "solve/Partition.h"
 #include "survey/FarthestVertices.h"
+#include "survey/MarchesAhead.h"
 #include "survey/OpenVertices.h"
 
 #include <algorithm>
@@ -61,6 +63,9 @@ public:
     , Farthest(this->Mesh, this->Result.field.distances(), this->IsOpen)
   {
   }
+
+  /** Has the marches made on the threads of a team. @pre a surface in one piece */
+  void useThreads(SolverTeam& team) { this->Ahead.emplace(team, this->Result.field.distances()); }
 
   Sampling take()
   {
@@ -160,7 +165,15 @@ private:
     }
     const auto number = static_cast<Index>(this->Result.samples.size());
     this->Result.samples.push_back({ *next->seed.position, this->Reach, next->vertex });
-    this->spread({ &next->seed, 1 }, number, this->Reach);
+    // No vertex is far before there is a sample.
+    if (this->Ahead && this->Reach < DistanceField::Unreached)
+    {
+      this->spreadAhead(next->vertex, number);
+    }
+    else
+    {
+      this->spread({ &next->seed, 1 }, number, this->Reach);
+    }
     return !this->IsCancelled;
   }
 
@@ -228,23 +241,56 @@ private:
    * @param reach   no vertex that has a distance has a larger one */
   void spread(std::span<const Seed> seeds, Index number, double reach)
   {
-    SolveOptions options = this->Request.options;
-    options.maximumDistance = reach;
-    options.usefulBelow = this->Result.field.distances();
+    SolveOptions options = this->optionsWithin(reach);
     options.keepsSurface = this->HasMarched;
     options.onProgress = [&](std::size_t) { return this->report(); };
     const DistanceField& own = this->Solver.solve(seeds, options);
     this->HasMarched = true;
     this->IsCancelled |= own.stopReason() == StopReason::Cancelled;
-    DistanceField& field = this->Result.field;
     for (const Index vertex : own.reached())
     {
-      const double distance = own.distance(vertex);
-      if (distance < field.distance(vertex))
+      this->takeOver(vertex, own.distance(vertex), number + own.nearestSeed(vertex));
+    }
+  }
+
+  /** The same from one sample, with marches on threads. */
+  void spreadAhead(Index vertex, Index number)
+  {
+    if (!this->Ahead->isMade(vertex))
+    {
+      // This sample is counted already.
+      const std::size_t left = this->mostSamples() - this->Result.samples.size() + 1;
+      std::vector<Index> vertices =
+        this->Farthest.apartFrom(vertex, std::min(left, this->Ahead->sizeOfBatch()));
+      std::erase_if(vertices, [&](Index likely) { return this->Ahead->isMade(likely); });
+      this->IsCancelled |= !this->Ahead->march(
+        vertices, this->optionsWithin(this->Reach), [&] { return this->report(); });
+    }
+    if (!this->IsCancelled)
+    {
+      for (const auto& [nearer, distance] : this->Ahead->take(vertex))
       {
-        field.setDistance(vertex, distance);
-        field.setNearestSeed(vertex, number + own.nearestSeed(vertex));
+        this->takeOver(nearer, distance, number);
       }
+    }
+  }
+
+  SolveOptions optionsWithin(double reach) const
+  {
+    SolveOptions options = this->Request.options;
+    options.maximumDistance = reach;
+    options.usefulBelow = this->Result.field.distances();
+    return options;
+  }
+
+  /** Sets the distance of a vertex from a sample if it is less than that from those before. */
+  void takeOver(Index vertex, double distance, Index number)
+  {
+    DistanceField& field = this->Result.field;
+    if (distance < field.distance(vertex))
+    {
+      field.setDistance(vertex, distance);
+      field.setNearestSeed(vertex, number);
     }
   }
 
@@ -279,6 +325,7 @@ private:
   Sampling Result;
   std::vector<std::uint8_t> IsOpen;
   FarthestVertices Farthest;
+  std::optional<MarchesAhead> Ahead;
   bool HasMarched = false;
   bool IsCancelled = false;
   double Reach = DistanceField::Unreached;
@@ -292,6 +339,22 @@ Sampling sampleFarthest(DistanceSolver& solver, const SamplingRequest& request)
   Partition& partition = request.options.partition ? *request.options.partition : onePiece;
   partition.together([&] { checkLimits(request); });
   return Sampler(solver, request, partition).take();
+}
+
+Sampling sampleFarthest(SolverTeam& solvers, const SamplingRequest& request)
+{
+  Partition* const partition = request.options.partition;
+  if (solvers.numberOfThreads() == 1 || (partition && partition->isDivided()))
+  {
+    return sampleFarthest(solvers.first(), request);
+  }
+  checkLimits(request);
+  Partition onePiece;
+  SamplingRequest undivided = request;
+  undivided.options.partition = nullptr;
+  Sampler sampler(solvers.first(), undivided, onePiece);
+  sampler.useThreads(solvers);
+  return sampler.take();
 }
 
 }

@@ -18,6 +18,7 @@ namespace geodesic
 {
 
 class DistanceSolver;
+class SolverTeam;
 
 /** A point of a sampling. */
 struct Sample
@@ -87,6 +88,13 @@ struct Sampling
  * Time: about log(count) whole solves and O(log n) for each fall of a distance.
  */
 Sampling sampleFarthest(DistanceSolver& solver, const SamplingRequest& request);
+
+/**
+ * The same on the threads of a team, on which the result does not depend: the marches of samples
+ * that will probably be taken soon are made together (see MarchesAhead). A surface in several
+ * pieces is sampled on one thread.
+ */
+Sampling sampleFarthest(SolverTeam& solvers, const SamplingRequest& request);
 
 }
 

@@ -3,10 +3,13 @@
 #include "survey/FarthestVertices.h"
 
 #include "base/Interruption.h"
+#include "march/PlaceGrid.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace geodesic
@@ -16,6 +19,8 @@ namespace
 
 /** The floor in parts of the largest distance. */
 constexpr double FloorPart = 0.9;
+/** Distances that differ by no more than this part are tied. */
+constexpr double TiePart = 1e-9;
 
 }
 
@@ -110,6 +115,76 @@ void FarthestVertices::sortTied()
   std::for_each(fallen, this->AtLevel.end(), [&](const Tied& tied) { this->wait(tied.vertex); });
   this->AtLevel.erase(fallen, this->AtLevel.end());
   std::sort(this->AtLevel.begin(), this->AtLevel.end());
+}
+
+std::vector<Index> FarthestVertices::apartFrom(Index first, std::size_t most) const
+{
+  constexpr std::size_t candidatesOfEach = 4;
+  std::vector<Index> candidates = this->farthestOnes(candidatesOfEach * most);
+  candidates.insert(candidates.begin(), first);
+  const auto placeOf = [&](Index number) { return this->Mesh.position(candidates[number]); };
+  std::vector<Index> numbers(candidates.size());
+  std::iota(numbers.begin(), numbers.end(), Index{ 0 });
+  const double farthest = this->Distances[first];
+  const PlaceGrid grid(numbers, farthest, placeOf);
+  std::vector<bool> isNear(candidates.size(), false);
+  std::vector<Index> apart;
+  for (const Index number : numbers)
+  {
+    if (isNear[number] || apart.size() == most)
+    {
+      continue;
+    }
+    apart.push_back(candidates[number]);
+    const Vector3 place = placeOf(number);
+    grid.visitNear(place, farthest,
+      [&](Index other)
+      {
+        if (norm(placeOf(other) - place) < this->Distances[candidates[other]])
+        {
+          isNear[other] = true;
+        }
+      });
+  }
+  return apart;
+}
+
+std::vector<Index> FarthestVertices::farthestOnes(std::size_t most) const
+{
+  std::vector<Index> ones;
+  for (const Waiting& waiting : this->Heap)
+  {
+    // One that has fallen is no longer far.
+    if (waiting.distance == this->Distances[waiting.vertex])
+    {
+      ones.push_back(waiting.vertex);
+    }
+  }
+  for (const Tied& tied : this->AtLevel)
+  {
+    if (this->isAtLevel(tied))
+    {
+      ones.push_back(tied.vertex);
+    }
+  }
+  const auto isFarther = [&](Index a, Index b) { return this->Distances[a] > this->Distances[b]; };
+  if (most < ones.size())
+  {
+    std::nth_element(
+      ones.begin(), ones.begin() + static_cast<std::ptrdiff_t>(most), ones.end(), isFarther);
+    ones.resize(most);
+  }
+  std::sort(ones.begin(), ones.end(), isFarther);
+  // Tied ones follow each other now.
+  for (auto begin = ones.begin(); begin != ones.end();)
+  {
+    const auto end = std::find_if(begin, ones.end(),
+      [&](Index one) { return this->Distances[one] < (1.0 - TiePart) * this->Distances[*begin]; });
+    std::sort(begin, end,
+      [&](Index a, Index b) { return isBefore(this->Mesh.position(a), this->Mesh.position(b)); });
+    begin = end;
+  }
+  return ones;
 }
 
 bool FarthestVertices::lowerFloor()

@@ -6,6 +6,7 @@
 #include "base/Index.h"
 #include "base/Vector3.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +47,13 @@ public:
   /** The first by position of the tied vertices that are still at the level; NoIndex if there is
    * none. */
   Index firstAtLevel();
+  /**
+   * Far vertices of which none will soon be nearer to another one: each is farther from those
+   * before it than its own distance, in straight lines. Tied ones come in their order.
+   * @param first  the first of them, with a finite distance above 0
+   * @param most   how many, with the first one
+   */
+  std::vector<Index> apartFrom(Index first, std::size_t most) const;
 
 private:
   struct Waiting
@@ -68,6 +76,8 @@ private:
 
   /** Lowers the floor and fills the heap again. @return false if no distance is above 0 */
   bool lowerFloor();
+  /** Some of the farthest vertices, the farthest first; those that are tied by position. */
+  std::vector<Index> farthestOnes(std::size_t most) const;
   void wait(Index vertex);
   void tie(Index vertex);
   Waiting takeFarthest();

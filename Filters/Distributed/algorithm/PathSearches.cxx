@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "algorithm/PathSearches.h"
 
-#include "base/MachineMemory.h"
 #include "base/SharedJobs.h"
 #include "mesh/TriangleMesh.h"
 #include "methods/SolverTeam.h"
@@ -15,12 +14,6 @@ namespace geodesic::distributed
 {
 namespace
 {
-
-/** Each thread's part of the memory for windows. */
-std::size_t partOfMemory(std::size_t limit, std::size_t threads)
-{
-  return std::max<std::size_t>((limit > 0 ? limit : machineMemory() / 4 * 3) / threads, 1);
-}
 
 /** By which fraction another path must cost less to be taken: that of two ways round one path does
  * not hang on rounding. */
@@ -67,7 +60,7 @@ std::vector<bool> PathSearches::run(std::size_t count, const Search& search)
       };
       if (turn.isShared)
       {
-        own.options.memoryLimit = partOfMemory(own.options.memoryLimit, threads);
+        own.options.memoryLimit = this->Solvers.memoryOfEach(own.options.memoryLimit);
       }
       try
       {

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "survey/MarchesAhead.h"
+
+#include "base/SharedJobs.h"
+#include "mesh/TriangleMesh.h"
+#include "methods/SolverTeam.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace geodesic
+{
+
+std::size_t MarchesAhead::sizeOfBatch() const
+{
+  // Of vertices, which take some milliseconds.
+  constexpr std::size_t work = 30000;
+  constexpr std::size_t least = 16;
+  constexpr std::size_t most = 256;
+  return std::clamp(work / std::max<std::size_t>(this->Size, 1), least, most);
+}
+
+bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& options,
+  const std::function<bool()>& mayGoOn)
+{
+  this->dropFallen();
+  this->HasMarched.resize(this->Solvers.numberOfThreads());
+  std::vector<March> made(vertices.size());
+  constexpr std::size_t stepsAlone = 0;
+  constexpr std::size_t stepsOfJob = 1;
+  SharedJobs jobs(this->Solvers.numberOfThreads(), stepsAlone, stepsOfJob,
+    [&](std::size_t) { return mayGoOn(); });
+  const std::vector<bool> areMade = jobs.run(vertices.size(),
+    [&](const SharedJobs::Turn& turn)
+    {
+      SolveOptions own = options;
+      own.onProgress = turn.onProgress;
+      if (turn.isShared)
+      {
+        own.memoryLimit = this->Solvers.memoryOfEach(options.memoryLimit);
+      }
+      this->marchFrom(vertices[turn.number], std::move(own), turn.thread, made[turn.number]);
+    });
+  if (std::find(areMade.begin(), areMade.end(), false) != areMade.end())
+  {
+    return false;
+  }
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    sum += made[i].nearer.size();
+    this->Made.insert_or_assign(vertices[i], std::move(made[i]));
+  }
+  this->Size = sum / vertices.size();
+  return true;
+}
+
+void MarchesAhead::marchFrom(Index vertex, SolveOptions options, std::size_t thread, March& made)
+{
+  DistanceSolver& solver = this->Solvers.ofThread(thread);
+  options.keepsSurface = this->HasMarched[thread] != 0;
+  this->HasMarched[thread] = 0;
+  const Seed seed = Seed::atPoint(solver.mesh().pointAtVertex(vertex));
+  try
+  {
+    const DistanceField& field = solver.solve({ &seed, 1 }, options);
+    this->HasMarched[thread] = 1;
+    made.distance = this->Distances[vertex];
+    made.nearer.clear();
+    for (const Index reached : field.reached())
+    {
+      if (field.distance(reached) < this->Distances[reached])
+      {
+        made.nearer.push_back({ reached, field.distance(reached) });
+      }
+    }
+  }
+  catch (...)
+  {
+    this->Solvers.renew(thread);
+    throw;
+  }
+}
+
+std::vector<NearerVertex> MarchesAhead::take(Index vertex)
+{
+  return std::move(this->Made.extract(vertex).mapped().nearer);
+}
+
+void MarchesAhead::dropFallen()
+{
+  std::erase_if(this->Made,
+    [&](const auto& made) { return this->Distances[made.first] < made.second.distance; });
+}
+
+}
