@@ -166,7 +166,7 @@ private:
     const auto number = static_cast<Index>(this->Result.samples.size());
     this->Result.samples.push_back({ *next->seed.position, this->Reach, next->vertex });
     // No vertex is far before there is a sample.
-    if (this->Ahead && this->Reach < DistanceField::Unreached)
+    if (this->Ahead && this->Ahead->gains() && this->Reach < DistanceField::Unreached)
     {
       this->spreadAhead(next->vertex, number);
     }

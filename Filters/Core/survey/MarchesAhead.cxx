@@ -27,6 +27,7 @@ bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& op
   this->dropFallen();
   this->HasMarched.resize(this->Solvers.numberOfThreads());
   std::vector<March> made(vertices.size());
+  const std::size_t memoryOfEach = this->Solvers.memoryOfEach(options.memoryLimit);
   constexpr std::size_t stepsAlone = 0;
   constexpr std::size_t stepsOfJob = 1;
   SharedJobs jobs(this->Solvers.numberOfThreads(), stepsAlone, stepsOfJob,
@@ -36,10 +37,7 @@ bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& op
     {
       SolveOptions own = options;
       own.onProgress = turn.onProgress;
-      if (turn.isShared)
-      {
-        own.memoryLimit = this->Solvers.memoryOfEach(options.memoryLimit);
-      }
+      own.memoryLimit = turn.isShared ? memoryOfEach : options.memoryLimit;
       this->marchFrom(vertices[turn.number], std::move(own), turn.thread, made[turn.number]);
     });
   if (std::find(areMade.begin(), areMade.end(), false) != areMade.end())

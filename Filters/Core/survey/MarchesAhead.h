@@ -43,6 +43,9 @@ public:
   {
   }
 
+  /** Whether marches are long enough for this to gain. They become shorter with each sample; those
+   * of fewer than about ten vertices take no longer than to choose them ahead. */
+  bool gains() const { return this->Size == 0 || this->Size >= LeastSize; }
   /** How many vertices are worth a march together: enough to pay for starting threads, and for up
    * to 16 of them. It does not depend on how many there are, so that the samples don't. */
   std::size_t sizeOfBatch() const;
@@ -61,6 +64,8 @@ public:
   std::vector<NearerVertex> take(Index vertex);
 
 private:
+  static constexpr std::size_t LeastSize = 10;
+
   /** A march that was made. */
   struct March
   {
