@@ -14,6 +14,7 @@
 #include "algorithm/DistributedPathFinder.h"
 #include "algorithm/PathSearches.h"
 #include "algorithm/WholeSurface.h"
+#include "base/Interruption.h"
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
@@ -547,7 +548,16 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
     }
   }
   const std::size_t threads = this->GetThreadsOfRun(run.ranks);
-  paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads)));
+  try
+  {
+    paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads)));
+  }
+  catch (const geodesic::Interrupted&)
+  {
+    // The paths that are found stay for the next run.
+    output->Initialize();
+    return;
+  }
   if (!isChain)
   {
     output->GetCellData()->AddArray(nearestSeeds);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/PathOutput.h"
 
+#include "base/Interruption.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -170,6 +172,7 @@ void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& te
       for (auto line = std::ranges::lower_bound(this->Lines, first, {}, &Line::start);
            line != this->Lines.end() && line->start < last; ++line)
       {
+        Interruption::check();
         if (!ofAll && attributes != &line->attributes)
         {
           attributes = &line->attributes;

@@ -4,9 +4,6 @@
 
 #include "vtkDataArray.h"
 
-#include <array>
-#include <span>
-
 namespace geodesic::bridge
 {
 namespace
@@ -91,16 +88,9 @@ Vector3 SurfaceNormals::makeAtVertex(Index vertex) const
     return normalized(*normal);
   }
   Vector3 sum;
-  const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  for (const Index triangle : this->Mesh.trianglesWith({ &vertex, 1 }))
   {
-    if (ring[i].opensTriangle())
-    {
-      // Rings have no orientation, but the triangle has the orientation of the input's face.
-      const std::array<Index, 3> corners{ vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
-      sum =
-        sum + normalOf(this->Mesh, this->Mesh.triangle(this->Mesh.trianglesWith(corners).front()));
-    }
+    sum = sum + normalOf(this->Mesh, this->Mesh.triangle(triangle));
   }
   return normalized(sum);
 }

@@ -10,7 +10,6 @@
 #include "solve/SolveOptions.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace geodesic

@@ -15,19 +15,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace geodesic
 {
 namespace
 {
-
-/** Distances that differ by less, in parts of the larger one, are equal: fields of different orders
- * and pieces agree to 5e-11. */
-constexpr double TiePart = 1e-9;
 
 void checkLimits(const SamplingRequest& request)
 {
@@ -53,9 +51,13 @@ void checkLimits(const SamplingRequest& request)
 class Sampler
 {
 public:
-  Sampler(DistanceSolver& solver, const SamplingRequest& request, Partition& partition)
-    : Solver(solver)
-    , Mesh(solver.mesh())
+  /** Gives the solver at each call: a team replaces one that has failed. */
+  using Solver = std::function<DistanceSolver&()>;
+
+  Sampler(
+    const TriangleMesh& mesh, Solver solver, const SamplingRequest& request, Partition& partition)
+    : GetSolver(std::move(solver))
+    , Mesh(mesh)
     , Request(request)
     , Pieces(partition)
     , Result{ {}, DistanceField(this->Mesh.numberOfVertices()) }
@@ -64,8 +66,8 @@ public:
   {
   }
 
-  /** Has the marches made on the threads of a team. @pre a surface in one piece */
-  void useThreads(SolverTeam& team) { this->Ahead.emplace(team, this->Result.field.distances()); }
+  /** Has marches made ahead, by a team. @pre a surface in one piece */
+  void marchAhead(SolverTeam& team) { this->Ahead.emplace(team, this->Result.field.distances()); }
 
   Sampling take()
   {
@@ -160,13 +162,12 @@ private:
         this->checkEnough();
         return false;
       }
-      this->Farthest.setLevel(this->Reach * (1.0 - TiePart));
+      this->Farthest.setLevel(this->Reach * (1.0 - FarthestVertices::TiePart));
       next = this->chooseTied();
     }
     const auto number = static_cast<Index>(this->Result.samples.size());
     this->Result.samples.push_back({ *next->seed.position, this->Reach, next->vertex });
-    // No vertex is far before there is a sample.
-    if (this->Ahead && this->Ahead->gains() && this->Reach < DistanceField::Unreached)
+    if (this->goesAhead())
     {
       this->spreadAhead(next->vertex, number);
     }
@@ -244,7 +245,7 @@ private:
     SolveOptions options = this->optionsWithin(reach);
     options.keepsSurface = this->HasMarched;
     options.onProgress = [&](std::size_t) { return this->report(); };
-    const DistanceField& own = this->Solver.solve(seeds, options);
+    const DistanceField& own = this->GetSolver().solve(seeds, options);
     this->HasMarched = true;
     this->IsCancelled |= own.stopReason() == StopReason::Cancelled;
     for (const Index vertex : own.reached())
@@ -253,16 +254,29 @@ private:
     }
   }
 
-  /** The same from one sample, with marches on threads. */
+  /** Whether the march of the next sample is made with others ahead. No vertex is far before there
+   * is a sample. */
+  bool goesAhead()
+  {
+    const bool isPaused = this->Pause > 0;
+    this->Pause -= isPaused ? 1 : 0;
+    return !isPaused && this->Ahead && this->Ahead->gains() &&
+      this->Reach < DistanceField::Unreached;
+  }
+
+  /** The same from one sample, with marches ahead. */
   void spreadAhead(Index vertex, Index number)
   {
     if (!this->Ahead->isMade(vertex))
     {
       // This sample is counted already.
       const std::size_t left = this->mostSamples() - this->Result.samples.size() + 1;
-      std::vector<Index> vertices =
-        this->Farthest.apartFrom(vertex, std::min(left, this->Ahead->sizeOfBatch()));
+      std::vector<Index> vertices = this->Farthest.apartFrom(
+        vertex, std::min(left, this->Ahead->sizeOfBatch()), this->Request.options.cost);
       std::erase_if(vertices, [&](Index likely) { return this->Ahead->isMade(likely); });
+      // Where no other vertex is far, it takes time to look for one at each sample.
+      constexpr int samplesOfPause = 8;
+      this->Pause = vertices.size() > 1 ? 0 : samplesOfPause;
       this->IsCancelled |= !this->Ahead->march(
         vertices, this->optionsWithin(this->Reach), [&] { return this->report(); });
     }
@@ -318,7 +332,7 @@ private:
     return this->Request.onProgress(std::clamp(std::max(ofCount, ofReach * ofReach), 0.0, 1.0));
   }
 
-  DistanceSolver& Solver;
+  Solver GetSolver;
   const TriangleMesh& Mesh;
   const SamplingRequest& Request;
   Partition& Pieces;
@@ -326,6 +340,8 @@ private:
   std::vector<std::uint8_t> IsOpen;
   FarthestVertices Farthest;
   std::optional<MarchesAhead> Ahead;
+  /** For so many samples no march is made ahead. */
+  int Pause = 0;
   bool HasMarched = false;
   bool IsCancelled = false;
   double Reach = DistanceField::Unreached;
@@ -338,13 +354,15 @@ Sampling sampleFarthest(DistanceSolver& solver, const SamplingRequest& request)
   Partition onePiece;
   Partition& partition = request.options.partition ? *request.options.partition : onePiece;
   partition.together([&] { checkLimits(request); });
-  return Sampler(solver, request, partition).take();
+  return Sampler(
+    solver.mesh(), [&]() -> DistanceSolver& { return solver; }, request, partition)
+    .take();
 }
 
 Sampling sampleFarthest(SolverTeam& solvers, const SamplingRequest& request)
 {
   Partition* const partition = request.options.partition;
-  if (solvers.numberOfThreads() == 1 || (partition && partition->isDivided()))
+  if (partition && partition->isDivided())
   {
     return sampleFarthest(solvers.first(), request);
   }
@@ -352,8 +370,9 @@ Sampling sampleFarthest(SolverTeam& solvers, const SamplingRequest& request)
   Partition onePiece;
   SamplingRequest undivided = request;
   undivided.options.partition = nullptr;
-  Sampler sampler(solvers.first(), undivided, onePiece);
-  sampler.useThreads(solvers);
+  Sampler sampler(
+    solvers.mesh(), [&]() -> DistanceSolver& { return solvers.first(); }, undivided, onePiece);
+  sampler.marchAhead(solvers);
   return sampler.take();
 }
 

@@ -90,9 +90,10 @@ struct Sampling
 Sampling sampleFarthest(DistanceSolver& solver, const SamplingRequest& request);
 
 /**
- * The same on the threads of a team, on which the result does not depend: the marches of samples
- * that will probably be taken soon are made together (see MarchesAhead). A surface in several
- * pieces is sampled on one thread.
+ * The same with the solvers of a team, on whose number the result does not depend: the marches of
+ * samples that will probably be taken soon are made together (see MarchesAhead). They end by older,
+ * larger distances than those of the function above; bounded distances can so differ within their
+ * tolerance, and others by rounding. A surface in several pieces is sampled by the first solver.
  */
 Sampling sampleFarthest(SolverTeam& solvers, const SamplingRequest& request);
 

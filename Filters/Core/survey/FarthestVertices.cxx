@@ -3,13 +3,10 @@
 #include "survey/FarthestVertices.h"
 
 #include "base/Interruption.h"
-#include "march/PlaceGrid.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace geodesic
@@ -19,8 +16,6 @@ namespace
 
 /** The floor in parts of the largest distance. */
 constexpr double FloorPart = 0.9;
-/** Distances that differ by no more than this part are tied. */
-constexpr double TiePart = 1e-9;
 
 }
 
@@ -117,34 +112,25 @@ void FarthestVertices::sortTied()
   std::sort(this->AtLevel.begin(), this->AtLevel.end());
 }
 
-std::vector<Index> FarthestVertices::apartFrom(Index first, std::size_t most) const
+std::vector<Index> FarthestVertices::apartFrom(
+  Index first, std::size_t most, std::span<const double> cost) const
 {
   constexpr std::size_t candidatesOfEach = 4;
-  std::vector<Index> candidates = this->farthestOnes(candidatesOfEach * most);
-  candidates.insert(candidates.begin(), first);
-  const auto placeOf = [&](Index number) { return this->Mesh.position(candidates[number]); };
-  std::vector<Index> numbers(candidates.size());
-  std::iota(numbers.begin(), numbers.end(), Index{ 0 });
-  const double farthest = this->Distances[first];
-  const PlaceGrid grid(numbers, farthest, placeOf);
-  std::vector<bool> isNear(candidates.size(), false);
-  std::vector<Index> apart;
-  for (const Index number : numbers)
+  const auto costOf = [&](Index a, Index b)
+  { return cost.empty() ? 1.0 : 0.5 * (cost[a] + cost[b]); };
+  std::vector<Index> apart{ first };
+  for (const Index vertex : this->farthestOnes(candidatesOfEach * most))
   {
-    if (isNear[number] || apart.size() == most)
-    {
-      continue;
-    }
-    apart.push_back(candidates[number]);
-    const Vector3 place = placeOf(number);
-    grid.visitNear(place, farthest,
+    const bool isApart = std::all_of(apart.begin(), apart.end(),
       [&](Index other)
       {
-        if (norm(placeOf(other) - place) < this->Distances[candidates[other]])
-        {
-          isNear[other] = true;
-        }
+        const double length = norm(this->Mesh.position(vertex) - this->Mesh.position(other));
+        return vertex != other && costOf(vertex, other) * length >= this->Distances[vertex];
       });
+    if (apart.size() < most && isApart)
+    {
+      apart.push_back(vertex);
+    }
   }
   return apart;
 }

@@ -33,6 +33,10 @@ bool isBefore(const Vector3& a, const Vector3& b);
 class FarthestVertices
 {
 public:
+  /** Distances that differ by less, in parts of the larger one, are equal: fields of different
+   * orders and pieces agree to 5e-11. */
+  static constexpr double TiePart = 1e-9;
+
   /**
    * @param distances  of all vertices; may fall between calls, and must never rise
    * @param isOpen     one flag for each vertex: zero where it never counts
@@ -48,12 +52,14 @@ public:
    * none. */
   Index firstAtLevel();
   /**
-   * Far vertices of which none will soon be nearer to another one: each is farther from those
+   * Far vertices of which none will probably be nearer to another one: each is farther from those
    * before it than its own distance, in straight lines. Tied ones come in their order.
-   * @param first  the first of them, with a finite distance above 0
-   * @param most   how many, with the first one
+   * @param first  the first of them, with a finite distance
+   * @param most   how many, with the first one, at least 1
+   * @param cost   of each vertex; empty for 1
    */
-  std::vector<Index> apartFrom(Index first, std::size_t most) const;
+  std::vector<Index> apartFrom(
+    Index first, std::size_t most, std::span<const double> cost = {}) const;
 
 private:
   struct Waiting

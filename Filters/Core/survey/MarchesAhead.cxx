@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey/MarchesAhead.h"
 
+#include "base/Interruption.h"
 #include "base/SharedJobs.h"
 #include "mesh/TriangleMesh.h"
-#include "methods/SolverTeam.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace geodesic
@@ -16,17 +17,18 @@ std::size_t MarchesAhead::sizeOfBatch() const
 {
   // Of vertices, which take some milliseconds.
   constexpr std::size_t work = 30000;
+  constexpr std::size_t first = 4;
   constexpr std::size_t least = 16;
   constexpr std::size_t most = 256;
-  return std::clamp(work / std::max<std::size_t>(this->Size, 1), least, most);
+  return this->Size == 0 ? first : std::clamp(work / this->Size, least, most);
 }
 
 bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& options,
   const std::function<bool()>& mayGoOn)
 {
   this->dropFallen();
-  this->HasMarched.resize(this->Solvers.numberOfThreads());
   std::vector<March> made(vertices.size());
+  std::atomic<bool> hasFailed = false;
   const std::size_t memoryOfEach = this->Solvers.memoryOfEach(options.memoryLimit);
   constexpr std::size_t stepsAlone = 0;
   constexpr std::size_t stepsOfJob = 1;
@@ -37,9 +39,25 @@ bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& op
     {
       SolveOptions own = options;
       own.onProgress = turn.onProgress;
-      own.memoryLimit = turn.isShared ? memoryOfEach : options.memoryLimit;
-      this->marchFrom(vertices[turn.number], std::move(own), turn.thread, made[turn.number]);
+      own.memoryLimit = turn.isShared && vertices.size() > 1 ? memoryOfEach : options.memoryLimit;
+      try
+      {
+        made[turn.number] = this->marchFrom(vertices[turn.number], std::move(own), turn.thread);
+      }
+      catch (const Interrupted&)
+      {
+        throw;
+      }
+      catch (...)
+      {
+        hasFailed = true;
+        if (turn.number == 0)
+        {
+          throw;
+        }
+      }
     });
+  this->HasFailed = this->HasFailed || hasFailed;
   if (std::find(areMade.begin(), areMade.end(), false) != areMade.end())
   {
     return false;
@@ -48,24 +66,24 @@ bool MarchesAhead::march(std::span<const Index> vertices, const SolveOptions& op
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     sum += made[i].nearer.size();
-    this->Made.insert_or_assign(vertices[i], std::move(made[i]));
+    if (made[i].isWhole)
+    {
+      this->Made.insert_or_assign(vertices[i], std::move(made[i]));
+    }
   }
-  this->Size = sum / vertices.size();
+  this->Size = std::max<std::size_t>(sum / vertices.size(), 1);
   return true;
 }
 
-void MarchesAhead::marchFrom(Index vertex, SolveOptions options, std::size_t thread, March& made)
+MarchesAhead::March MarchesAhead::marchFrom(Index vertex, SolveOptions options, std::size_t thread)
 {
   DistanceSolver& solver = this->Solvers.ofThread(thread);
-  options.keepsSurface = this->HasMarched[thread] != 0;
-  this->HasMarched[thread] = 0;
+  options.keepsSurface = std::exchange(this->HasMarched[thread], 0) != 0;
   const Seed seed = Seed::atPoint(solver.mesh().pointAtVertex(vertex));
+  March made{ true, this->Distances[vertex] };
   try
   {
     const DistanceField& field = solver.solve({ &seed, 1 }, options);
-    this->HasMarched[thread] = 1;
-    made.distance = this->Distances[vertex];
-    made.nearer.clear();
     for (const Index reached : field.reached())
     {
       if (field.distance(reached) < this->Distances[reached])
@@ -79,6 +97,8 @@ void MarchesAhead::marchFrom(Index vertex, SolveOptions options, std::size_t thr
     this->Solvers.renew(thread);
     throw;
   }
+  this->HasMarched[thread] = 1;
+  return made;
 }
 
 std::vector<NearerVertex> MarchesAhead::take(Index vertex)

@@ -4,20 +4,18 @@
 #define geodesic_MarchesAhead_h
 
 #include "base/Index.h"
+#include "methods/SolverTeam.h"
 #include "solve/SolveOptions.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 namespace geodesic
 {
-
-class SolverTeam;
 
 /** A vertex and its distance from a sample. */
 struct NearerVertex
@@ -27,10 +25,13 @@ struct NearerVertex
 };
 
 /**
- * The marches of samples on several threads: together with the march of the sample that was taken,
- * those of vertices that are likely to be samples soon. What such a march finds is true also when
+ * The marches of samples, on threads: together with the march of the sample that was taken, those
+ * of vertices that are likely to be samples soon. What such a march finds is true also when
  * distances have fallen since, so it is kept until its turn comes, or until the vertex itself has
  * fallen: then another sample came near, and the vertex will hardly be one.
+ *
+ * Which marches are made together does not depend on the number of threads, so that the samples do
+ * not either.
  */
 class MarchesAhead
 {
@@ -40,23 +41,26 @@ public:
   MarchesAhead(SolverTeam& solvers, std::span<const double> distances)
     : Solvers(solvers)
     , Distances(distances)
+    , HasMarched(solvers.numberOfThreads())
   {
   }
 
-  /** Whether marches are long enough for this to gain. They become shorter with each sample; those
-   * of fewer than about ten vertices take no longer than to choose them ahead. */
-  bool gains() const { return this->Size == 0 || this->Size >= LeastSize; }
-  /** How many vertices are worth a march together: enough to pay for starting threads, and for up
-   * to 16 of them. It does not depend on how many there are, so that the samples don't. */
+  /** Whether it gains to make marches ahead. They become shorter with each sample; those of fewer
+   * than about ten vertices take no longer than to choose them. */
+  bool gains() const { return !this->HasFailed && (this->Size == 0 || this->Size >= LeastSize); }
+  /** How many marches are to be made together: enough to pay for starting threads, and for 16 of
+   * them. */
   std::size_t sizeOfBatch() const;
   /** Whether the march from a vertex has been made. */
   bool isMade(Index vertex) const { return this->Made.contains(vertex); }
   /**
-   * Marches from some vertices, from each for itself.
+   * Marches from some vertices, from each for itself. Where one ahead fails, as it needs more than
+   * its part of the memory, it is left out, and no more are made ahead from then on.
    * @param vertices   the first one is the sample
    * @param options    for each march; usefulBelow is the distances
    * @param mayGoOn    called by the calling thread now and then; false cancels all
    * @return false when cancelled
+   * @throws whatever the sample's march throws alone
    */
   bool march(std::span<const Index> vertices, const SolveOptions& options,
     const std::function<bool()>& mayGoOn);
@@ -69,12 +73,13 @@ private:
   /** A march that was made. */
   struct March
   {
+    bool isWhole = false;
     /** The vertex's own distance then. */
-    double distance;
-    std::vector<NearerVertex> nearer;
+    double distance = 0.0;
+    std::vector<NearerVertex> nearer{};
   };
 
-  void marchFrom(Index vertex, SolveOptions options, std::size_t thread, March& made);
+  March marchFrom(Index vertex, SolveOptions options, std::size_t thread);
   /** Drops the marches from vertices whose distance has fallen. */
   void dropFallen();
 
@@ -85,6 +90,7 @@ private:
   std::vector<std::uint8_t> HasMarched;
   /** Of the last marches, the mean number of vertices. */
   std::size_t Size = 0;
+  bool HasFailed = false;
 };
 
 }
