@@ -58,6 +58,15 @@ assert testing.informed(proxy, "SamplesTaken") == 40
 assert abs(testing.informed(proxy, "CoveringRadius") - everywhere.min(axis=1).max()) < 1e-6
 assert testing.informed(proxy, "NumberOfUnreachedPoints") == 0
 
+# The number of threads changes nothing.
+sphere = simple.Sphere(ThetaResolution=80, PhiResolution=60)
+of_threads = [outputs_of(simple.GeodesicSamples(Input=sphere, NumberOfSamples=300, NumberOfThreads=threads))
+              for threads in (1, 2, 0, -1)]
+for samples_of, regions_of in of_threads[1:]:
+    np.testing.assert_array_equal(array_of(samples_of, "OriginalPointIds"), array_of(of_threads[0][0], "OriginalPointIds"))
+    for name in ("GeodesicDistance", "NearestSeed"):
+        np.testing.assert_array_equal(array_of(regions_of, name), array_of(of_threads[0][1], name))
+
 # The first positions stay first; equal ones count once, and those at points of the input have ids.
 first = [0.013, 0.02, 0, -0.5, -0.5, 0, 0.013, 0.02, 0]
 samples, _ = outputs_of(simple.GeodesicSamples(Input=plane, NumberOfSamples=12, FirstPositions=first))
@@ -115,6 +124,7 @@ expect_error("only 12 points", Input=small, NumberOfSamples=13)
 expect_error("NumberOfSamples is 0", Input=small, NumberOfSamples=0)
 expect_error("NumberOfSamples is -3", Input=small, NumberOfSamples=-3)
 expect_error("Spacing is -1", Input=small, Spacing=-1)
+expect_error("NumberOfThreads is -2; give -1", Input=small, NumberOfThreads=-2)
 expect_error("fewer than the 2 first points", Input=small, NumberOfSamples=1, FirstPositions=[0, 0, 0, 0.1, 0.1, 0])
 expect_error("multiple of 3", Input=small, FirstPositions=[0, 0])
 expect_error("no surface", Input=simple.PointSource())
