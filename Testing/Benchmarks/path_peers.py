@@ -103,7 +103,7 @@ def length(path):
 def limit_time(points):
     """Several times what the slowest filter needs: what takes longer does not end."""
     # A limit of processor time would make the processor clock coarse.
-    signal.alarm(2 + min(points // 1000, 18) + points // 20000)
+    signal.alarm(20 + points // 20000)
 
 
 def measured(tracer, points, source, target):

@@ -167,7 +167,7 @@ private:
     }
     const auto number = static_cast<Index>(this->Result.samples.size());
     this->Result.samples.push_back({ *next->seed.position, this->Reach, next->vertex });
-    if (this->goesAhead())
+    if (this->goesAhead(next->vertex))
     {
       this->spreadAhead(next->vertex, number);
     }
@@ -254,10 +254,14 @@ private:
     }
   }
 
-  /** Whether the march of the next sample is made with others ahead. No vertex is far before there
-   * is a sample. */
-  bool goesAhead()
+  /** Whether the march of a sample has been made ahead, or is to be made with others. No vertex is
+   * far before there is a sample. */
+  bool goesAhead(Index vertex)
   {
+    if (this->Ahead && this->Ahead->isMade(vertex))
+    {
+      return true;
+    }
     const bool isPaused = this->Pause > 0;
     this->Pause -= isPaused ? 1 : 0;
     return !isPaused && this->Ahead && this->Ahead->gains() &&
@@ -273,10 +277,10 @@ private:
       const std::size_t left = this->mostSamples() - this->Result.samples.size() + 1;
       std::vector<Index> vertices = this->Farthest.apartFrom(
         vertex, std::min(left, this->Ahead->sizeOfBatch()), this->Request.options.cost);
-      std::erase_if(vertices, [&](Index likely) { return this->Ahead->isMade(likely); });
       // Where no other vertex is far, it takes time to look for one at each sample.
       constexpr int samplesOfPause = 8;
       this->Pause = vertices.size() > 1 ? 0 : samplesOfPause;
+      std::erase_if(vertices, [&](Index likely) { return this->Ahead->isMade(likely); });
       this->IsCancelled |= !this->Ahead->march(
         vertices, this->optionsWithin(this->Reach), [&] { return this->report(); });
     }

@@ -121,13 +121,12 @@ std::vector<Index> FarthestVertices::apartFrom(
   std::vector<Index> apart{ first };
   for (const Index vertex : this->farthestOnes(candidatesOfEach * most))
   {
-    const bool isApart = std::all_of(apart.begin(), apart.end(),
-      [&](Index other)
-      {
-        const double length = norm(this->Mesh.position(vertex) - this->Mesh.position(other));
-        return vertex != other && costOf(vertex, other) * length >= this->Distances[vertex];
-      });
-    if (apart.size() < most && isApart)
+    const auto isApartFrom = [&](Index other)
+    {
+      const double length = norm(this->Mesh.position(vertex) - this->Mesh.position(other));
+      return vertex != other && costOf(vertex, other) * length >= this->Distances[vertex];
+    };
+    if (apart.size() < most && std::all_of(apart.begin(), apart.end(), isApartFrom))
     {
       apart.push_back(vertex);
     }
