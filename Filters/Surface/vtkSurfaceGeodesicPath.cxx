@@ -14,7 +14,6 @@
 #include "algorithm/DistributedPathFinder.h"
 #include "algorithm/PathSearches.h"
 #include "algorithm/WholeSurface.h"
-#include "base/Interruption.h"
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
@@ -40,7 +39,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <limits>
 #include <map>
 #include <optional>
@@ -525,7 +523,6 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;
   vtkNew<vtkIdTypeArray> nearestSeeds;
   nearestSeeds->SetName("NearestSeed");
-  std::deque<geodesic::SurfacePath> beginnings;
   for (std::size_t i = 0; i < internal.Segments.size(); ++i)
   {
     const Segment& segment = internal.Segments[i];
@@ -536,26 +533,22 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
       const geodesic::bridge::PathAttributes& attributes = path.corridor
         ? static_cast<const geodesic::bridge::PathAttributes&>(*path.corridor)
         : run.input;
+      const auto number = static_cast<vtkIdType>(i);
       if (this->UseMaximumPathLength)
       {
-        beginnings.push_back(
-          geodesic::beginningOf(attributes.mesh(), path.path, this->MaximumPathLength,
-            std::numeric_limits<std::size_t>::max(), this->InterpolationOrder == 1));
+        paths.addBeginning(
+          attributes, path.path, number, this->MaximumPathLength, this->InterpolationOrder == 1);
       }
-      paths.add(attributes, this->UseMaximumPathLength ? beginnings.back() : path.path,
-        static_cast<vtkIdType>(i));
+      else
+      {
+        paths.add(attributes, path.path, number);
+      }
       nearestSeeds->InsertNextValue(segment.NearestSeed);
     }
   }
   const std::size_t threads = this->GetThreadsOfRun(run.ranks);
-  try
+  if (!paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads))))
   {
-    paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads)));
-  }
-  catch (const geodesic::Interrupted&)
-  {
-    // The paths that are found stay for the next run.
-    output->Initialize();
     return;
   }
   if (!isChain)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 
 namespace geodesic::bridge
@@ -76,6 +77,15 @@ void PathOutput::add(const PathAttributes& attributes, const SurfacePath& path, 
   this->Lines.push_back({ attributes, path, this->Size });
   this->Size += this->Lines.back().size();
   this->Segments->InsertNextValue(segment);
+}
+
+void PathOutput::addBeginning(const PathAttributes& attributes, const SurfacePath& path,
+  vtkIdType segment, double maximumLength, bool cutsEdges)
+{
+  constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
+  this->Beginnings.push_back(
+    beginningOf(attributes.mesh(), path, maximumLength, anyNumber, cutsEdges));
+  this->add(attributes, this->Beginnings.back(), segment);
 }
 
 void PathOutput::allocate()
@@ -160,9 +170,8 @@ void PathOutput::addLengths(bool isChain)
   }
 }
 
-void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team)
+void PathOutput::writePoints(const ThreadTeam& team)
 {
-  this->allocate();
   std::optional<SurfaceNormals> ofAll = this->normalsOfAll();
   team.run(this->Size,
     [&](std::size_t, std::size_t first, std::size_t last)
@@ -182,6 +191,20 @@ void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& te
           line - this->Lines.begin(), this->write(*line, ofAll ? *ofAll : *own));
       }
     });
+}
+
+bool PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team)
+{
+  output->Initialize();
+  this->allocate();
+  try
+  {
+    this->writePoints(team);
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
   this->addLengths(isChain);
   vtkNew<vtkPoints> points;
   points->SetData(this->Positions);
@@ -196,7 +219,6 @@ void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& te
       lines->InsertCellPoint(static_cast<vtkIdType>(line.start + i));
     }
   }
-  output->Initialize();
   output->SetPoints(points);
   output->SetLines(lines);
   vtkPointData* pointData = output->GetPointData();
@@ -215,6 +237,7 @@ void PathOutput::writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& te
   total->SetName("TotalLength");
   total->InsertNextValue(this->TotalLength);
   output->GetFieldData()->AddArray(total);
+  return true;
 }
 
 }

@@ -12,6 +12,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -52,12 +53,16 @@ public:
    * @param segment    the path's number, for the array Segment
    */
   void add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment);
+  /** The same of the beginning of a path, see beginningOf(). */
+  void addBeginning(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment,
+    double maximumLength, bool cutsEdges);
   /**
    * Writes all paths.
    * @param isChain whether ArcLength goes on from each path to the next one
    * @param team    threads to work on
+   * @return false, with an empty output, if the filter was aborted
    */
-  void writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team);
+  bool writeTo(vtkPolyData* output, bool isChain, const ThreadTeam& team);
   /** The length of all paths on the surface, without the offset, once they are written. */
   double totalLength() const { return this->TotalLength; }
 
@@ -74,6 +79,7 @@ private:
   };
 
   void allocate();
+  void writePoints(const ThreadTeam& team);
   /** Writes all that belongs to the points of a line. @return its length */
   double write(const Line& line, SurfaceNormals& normals);
   /** All normals of the surface, where so many paths are on one that this is faster. */
@@ -83,6 +89,7 @@ private:
   double HeightOffset;
   bool NamesBlocks;
   double TotalLength = 0.0;
+  std::deque<SurfacePath> Beginnings;
   std::vector<Line> Lines;
   std::size_t Size = 0;
   vtkNew<vtkDoubleArray> Positions;
