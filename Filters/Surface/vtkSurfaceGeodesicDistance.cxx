@@ -18,6 +18,7 @@
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
 #include "base/NumberText.h"
+#include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
 #include "filter/SettlingNotice.h"
 #include "global/GlobalPoints.h"
@@ -479,8 +480,8 @@ std::vector<geodesic::Seed> vtkSurfaceGeodesicDistance::GatherSeeds(
   };
   const auto addPoints = [&](std::vector<geodesic::distributed::GlobalPoint> points)
   { add(geodesic::distributed::seedsAt(internal.Lined.relocated(std::move(points)))); };
-  addPoints(geodesic::distributed::globalPointsAt(
-    run.ranks, surface, this->SeedCoordinates, "SeedPositions"));
+  addPoints(geodesic::distributed::globalPointsAt(run.ranks, surface, this->SeedCoordinates,
+    "SeedPositions", geodesic::distributed::Precision::Double, this->GetTeamOfRun(run.ranks)));
   addPoints(geodesic::distributed::globalPointsWith(
     run.ranks, surface, run.blocks, this->SeedPointIds, "Seed"));
   addPoints(geodesic::distributed::loosePointsOf(

@@ -14,6 +14,7 @@
 #include "algorithm/PathSearches.h"
 #include "base/MachineMemory.h"
 #include "base/NumberText.h"
+#include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
 #include "filter/VtkVersions.h"
 #include "global/GlobalPoints.h"
@@ -224,12 +225,14 @@ vtkSurfaceGeodesicDistanceMatrix::Landmarks vtkSurfaceGeodesicDistanceMatrix::Ga
 {
   const geodesic::distributed::DistributedSurface& surface = *this->Internal->Surface;
   vtkDataObject* second = vtkDataObject::GetData(inputVector[SECOND_LANDMARK_SOURCE_PORT]);
+  const geodesic::ThreadTeam team = this->GetTeamOfRun(ranks);
   Landmarks landmarks;
   landmarks.First = geodesic::distributed::pointsOrSource(ranks, surface, this->LandmarkCoordinates,
     "LandmarkPositions", vtkDataObject::GetData(inputVector[LANDMARK_SOURCE_PORT]),
-    "LandmarkSource");
-  landmarks.Second = geodesic::distributed::pointsOrSource(ranks, surface,
-    this->SecondLandmarkCoordinates, "SecondLandmarkPositions", second, "SecondLandmarkSource");
+    "LandmarkSource", team);
+  landmarks.Second =
+    geodesic::distributed::pointsOrSource(ranks, surface, this->SecondLandmarkCoordinates,
+      "SecondLandmarkPositions", second, "SecondLandmarkSource", team);
   landmarks.HasSecond = ranks.isAny(second != nullptr) || !this->SecondLandmarkCoordinates.empty();
   return landmarks;
 }

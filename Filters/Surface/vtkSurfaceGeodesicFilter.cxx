@@ -313,6 +313,13 @@ std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfRun(geodesic::distributed::Ran
 }
 
 //------------------------------------------------------------------------------
+geodesic::ThreadTeam vtkSurfaceGeodesicFilter::GetTeamOfRun(
+  geodesic::distributed::RankGroup& ranks) const
+{
+  return geodesic::ThreadTeam(static_cast<unsigned>(this->GetThreadsOfRun(ranks)));
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkSurfaceGeodesicFilter::GetThreadsOfField(
   geodesic::distributed::RankGroup& ranks, bool areManyThin) const
 {

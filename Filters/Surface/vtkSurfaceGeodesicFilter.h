@@ -36,6 +36,7 @@ class vtkAlgorithmOutput;
 namespace geodesic
 {
 struct SolverTraits;
+class ThreadTeam;
 class TriangleMesh;
 namespace bridge
 {
@@ -236,6 +237,8 @@ protected:
   std::size_t GetMemoryLimitInBytes() const;
   /** The number of threads of this rank that a run uses. Collective. */
   std::size_t GetThreadsOfRun(geodesic::distributed::RankGroup& ranks) const;
+  /** These threads, for loops. Collective. */
+  geodesic::ThreadTeam GetTeamOfRun(geodesic::distributed::RankGroup& ranks) const;
   /** The number of threads of this rank that share one field. Collective. @param areManyThin
    * whether many triangles are thin */
   std::size_t GetThreadsOfField(geodesic::distributed::RankGroup& ranks, bool areManyThin) const;

@@ -313,7 +313,8 @@ vtkSurfaceGeodesicPath::Points vtkSurfaceGeodesicPath::GatherPoints(const Run& r
   const std::vector<double>& coordinates, const char* positions, const char* source) const
 {
   return geodesic::distributed::pointsOrSource(run.ranks, *this->Internal->Surface, coordinates,
-    positions, vtkDataObject::GetData(run.inputVector[sourcePort]), source);
+    positions, vtkDataObject::GetData(run.inputVector[sourcePort]), source,
+    this->GetTeamOfRun(run.ranks));
 }
 
 //------------------------------------------------------------------------------
@@ -546,8 +547,7 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
       nearestSeeds->InsertNextValue(segment.NearestSeed);
     }
   }
-  const std::size_t threads = this->GetThreadsOfRun(run.ranks);
-  if (!paths.writeTo(output, isChain, geodesic::ThreadTeam(static_cast<unsigned>(threads))))
+  if (!paths.writeTo(output, isChain, this->GetTeamOfRun(run.ranks)))
   {
     return;
   }

@@ -123,14 +123,20 @@ std::optional<SurfacePath> PathTracer::trace(
   const PathPoint& start, Index seed, PathOrder order, const MayEnd& mayEnd)
 {
   // A shortest path stays among vertices whose nearest seed is its own.
-  this->Aim = seed;
+  this->aimAt(seed);
   auto path = this->traceToAim(start, order, mayEnd);
   if (!path)
   {
-    this->Aim = NoIndex;
+    this->aimAt(NoIndex);
     path = this->traceToAim(start, order, mayEnd);
   }
   return path;
+}
+
+void PathTracer::aimAt(Index seed)
+{
+  this->Aim = seed;
+  this->AimCarriers = seed == NoIndex ? Carriers{} : this->Seeds[seed].carriers();
 }
 
 bool PathTracer::leadsToAim(Index vertex) const
@@ -201,7 +207,7 @@ std::optional<SurfacePath> PathTracer::traceToAim(
 std::optional<PathTracer::Step> PathTracer::stepToSeed(
   const PathPoint& point, PathOrder order) const
 {
-  if (this->Aim != NoIndex && !mayShareFace(point.carriers(), this->Seeds[this->Aim].carriers()))
+  if (this->Aim != NoIndex && !mayShareFace(point.carriers(), this->AimCarriers))
   {
     // No face has room for both, which is told sooner than the faces are found.
     return std::nullopt;

@@ -96,6 +96,8 @@ private:
     const Vector3& position;
   };
 
+  /** Sets Aim and AimCarriers. */
+  void aimAt(Index seed);
   std::optional<SurfacePath> traceToAim(
     const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const;
   /** Whether the vertex has a distance, and its nearest seed is Aim or Aim is any. */
@@ -142,6 +144,8 @@ private:
   const PathEnds& Seeds;
   /** The number of the seed at which the path is to end; NoIndex for any seed. */
   Index Aim = NoIndex;
+  /** Those of that seed. */
+  Carriers AimCarriers;
 };
 
 }

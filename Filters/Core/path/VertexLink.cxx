@@ -3,6 +3,8 @@
 #include "path/VertexLink.h"
 
 #include "base/SortUnique.h"
+#include "path/AngleSum.h"
+#include "path/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,58 +15,34 @@
 
 namespace geodesic
 {
-namespace
-{
-
-/** An angle counts as 180 degrees if it differs by less than this, in radians. What a path could
- * gain is proportional to the square of the difference. */
-constexpr double RoundingOfAngles = 1e-7;
-
-}
 
 void VertexLink::lookAt(Index vertex)
 {
   this->Vertex = vertex;
   const std::span<const RingEntry> ring = this->Surface.ring(vertex);
-  this->Surface.countSteps(ring.size());
-  const bool isOneFan = std::all_of(
-    ring.begin(), ring.end() - 1, [](const RingEntry& entry) { return entry.opensTriangle(); });
   this->Nodes.clear();
   for (const RingEntry& entry : ring)
   {
     this->Nodes.push_back(entry.neighbour());
   }
-  if (!isOneFan)
-  {
-    sortUnique(this->Nodes);
-  }
-  else if (this->Nodes.front() == this->Nodes.back())
-  {
-    this->Nodes.pop_back();
-  }
-  const auto nodeOfEntry = [&](std::size_t i) -> std::size_t
-  {
-    return isOneFan
-      ? i % this->Nodes.size()
-      : std::lower_bound(this->Nodes.begin(), this->Nodes.end(), ring[i].neighbour()) -
-        this->Nodes.begin();
-  };
+  sortUnique(this->Nodes);
   this->Arcs.clear();
   const TriangleMesh& mesh = this->Surface.mesh();
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)
   {
     if (this->Surface.isCrossable(vertex, i))
     {
-      this->Arcs.push_back({ nodeOfEntry(i), nodeOfEntry(i + 1),
-        this->angleBetween(
-          mesh.position(ring[i].neighbour()), mesh.position(ring[i + 1].neighbour())) });
+      this->Arcs.push_back(
+        { this->nodeOf(ring[i].neighbour()), this->nodeOf(ring[i + 1].neighbour()),
+          this->angleBetween(
+            mesh.position(ring[i].neighbour()), mesh.position(ring[i + 1].neighbour())) });
     }
   }
 }
 
 std::size_t VertexLink::nodeOf(Index neighbour) const
 {
-  return std::find(this->Nodes.begin(), this->Nodes.end(), neighbour) - this->Nodes.begin();
+  return std::lower_bound(this->Nodes.begin(), this->Nodes.end(), neighbour) - this->Nodes.begin();
 }
 
 double VertexLink::angleBetween(const Vector3& a, const Vector3& b) const
@@ -129,8 +107,8 @@ void VertexLink::sweepFrom(const Direction& source)
     }
     return changes;
   };
-  // Arcs of a fan follow each other round the vertex, so one pass forwards and one back settle a
-  // fan, and a few more passes most links of several fans.
+  // Arcs of a fan follow each other round the vertex, so a few passes forwards and back settle most
+  // links.
   constexpr int mostPasses = 4;
   bool changes = true;
   for (int pass = 0; pass < mostPasses && changes; ++pass)
@@ -192,6 +170,12 @@ void VertexLink::settle()
 std::optional<double> VertexLink::appendShorterSide(
   Index vertex, const PathPoint& from, const PathPoint& to, std::vector<Triangle>& faces)
 {
+  const std::span<const RingEntry> ring = this->Surface.ring(vertex);
+  this->Surface.countSteps(ring.size());
+  if (VertexFan::isFan(ring))
+  {
+    return VertexFan(this->Surface, vertex).appendShorterSide(from, to, faces);
+  }
   this->lookAt(vertex);
   const std::optional<Direction> source = this->directionTo(from);
   const std::optional<Direction> target = this->directionTo(to);

@@ -17,8 +17,8 @@ namespace geodesic
 /**
  * The directions in which the faces round a vertex can be entered, as a graph. Its nodes are the
  * vertex's neighbours. Its arcs are the vertex's crossable faces; the length of an arc is the
- * face's angle at the vertex. The graph is one circle inside a surface and a chain on a boundary;
- * with edges of more than two faces it can be any graph.
+ * face's angle at the vertex. Where the faces are one fan, the graph is a circle or a chain, and
+ * VertexFan does without it; with edges of more than two faces it can be any graph.
  */
 class VertexLink
 {
@@ -73,7 +73,7 @@ private:
 
   const WeightedMesh& Surface;
   Index Vertex = NoIndex;
-  /** The neighbours: in their order round the vertex if its faces are one fan, else sorted. */
+  /** The neighbours, sorted. */
   std::vector<Index> Nodes;
   std::vector<Arc> Arcs;
   /** For each node the smallest angle to a direction, infinite where there is none. */

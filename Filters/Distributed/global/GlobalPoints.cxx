@@ -8,6 +8,7 @@
 #include "pieces/SharedPoints.h"
 #include "request/PointResolver.h"
 #include "search/NearestOrder.h"
+#include "search/PointSearch.h"
 #include "solve/SeedFront.h"
 
 #include "vtkIdList.h"
@@ -31,24 +32,37 @@ struct Projection
 };
 
 std::vector<Projection> localProjections(const DistributedSurface& surface,
-  std::span<const double> coordinates, const std::string& property, Precision precision)
+  std::span<const double> coordinates, const std::string& property, Precision precision,
+  const ThreadTeam& team)
 {
   const TriangleMesh& mesh = surface.mesh();
-  std::vector<Projection> projections;
-  for (const Vector3& position : bridge::positionsAt(coordinates, property))
+  const PointSearch& search = surface.piece().closestPoints();
+  const std::vector<Vector3> positions = bridge::positionsAt(coordinates, property);
+  const bool hasPoints = mesh.numberOfTriangles() > 0;
+  if (hasPoints && team.numberOfRanges(positions.size()) > 1)
   {
-    Projection projection{ position, {}, {} };
-    if (mesh.numberOfTriangles() > 0)
-    {
-      const auto nearest = surface.piece().closestPoints().closestPoint(position);
-      projection.nearest.distance = nearest.distance;
-      projection.point = precision == Precision::Single
-        ? bridge::snappedAsSingle(mesh, nearest.point)
-        : nearest.point;
-      projection.nearest.position = mesh.positionOf(projection.point);
-    }
-    projections.push_back(projection);
+    // Else the first thread that needs it makes it, while the others wait.
+    search.tree();
   }
+  std::vector<Projection> projections(positions.size());
+  team.run(positions.size(),
+    [&](std::size_t /*range*/, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        Projection& projection = projections[i];
+        projection.query = positions[i];
+        if (hasPoints)
+        {
+          const auto nearest = search.closestPoint(positions[i]);
+          projection.nearest.distance = nearest.distance;
+          projection.point = precision == Precision::Single
+            ? bridge::snappedAsSingle(mesh, nearest.point)
+            : nearest.point;
+          projection.nearest.position = mesh.positionOf(projection.point);
+        }
+      }
+    });
   return projections;
 }
 
@@ -183,7 +197,7 @@ std::vector<GlobalPoint> shareRows(RankGroup& ranks, const DistributedSurface& s
   return points;
 }
 
-void append(std::vector<double>& rows, const CarriedPoint::Row& row)
+void appendRow(std::vector<double>& rows, const CarriedPoint::Row& row)
 {
   rows.insert(rows.end(), row.begin(), row.end());
 }
@@ -216,10 +230,11 @@ std::vector<Index> ownedVerticesWith(
 }
 
 std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
-  std::span<const double> coordinates, const std::string& property, Precision precision)
+  std::span<const double> coordinates, const std::string& property, Precision precision,
+  const ThreadTeam& team)
 {
   std::vector<Projection> own;
-  ranks.together([&] { own = localProjections(surface, coordinates, property, precision); });
+  ranks.together([&] { own = localProjections(surface, coordinates, property, precision, team); });
   if (own.empty())
   {
     return {};
@@ -230,7 +245,7 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
   {
     if (nearest[i] == ranks.rank())
     {
-      append(rows,
+      appendRow(rows,
         CarriedPoint::rowOf(
           i, own[i].nearest.position, surface.mesh(), surface.shared(), own[i].point));
     }
@@ -246,7 +261,7 @@ void restate(RankGroup& ranks, const DividedMesh& mesh, std::vector<GlobalPoint>
   {
     for (const SurfacePoint& local : points[i].local)
     {
-      append(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), local));
+      appendRow(own, CarriedPoint::rowOf(i, points[i].position, mesh.mesh(), mesh.shared(), local));
     }
   }
   // The rows come by increasing rank. They are read from the end, so that the lowest rank that has
@@ -326,7 +341,7 @@ std::vector<GlobalPoint> globalPointsWith(RankGroup& ranks, const DistributedSur
   {
     if (vertices[i] != NoIndex)
     {
-      append(rows,
+      appendRow(rows,
         CarriedPoint::rowOf(
           i, mesh.position(vertices[i]), mesh, surface.shared(), mesh.pointAtVertex(vertices[i])));
     }

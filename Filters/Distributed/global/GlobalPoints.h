@@ -3,6 +3,7 @@
 #ifndef geodesic_distributed_GlobalPoints_h
 #define geodesic_distributed_GlobalPoints_h
 
+#include "base/ThreadTeam.h"
 #include "pieces/DistributedSurface.h"
 #include "pieces/SharedPoints.h"
 #include "ranks/RankGroup.h"
@@ -53,11 +54,12 @@ enum class Precision
  * Projects positions to the nearest points of the surface on all ranks. Of equally near points, the
  * one with the smallest coordinates is taken. Collective; all ranks must pass the same coordinates.
  * @param property name of the coordinates in the error message
+ * @param team shares many positions
  * @throws as bridge::positionsAt(), on all ranks
  */
 std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property,
-  Precision precision = Precision::Double);
+  Precision precision = Precision::Double, const ThreadTeam& team = ThreadTeam(1));
 
 /**
  * Projects the points of a data set, with those of its lines, as globalPointsAt() does in single

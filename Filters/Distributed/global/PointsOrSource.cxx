@@ -11,11 +11,11 @@ namespace geodesic::distributed
 
 std::vector<GlobalPoint> pointsOrSource(RankGroup& ranks, const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& positions, vtkDataObject* source,
-  const std::string& sourceName)
+  const std::string& sourceName, const ThreadTeam& team)
 {
   if (!ranks.isAny(source != nullptr))
   {
-    return globalPointsAt(ranks, surface, coordinates, positions);
+    return globalPointsAt(ranks, surface, coordinates, positions, Precision::Double, team);
   }
   if (!coordinates.empty())
   {
