@@ -2,25 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/LabelReach.h"
 
-#include "base/Platform.h"
 #include "base/Vector3.h"
 #include "base/WorkCount.h"
 #include "march/CircleArcs.h"
+#include "march/LabelPlaces.h"
 #include "march/PlaceGrid.h"
-#include "mesh/Carriers.h"
-#include "mesh/TriangleMesh.h"
-#include "solve/Partition.h"
 #include "solve/SeedFront.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <tuple>
-#include <utility>
 
 namespace geodesic
 {
@@ -42,237 +37,6 @@ constexpr double LeastSpacing = 0.1;
 /** A straight front goes on for this many squares of its length, and for two edges at least. */
 constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
-
-/** A label as the thinning sees it. */
-struct LabelPlace
-{
-  Vector3 position;
-  /** Of the surface there, of length 1; or 0 if it has no direction. */
-  Vector3 normal{ 0.0, 0.0, 0.0 };
-  /** The longest edge there, and the largest cost. */
-  double edge = 0.0;
-  double cost = 0.0;
-  /** The value of the seed as a length. */
-  double value = 0.0;
-
-  /** The price of an edge. */
-  double unit() const { return this->edge * this->cost; }
-};
-
-/** The normal of a triangle, on the side from which its corners go round to the left, and twice its
- * area long. It is the same to the last bit with whichever corner the triangle begins. */
-Vector3 normalOf(const TriangleMesh& mesh, Triangle corners)
-{
-  const auto placeOf = [&](Index vertex)
-  {
-    const Vector3& p = mesh.position(vertex);
-    return std::tie(p.x, p.y, p.z);
-  };
-  double side = 1.0;
-  for (const auto& [i, j] : { std::pair(0, 1), std::pair(1, 2), std::pair(0, 1) })
-  {
-    if (placeOf(corners[j]) < placeOf(corners[i]))
-    {
-      std::swap(corners[i], corners[j]);
-      side = -side;
-    }
-  }
-  const Vector3& a = mesh.position(corners[0]);
-  return side * cross(mesh.position(corners[1]) - a, mesh.position(corners[2]) - a);
-}
-
-/** Whether a ring goes round its vertex once at most. Where triangles are there twice it goes on,
- * and then the other way. */
-bool goesRoundOnce(std::span<const RingEntry> ring)
-{
-  std::vector<Index> neighbours;
-  for (const RingEntry& entry : ring.first(ring.size() - 1))
-  {
-    if (!entry.opensTriangle())
-    {
-      return false;
-    }
-    neighbours.push_back(entry.neighbour());
-  }
-  std::sort(neighbours.begin(), neighbours.end());
-  return std::adjacent_find(neighbours.begin(), neighbours.end()) == neighbours.end();
-}
-
-/** Sets @p normals to those of this piece's triangles at a point: those of which it is a corner, or
- * on an edge, or that it lies in. All pieces together have those of the whole surface, some of them
- * several times: ghost triangles are in several pieces. */
-void findNormalsAt(
-  const TriangleMesh& mesh, const SurfacePoint& point, std::vector<Vector3>& normals)
-{
-  normals.clear();
-  const Carriers carriers = carriersOf(mesh, point);
-  if (carriers.size() == 3)
-  {
-    normals.push_back(normalOf(mesh, mesh.triangle(point.triangle)));
-    return;
-  }
-  Index centre = carriers[0];
-  Index other = carriers[carriers.size() - 1];
-  if (mesh.ring(other).size() < mesh.ring(centre).size())
-  {
-    std::swap(centre, other);
-  }
-  const std::span<const RingEntry> ring = mesh.ring(centre);
-  if (!goesRoundOnce(ring))
-  {
-    for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
-    {
-      normals.push_back(normalOf(mesh, mesh.triangle(triangle)));
-    }
-    return;
-  }
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (ring[i].opensTriangle())
-    {
-      const Triangle triangle{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-      if (std::find(triangle.begin(), triangle.end(), other) != triangle.end())
-      {
-        normals.push_back(normalOf(mesh, triangle));
-      }
-    }
-  }
-}
-
-/** The sum of different normals, each turned to the side of those before it. They are sorted first:
- * where they differ by right angles the order decides, and it must not be that of triangles and
- * pieces. */
-Vector3 alignedSum(std::vector<Vector3>& normals)
-{
-  const auto placeOf = [](const Vector3& v) { return std::tie(v.x, v.y, v.z); };
-  std::sort(normals.begin(), normals.end(),
-    [&](const Vector3& a, const Vector3& b) { return placeOf(a) < placeOf(b); });
-  normals.erase(std::unique(normals.begin(), normals.end(),
-                  [&](const Vector3& a, const Vector3& b) { return placeOf(a) == placeOf(b); }),
-    normals.end());
-  Vector3 sum{ 0.0, 0.0, 0.0 };
-  for (const Vector3& normal : normals)
-  {
-    sum = sum + (dot(sum, normal) < 0.0 ? -1.0 : 1.0) * normal;
-  }
-  return sum;
-}
-
-/** Whether other pieces may have triangles at a point, too. */
-bool isShared(const TriangleMesh& mesh, const SurfacePoint& point, const Partition& partition)
-{
-  const std::span<const Index> shared = partition.sharedVertices();
-  const Carriers carriers = carriersOf(mesh, point);
-  return carriers.size() < 3 &&
-    std::all_of(carriers.begin(), carriers.end(),
-      [&](Index vertex) { return std::binary_search(shared.begin(), shared.end(), vertex); });
-}
-
-/** A direction of length 1 with few digits, so that rounding hardly ever changes it: copies of a
- * point on several pieces may differ by so much. */
-Vector3 roundedDirection(const Vector3& vector)
-{
-  constexpr double steps = 1 << 20;
-  const double length = norm(vector);
-  const auto rounded = [&](double x) { return std::round(x / length * steps) / steps; };
-  return length > 0.0 ? Vector3{ rounded(vector.x), rounded(vector.y), rounded(vector.z) } : vector;
-}
-
-/** Asks the processor to fetch what placesOf() reads for starts that come soon: seeds lie anywhere.
- */
-GEODESIC_INLINED void prefetchLater(
-  const TriangleMesh& mesh, const SeedFront& front, std::size_t start)
-{
-  constexpr std::size_t soon = 8;
-  if (start + 2 * soon < front.starts.size())
-  {
-    mesh.prefetchRingStart(front.starts[start + 2 * soon].vertex);
-    const FrontStart& next = front.starts[start + soon];
-    mesh.prefetch(next.vertex);
-    prefetchToRead(&mesh.rings().longestSides()[next.vertex]);
-    if (const SurfacePoint& origin = front.labels[next.label].origin; origin.triangle != NoIndex)
-    {
-      prefetchToRead(&mesh.triangle(origin.triangle));
-    }
-  }
-}
-
-/** The places of all labels, from what each piece of the surface knows of them. Collective. */
-std::vector<LabelPlace> placesOf(const TriangleMesh& mesh, const SeedFront& front,
-  std::span<const double> cost, Partition& partition)
-{
-  const std::span<const float> sides =
-    partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
-  // For each label its number, edge, cost, the number of normals, and these.
-  std::vector<double> own;
-  constexpr std::size_t size = 4;
-  own.reserve((size + 3) * front.labels.size());
-  std::vector<Vector3> normals;
-  for (auto start = front.starts.begin(); start != front.starts.end();)
-  {
-    const Index label = start->label;
-    LabelPlace place;
-    prefetchLater(mesh, front, start - front.starts.begin());
-    for (; start != front.starts.end() && start->label == label; ++start)
-    {
-      place.edge = std::max(place.edge, double{ sides[start->vertex] });
-      place.cost = std::max(place.cost, cost.empty() ? 1.0 : cost[start->vertex]);
-    }
-    const Label& of = front.labels[label];
-    normals.clear();
-    if (of.shape == FrontShape::Round && of.origin.triangle != NoIndex)
-    {
-      findNormalsAt(mesh, of.origin, normals);
-      if (!isShared(mesh, of.origin, partition))
-      {
-        normals.assign(1, alignedSum(normals));
-      }
-    }
-    own.insert(own.end(),
-      { static_cast<double>(label), place.edge, place.cost, static_cast<double>(normals.size()) });
-    for (const Vector3& normal : normals)
-    {
-      own.insert(own.end(), { normal.x, normal.y, normal.z });
-    }
-  }
-  std::vector<LabelPlace> places(front.labels.size());
-  std::vector<std::pair<std::size_t, Vector3>> normalOfLabel;
-  const std::vector<double> all = partition.gather(own);
-  for (std::size_t i = 0; i < all.size();)
-  {
-    const auto label = static_cast<std::size_t>(all[i]);
-    LabelPlace& place = places[label];
-    place.edge = std::max(place.edge, all[i + 1]);
-    place.cost = std::max(place.cost, all[i + 2]);
-    const std::size_t last = i + size + 3 * static_cast<std::size_t>(all[i + 3]);
-    for (i += size; i < last; i += 3)
-    {
-      normalOfLabel.emplace_back(label, Vector3{ all[i], all[i + 1], all[i + 2] });
-    }
-  }
-  // Each piece has its labels in order.
-  if (partition.isDivided())
-  {
-    std::stable_sort(normalOfLabel.begin(), normalOfLabel.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
-  for (std::size_t i = 0; i < normalOfLabel.size();)
-  {
-    const std::size_t label = normalOfLabel[i].first;
-    for (normals.clear(); i < normalOfLabel.size() && normalOfLabel[i].first == label; ++i)
-    {
-      normals.push_back(normalOfLabel[i].second);
-    }
-    places[label].normal = roundedDirection(alignedSum(normals));
-  }
-  for (std::size_t number = 0; number < places.size(); ++number)
-  {
-    LabelPlace& place = places[number];
-    place.position = front.labels[number].position;
-    place.value = place.cost > 0.0 ? front.labels[number].value / place.cost : 0.0;
-  }
-  return places;
-}
 
 /** A number for the cube of a place, whose diagonal is at most the least spacing there. Places in
  * different cubes hardly ever have the same one. */
@@ -538,7 +302,7 @@ std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& fron
   {
     return reaches;
   }
-  const std::vector<LabelPlace> places = placesOf(mesh, front, cost, partition);
+  const std::vector<LabelPlace> places = labelPlaces(mesh, front, cost, partition);
   std::vector<Index> numbers;
   double mostEdges = 0.0;
   for (Index number = 0; number < reaches.size(); ++number)

@@ -97,8 +97,8 @@ private:
     constexpr double most = 1 << (Bits - 1);
     const auto along = [&](double x)
     {
-      return static_cast<std::int64_t>(
-        std::floor(std::clamp(x * this->PerSide, -most, most - 1.0)) + most);
+      // What is not negative is rounded down by the conversion.
+      return static_cast<std::int64_t>(std::clamp(x * this->PerSide, -most, most - 1.0) + most);
     };
     return { along(p.x), along(p.y), along(p.z) };
   }

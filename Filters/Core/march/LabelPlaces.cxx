@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/LabelPlaces.h"
+
+#include "base/Platform.h"
+#include "mesh/Carriers.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace geodesic
+{
+namespace
+{
+
+/** The order of coordinates. */
+bool isLess(const Vector3& a, const Vector3& b)
+{
+  return a.x != b.x ? a.x < b.x : std::tie(a.y, a.z) < std::tie(b.y, b.z);
+}
+
+/** The normal of a triangle, on the side from which its corners go round to the left, and twice its
+ * area long. It is the same to the last bit with whichever corner the triangle begins. */
+Vector3 normalOf(const TriangleMesh& mesh, const Triangle& corners)
+{
+  const auto at = [&](int corner) -> const Vector3&
+  { return mesh.position(corners[static_cast<std::size_t>(corner)]); };
+  int first = isLess(at(1), at(0)) ? 1 : 0;
+  first = isLess(at(2), at(first)) ? 2 : first;
+  const Vector3& a = at(first);
+  // The product is turned round to the last bit with the order of the other two.
+  return cross(at(first == 2 ? 0 : first + 1) - a, at(first == 0 ? 2 : first - 1) - a);
+}
+
+/** Whether a ring goes round its vertex once at most. Where triangles are there twice it goes on,
+ * and then the other way. */
+bool goesRoundOnce(std::span<const RingEntry> ring)
+{
+  const std::span<const RingEntry> opening = ring.first(ring.size() - 1);
+  if (!std::all_of(opening.begin(), opening.end(),
+        [](const RingEntry& entry) { return entry.opensTriangle(); }))
+  {
+    return false;
+  }
+  constexpr std::size_t few = 12;
+  if (opening.size() > few)
+  {
+    std::vector<Index> neighbours;
+    std::transform(opening.begin(), opening.end(), std::back_inserter(neighbours),
+      [](const RingEntry& entry) { return entry.neighbour(); });
+    std::sort(neighbours.begin(), neighbours.end());
+    return std::adjacent_find(neighbours.begin(), neighbours.end()) == neighbours.end();
+  }
+  for (std::size_t i = 1; i < opening.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (opening[i].neighbour() == opening[j].neighbour())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** The sum of different normals, each turned to the side of those before it. They are sorted first:
+ * where they differ by right angles the order decides, and it must not be that of triangles and
+ * pieces. */
+Vector3 alignedSum(std::vector<Vector3>& normals)
+{
+  std::sort(normals.begin(), normals.end(), isLess);
+  normals.erase(std::unique(normals.begin(), normals.end()), normals.end());
+  Vector3 sum{ 0.0, 0.0, 0.0 };
+  for (const Vector3& normal : normals)
+  {
+    sum = sum + (dot(sum, normal) < 0.0 ? -1.0 : 1.0) * normal;
+  }
+  return sum;
+}
+
+/** As alignedSum() of the normals at a vertex where the surface is so flat that their order hardly
+ * changes a bit of it: each is within 45 degrees of the sum, so that none has to be turned. Nothing
+ * if it is not as flat as that. */
+std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
+{
+  constexpr std::size_t most = 12;
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  if (ring.size() > most + 1 || !goesRoundOnce(ring))
+  {
+    return std::nullopt;
+  }
+  std::array<Vector3, most> normals;
+  auto last = normals.begin();
+  Vector3 sum{ 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+  {
+    *last = normalOf(mesh, { vertex, ring[i].neighbour(), ring[i + 1].neighbour() });
+    if (std::find(normals.begin(), last, *last) == last)
+    {
+      sum = sum + *last;
+      ++last;
+    }
+  }
+  const double square = dot(sum, sum);
+  const bool isFlat = std::all_of(normals.begin(), last,
+    [&](const Vector3& normal)
+    {
+      const double along = dot(normal, sum);
+      return along > 0.0 && 2.0 * along * along > square * dot(normal, normal);
+    });
+  return isFlat ? std::optional(sum) : std::nullopt;
+}
+
+/** Appends the normals of this piece's triangles at a point: those of which it is a corner, or on
+ * an edge, or that it lies in. All pieces together have those of the whole surface, some of them
+ * several times: ghost triangles are in several pieces. */
+void appendNormalsAt(
+  const TriangleMesh& mesh, const SurfacePoint& point, std::vector<Vector3>& normals)
+{
+  const Carriers carriers = carriersOf(mesh, point);
+  if (carriers.size() == 3)
+  {
+    normals.push_back(normalOf(mesh, mesh.triangle(point.triangle)));
+    return;
+  }
+  Index centre = carriers[0];
+  Index other = carriers[carriers.size() - 1];
+  if (mesh.ring(other).size() < mesh.ring(centre).size())
+  {
+    std::swap(centre, other);
+  }
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  if (!goesRoundOnce(ring))
+  {
+    for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
+    {
+      normals.push_back(normalOf(mesh, mesh.triangle(triangle)));
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (ring[i].opensTriangle())
+    {
+      const Triangle triangle{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      if (std::find(triangle.begin(), triangle.end(), other) != triangle.end())
+      {
+        normals.push_back(normalOf(mesh, triangle));
+      }
+    }
+  }
+}
+
+/** Whether other pieces may have triangles at a point, too. */
+bool isShared(const TriangleMesh& mesh, const SurfacePoint& point, const Partition& partition)
+{
+  const std::span<const Index> shared = partition.sharedVertices();
+  const Carriers carriers = carriersOf(mesh, point);
+  return carriers.size() < 3 &&
+    std::all_of(carriers.begin(), carriers.end(),
+      [&](Index vertex) { return std::binary_search(shared.begin(), shared.end(), vertex); });
+}
+
+/** Appends the normals at a point that other pieces may share, as appendNormalsAt(); else their
+ * aligned sum. */
+void findNormalsAt(
+  const TriangleMesh& mesh, const SurfacePoint& point, bool isShared, std::vector<Vector3>& normals)
+{
+  const Carriers carriers = carriersOf(mesh, point);
+  if (const auto sum =
+        isShared || carriers.size() > 1 ? std::nullopt : flatSumAt(mesh, carriers[0]))
+  {
+    normals.push_back(*sum);
+    return;
+  }
+  appendNormalsAt(mesh, point, normals);
+  if (!isShared)
+  {
+    normals.assign(1, alignedSum(normals));
+  }
+}
+
+/** A direction of length 1 with few digits, so that rounding hardly ever changes it: copies of a
+ * point on several pieces may differ by so much. */
+Vector3 roundedDirection(const Vector3& vector)
+{
+  constexpr double steps = 1 << 20;
+  const double length = norm(vector);
+  const auto rounded = [&](double x) { return std::round(x / length * steps) / steps; };
+  return length > 0.0 ? Vector3{ rounded(vector.x), rounded(vector.y), rounded(vector.z) } : vector;
+}
+
+/** Asks the processor to fetch what labelPlaces() reads for starts that come soon: seeds lie
+ * anywhere.
+ */
+GEODESIC_INLINED void prefetchLater(
+  const TriangleMesh& mesh, const SeedFront& front, std::size_t start)
+{
+  constexpr std::size_t soon = 8;
+  if (start + 2 * soon < front.starts.size())
+  {
+    mesh.prefetchRingStart(front.starts[start + 2 * soon].vertex);
+    const FrontStart& next = front.starts[start + soon];
+    mesh.prefetch(next.vertex);
+    for (const RingEntry& entry : mesh.ring(front.starts[start + soon / 2].vertex))
+    {
+      prefetchToRead(&mesh.position(entry.neighbour()));
+    }
+    prefetchToRead(&mesh.rings().longestSides()[next.vertex]);
+    if (const SurfacePoint& origin = front.labels[next.label].origin; origin.triangle != NoIndex)
+    {
+      prefetchToRead(&mesh.triangle(origin.triangle));
+    }
+  }
+}
+
+}
+
+std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, Partition& partition)
+{
+  const std::span<const float> sides =
+    partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
+  // For each label its number, edge, cost, the number of normals, and these.
+  std::vector<double> own;
+  constexpr std::size_t size = 4;
+  own.reserve((size + 3) * front.labels.size());
+  std::vector<Vector3> normals;
+  for (auto start = front.starts.begin(); start != front.starts.end();)
+  {
+    const Index label = start->label;
+    LabelPlace place;
+    prefetchLater(mesh, front, start - front.starts.begin());
+    for (; start != front.starts.end() && start->label == label; ++start)
+    {
+      place.edge = std::max(place.edge, double{ sides[start->vertex] });
+      place.cost = std::max(place.cost, cost.empty() ? 1.0 : cost[start->vertex]);
+    }
+    const Label& of = front.labels[label];
+    normals.clear();
+    if (of.shape == FrontShape::Round && of.origin.triangle != NoIndex)
+    {
+      findNormalsAt(mesh, of.origin, isShared(mesh, of.origin, partition), normals);
+    }
+    own.insert(own.end(),
+      { static_cast<double>(label), place.edge, place.cost, static_cast<double>(normals.size()) });
+    for (const Vector3& normal : normals)
+    {
+      own.insert(own.end(), { normal.x, normal.y, normal.z });
+    }
+  }
+  std::vector<LabelPlace> places(front.labels.size());
+  std::vector<std::pair<std::size_t, Vector3>> normalOfLabel;
+  const std::vector<double> all = partition.gather(own);
+  for (std::size_t i = 0; i < all.size();)
+  {
+    const auto label = static_cast<std::size_t>(all[i]);
+    LabelPlace& place = places[label];
+    place.edge = std::max(place.edge, all[i + 1]);
+    place.cost = std::max(place.cost, all[i + 2]);
+    const std::size_t last = i + size + 3 * static_cast<std::size_t>(all[i + 3]);
+    for (i += size; i < last; i += 3)
+    {
+      normalOfLabel.emplace_back(label, Vector3{ all[i], all[i + 1], all[i + 2] });
+    }
+  }
+  // Each piece has its labels in order.
+  if (partition.isDivided())
+  {
+    std::stable_sort(normalOfLabel.begin(), normalOfLabel.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+  for (std::size_t i = 0; i < normalOfLabel.size();)
+  {
+    const std::size_t label = normalOfLabel[i].first;
+    for (normals.clear(); i < normalOfLabel.size() && normalOfLabel[i].first == label; ++i)
+    {
+      normals.push_back(normalOfLabel[i].second);
+    }
+    places[label].normal = roundedDirection(alignedSum(normals));
+  }
+  for (std::size_t number = 0; number < places.size(); ++number)
+  {
+    LabelPlace& place = places[number];
+    place.position = front.labels[number].position;
+    place.value = place.cost > 0.0 ? front.labels[number].value / place.cost : 0.0;
+  }
+  return places;
+}
+
+}
