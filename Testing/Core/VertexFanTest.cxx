@@ -4,6 +4,7 @@
 
 #include "path/VertexFan.h"
 #include "Solving.h"
+#include "mesh/SimpleFan.h"
 
 #include <gtest/gtest.h>
 
@@ -148,7 +149,7 @@ TEST(VertexFan, FindsTheSideWithTheSmallerAngle)
                                           at(fan.pointAfter(direction.point)), direction.fraction)
                                       : PathPoint::atVertex(at(direction.point));
     };
-    ASSERT_TRUE(VertexFan::isFan(mesh->ring(at(0))));
+    ASSERT_TRUE(isSimpleFan(mesh->ring(at(0))));
     std::vector<Triangle> faces;
     const auto side =
       VertexFan(weighted, at(0)).appendShorterSide(pathPoint(from), pathPoint(to), faces);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace geodesic;
@@ -123,6 +124,27 @@ TEST(VertexLink, FindsTheOnlyWayThroughManyFans)
   for (unsigned seed = 0; seed < 20; ++seed)
   {
     expectShorterSide(chain(40, seed), 1, 40);
+  }
+}
+
+TEST(VertexLink, AFanThatComesToANeighbourAgainHasShortCuts)
+{
+  // A fan over five points, and a face from the last one back to the second.
+  Link link;
+  link.surface.points.push_back({});
+  for (Index i = 0; i < 5; ++i)
+  {
+    const double turn = 0.5 * i;
+    link.surface.points.push_back({ std::cos(turn), std::sin(turn), i == 2 || i == 3 ? 2.0 : 0.0 });
+    if (i > 0)
+    {
+      link.addFace(i, i + 1);
+    }
+  }
+  link.addFace(5, 2);
+  for (const auto& [from, to] : { std::pair(1, 5), std::pair(5, 1), std::pair(3, 5) })
+  {
+    expectShorterSide(link, from, to);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/Platform.h"
 #include "mesh/Carriers.h"
+#include "mesh/SimpleFan.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 #include "solve/SeedFront.h"
@@ -21,6 +22,9 @@ namespace geodesic
 {
 namespace
 {
+
+/** Round vertices with more triangles the normals are sorted. */
+constexpr std::size_t MostOfFlat = 12;
 
 /** The order of coordinates. */
 bool isLess(const Vector3& a, const Vector3& b)
@@ -41,38 +45,6 @@ Vector3 normalOf(const TriangleMesh& mesh, const Triangle& corners)
   return cross(at(first == 2 ? 0 : first + 1) - a, at(first == 0 ? 2 : first - 1) - a);
 }
 
-/** Whether a ring goes round its vertex once at most. Where triangles are there twice it goes on,
- * and then the other way. */
-bool goesRoundOnce(std::span<const RingEntry> ring)
-{
-  const std::span<const RingEntry> opening = ring.first(ring.size() - 1);
-  if (!std::all_of(opening.begin(), opening.end(),
-        [](const RingEntry& entry) { return entry.opensTriangle(); }))
-  {
-    return false;
-  }
-  constexpr std::size_t few = 12;
-  if (opening.size() > few)
-  {
-    std::vector<Index> neighbours;
-    std::transform(opening.begin(), opening.end(), std::back_inserter(neighbours),
-      [](const RingEntry& entry) { return entry.neighbour(); });
-    std::sort(neighbours.begin(), neighbours.end());
-    return std::adjacent_find(neighbours.begin(), neighbours.end()) == neighbours.end();
-  }
-  for (std::size_t i = 1; i < opening.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      if (opening[i].neighbour() == opening[j].neighbour())
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 /** The sum of different normals, each turned to the side of those before it. They are sorted first:
  * where they differ by right angles the order decides, and it must not be that of triangles and
  * pieces. */
@@ -89,17 +61,16 @@ Vector3 alignedSum(std::vector<Vector3>& normals)
 }
 
 /** As alignedSum() of the normals at a vertex where the surface is so flat that their order hardly
- * changes a bit of it: each is within 45 degrees of the sum, so that none has to be turned. Nothing
- * if it is not as flat as that. */
+ * changes a bit of it: each is within nearly 45 degrees of the sum, so that none has to be turned.
+ * Nothing if it is not as flat as that. */
 std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
 {
-  constexpr std::size_t most = 12;
   const std::span<const RingEntry> ring = mesh.ring(vertex);
-  if (ring.size() > most + 1 || !goesRoundOnce(ring))
+  if (ring.size() > MostOfFlat + 1 || !isSimpleFan(ring))
   {
     return std::nullopt;
   }
-  std::array<Vector3, most> normals;
+  std::array<Vector3, MostOfFlat> normals;
   auto last = normals.begin();
   Vector3 sum{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)
@@ -111,7 +82,9 @@ std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
       ++last;
     }
   }
-  const double square = dot(sum, sum);
+  // Rounding must not tell whether two normals are at right angles.
+  constexpr double within = 1.0 + 1e-6;
+  const double square = within * dot(sum, sum);
   const bool isFlat = std::all_of(normals.begin(), last,
     [&](const Vector3& normal)
     {
@@ -140,7 +113,7 @@ void appendNormalsAt(
     std::swap(centre, other);
   }
   const std::span<const RingEntry> ring = mesh.ring(centre);
-  if (!goesRoundOnce(ring))
+  if (!isSimpleFan(ring))
   {
     for (const Index triangle : mesh.trianglesWith({ carriers.begin(), carriers.end() }))
     {
@@ -212,7 +185,8 @@ GEODESIC_INLINED void prefetchLater(
     mesh.prefetchRingStart(front.starts[start + 2 * soon].vertex);
     const FrontStart& next = front.starts[start + soon];
     mesh.prefetch(next.vertex);
-    for (const RingEntry& entry : mesh.ring(front.starts[start + soon / 2].vertex))
+    const std::span<const RingEntry> ring = mesh.ring(front.starts[start + soon / 2].vertex);
+    for (const RingEntry& entry : ring.first(std::min(ring.size(), MostOfFlat + 1)))
     {
       prefetchToRead(&mesh.position(entry.neighbour()));
     }

@@ -32,9 +32,8 @@ public:
       return true;
     }
     const bool areObtuse = this->X < 0.0 && along < 0.0;
-    const double perSize = 1.0 / size;
-    const double x = (this->X * along - this->Y * across) * perSize;
-    this->Y = (this->X * across + this->Y * along) * perSize;
+    const double x = (this->X * along - this->Y * across) / size;
+    this->Y = (this->X * across + this->Y * along) / size;
     this->X = x;
     // Two obtuse angles, and what lies in the lower half of the plane, make more than 180 degrees.
     return (!areObtuse && this->Y >= 0.0) ||

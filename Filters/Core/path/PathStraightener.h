@@ -32,9 +32,8 @@ namespace geodesic
  * time anywhere, so that pieces grow together in few rounds. The first round takes the path as it
  * comes. A round costs only what lies between the nearest vertices that stay. From the third round
  * on, the straight line between these is followed as well, over whatever faces it crosses (see
- * ChordWalk.h). The smallest angle is sought in the graph of directions round the
- * vertex (VertexLink), so that boundaries and edges with more than two faces need no case of their
- * own.
+ * ChordWalk.h). The smallest angle is sought both ways round the vertex (VertexFan), or where an
+ * edge has more than two faces, in the graph of directions (VertexLink).
  */
 class PathStraightener
 {

@@ -7,12 +7,6 @@
 namespace geodesic
 {
 
-bool VertexFan::isFan(std::span<const RingEntry> ring)
-{
-  return std::all_of(
-    ring.begin(), ring.end() - 1, [](const RingEntry& entry) { return entry.opensTriangle(); });
-}
-
 VertexFan::VertexFan(const WeightedMesh& weighted, Index vertex)
   : Surface(weighted)
   , Vertex(vertex)
@@ -64,6 +58,10 @@ std::optional<VertexFan::Place> VertexFan::placeOf(const PathPoint& point) const
   const auto isOther = [&](Index vertex) { return vertex != this->Vertex; };
   const Carriers carriers = point.carriers();
   const Index* const first = std::find_if(carriers.begin(), carriers.end(), isOther);
+  if (first == carriers.end())
+  {
+    return std::nullopt;
+  }
   const Index* const second = std::find_if(first + 1, carriers.end(), isOther);
   if (second == carriers.end())
   {

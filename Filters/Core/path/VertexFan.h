@@ -20,10 +20,7 @@ namespace geodesic
 class VertexFan
 {
 public:
-  /** Whether the faces of a ring are one fan. */
-  static bool isFan(std::span<const RingEntry> ring);
-
-  /** @pre the ring of the vertex is a fan */
+  /** @pre isSimpleFan() */
   VertexFan(const WeightedMesh& weighted, Index vertex);
 
   /** See VertexLink::appendShorterSide(). */
@@ -48,7 +45,7 @@ private:
     AngleSum angle{};
   };
 
-  /** Nothing if the point is in no crossable face with the vertex. */
+  /** Nothing if the point is in no crossable face with the vertex, or at the vertex. */
   std::optional<Place> placeOf(const PathPoint& point) const;
   /** Nothing if not all faces there are crossable, or the angle is above 180 degrees. */
   std::optional<Side> sideAhead(const Place& from, const Place& to) const;

@@ -3,6 +3,7 @@
 #include "path/VertexLink.h"
 
 #include "base/SortUnique.h"
+#include "mesh/SimpleFan.h"
 #include "path/AngleSum.h"
 #include "path/VertexFan.h"
 
@@ -172,7 +173,7 @@ std::optional<double> VertexLink::appendShorterSide(
 {
   const std::span<const RingEntry> ring = this->Surface.ring(vertex);
   this->Surface.countSteps(ring.size());
-  if (VertexFan::isFan(ring))
+  if (isSimpleFan(ring))
   {
     return VertexFan(this->Surface, vertex).appendShorterSide(from, to, faces);
   }

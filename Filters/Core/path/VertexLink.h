@@ -17,7 +17,7 @@ namespace geodesic
 /**
  * The directions in which the faces round a vertex can be entered, as a graph. Its nodes are the
  * vertex's neighbours. Its arcs are the vertex's crossable faces; the length of an arc is the
- * face's angle at the vertex. Where the faces are one fan, the graph is a circle or a chain, and
+ * face's angle at the vertex. Where the faces are one fan, it is a circle or a chain, and
  * VertexFan does without it; with edges of more than two faces it can be any graph.
  */
 class VertexLink
