@@ -33,12 +33,13 @@ GEODESIC_INLINED void writeShared(Number& to, Number number)
  * register of its own first, which takes some hundredths of a march's instructions. On x86 an
  * aligned number is always read at once, so a plain read is enough there, as long as the compiler
  * does not repeat it: the empty instruction hides where the vector comes from. Clang takes no
- * vectors of all sizes in it.
+ * vectors of all sizes in it, and GCC without optimisation none that are larger than a register.
  */
 template <class VectorOf>
 GEODESIC_INLINED auto readSharedLanes(const VectorOf& vectorOf)
 {
-#if defined(__x86_64__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) &&                         \
+  !defined(__SANITIZE_THREAD__)
   auto vector = vectorOf([](const auto& number) { return number; });
   __asm__("" : "+x"(vector));
   return vector;
