@@ -97,8 +97,10 @@ check_labels()
 }
 
 install_packages build test
-# Several builds compile the same sources with the same flags: once is enough, whatever language CTest sets.
+# Several builds compile the same sources with the same flags: once is enough, whatever language CTest sets, and
+# whichever folder has the files that include several sources.
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_SLOPPINESS=locale
+export CCACHE_BASEDIR="$PWD/build"
 if [[ ${1-} == bench ]]; then
   case ${2-} in
     '') targets=(Benchmarks PathBenchmarks WorstCaseBenchmarks ExactBenchmarks RankBenchmarks ThreadBenchmarks) ;;

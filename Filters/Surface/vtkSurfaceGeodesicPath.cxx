@@ -521,6 +521,10 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
   const bool namesBlocks =
     run.ranks.size() == 1 && !internal.Surface->piece().numbering().hasUniqueIds();
   geodesic::bridge::PathOutput paths(this->HeightOffset, namesBlocks);
+  if (this->UseMaximumPathLength)
+  {
+    paths.limitLength(this->MaximumPathLength, this->InterpolationOrder == 1);
+  }
   const bool isChain = this->PathMode == THROUGH_WAYPOINTS;
   vtkNew<vtkIdTypeArray> nearestSeeds;
   nearestSeeds->SetName("NearestSeed");
@@ -534,16 +538,7 @@ void vtkSurfaceGeodesicPath::WriteOutput(const Run& run, vtkPolyData* output)
       const geodesic::bridge::PathAttributes& attributes = path.corridor
         ? static_cast<const geodesic::bridge::PathAttributes&>(*path.corridor)
         : run.input;
-      const auto number = static_cast<vtkIdType>(i);
-      if (this->UseMaximumPathLength)
-      {
-        paths.addBeginning(
-          attributes, path.path, number, this->MaximumPathLength, this->InterpolationOrder == 1);
-      }
-      else
-      {
-        paths.add(attributes, path.path, number);
-      }
+      paths.add(attributes, path.path, static_cast<vtkIdType>(i));
       nearestSeeds->InsertNextValue(segment.NearestSeed);
     }
   }

@@ -72,20 +72,21 @@ PathOutput::PathOutput(double heightOffset, bool namesBlocks)
 
 PathOutput::~PathOutput() = default;
 
-void PathOutput::add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment)
+void PathOutput::limitLength(double maximumLength, bool cutsEdges)
 {
-  this->Lines.push_back({ attributes, path, this->Size });
-  this->Size += this->Lines.back().size();
-  this->Segments->InsertNextValue(segment);
+  this->Limit = { maximumLength, cutsEdges };
 }
 
-void PathOutput::addBeginning(const PathAttributes& attributes, const SurfacePath& path,
-  vtkIdType segment, double maximumLength, bool cutsEdges)
+void PathOutput::add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment)
 {
   constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
-  this->Beginnings.push_back(
-    beginningOf(attributes.mesh(), path, maximumLength, anyNumber, cutsEdges));
-  this->add(attributes, this->Beginnings.back(), segment);
+  const SurfacePath& added = this->Limit
+    ? this->Beginnings.emplace_back(beginningOf(
+        attributes.mesh(), path, this->Limit->maximumLength, anyNumber, this->Limit->cutsEdges))
+    : path;
+  this->Lines.push_back({ attributes, added, this->Size });
+  this->Size += this->Lines.back().size();
+  this->Segments->InsertNextValue(segment);
 }
 
 void PathOutput::allocate()

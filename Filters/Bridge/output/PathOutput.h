@@ -47,15 +47,14 @@ public:
   PathOutput(double heightOffset, bool namesBlocks);
   ~PathOutput();
 
+  /** From now on only the beginnings of paths are added, see beginningOf(). */
+  void limitLength(double maximumLength, bool cutsEdges);
   /**
    * Adds a path; this and the attributes must live as long as this object.
    * @param attributes the mesh that the path runs on, and the attributes of the input
    * @param segment    the path's number, for the array Segment
    */
   void add(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment);
-  /** The same of the beginning of a path, see beginningOf(). */
-  void addBeginning(const PathAttributes& attributes, const SurfacePath& path, vtkIdType segment,
-    double maximumLength, bool cutsEdges);
   /**
    * Writes all paths.
    * @param isChain whether ArcLength goes on from each path to the next one
@@ -89,6 +88,13 @@ private:
   double HeightOffset;
   bool NamesBlocks;
   double TotalLength = 0.0;
+  struct LengthLimit
+  {
+    double maximumLength;
+    bool cutsEdges;
+  };
+  std::optional<LengthLimit> Limit;
+  /** Of the paths, where there is a limit; they stay where they are. */
   std::deque<SurfacePath> Beginnings;
   std::vector<Line> Lines;
   std::size_t Size = 0;
