@@ -66,6 +66,11 @@ public:
   double totalLength() const { return this->TotalLength; }
 
 private:
+  struct LengthLimit
+  {
+    double maximumLength;
+    bool cutsEdges;
+  };
   struct Line
   {
     const PathAttributes& attributes;
@@ -88,11 +93,6 @@ private:
   double HeightOffset;
   bool NamesBlocks;
   double TotalLength = 0.0;
-  struct LengthLimit
-  {
-    double maximumLength;
-    bool cutsEdges;
-  };
   std::optional<LengthLimit> Limit;
   /** Of the paths, where there is a limit; they stay where they are. */
   std::deque<SurfacePath> Beginnings;

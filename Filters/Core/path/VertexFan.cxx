@@ -67,6 +67,10 @@ std::optional<VertexFan::Place> VertexFan::placeOf(const PathPoint& point) const
   {
     const auto entry = std::find_if(this->Ring.begin(), this->Ring.end(),
       [&](const RingEntry& entry) { return entry.neighbour() == *first; });
+    if (entry == this->Ring.end())
+    {
+      return std::nullopt;
+    }
     const std::size_t number = entry - this->Ring.begin();
     return Place{ number, false, this->directionOf(number) };
   }
