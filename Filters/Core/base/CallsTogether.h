@@ -13,14 +13,17 @@ namespace geodesic
 
 /**
  * Calls work(thread) on each of some threads at the same time, for work in which they wait for each
- * other: none begins before all are there. The first thread is the calling one. Returns when all
- * calls have returned.
- * @param threads  at least 1
- * @param work     throws nothing
- * @throws std::system_error where the system has no more threads, before any call
+ * other. The first thread is the calling one. Returns when all calls have returned.
+ * @param threads    at least 1
+ * @param meanwhile  meanwhile(areThere) is called by the calling thread while the others are being
+ *                   made; they begin when it returns. It may throw; areThere() says whether all are
+ *                   there
+ * @param work       throws nothing
+ * @throws std::system_error where the system has no more threads, before any call of work;
+ *         whatever meanwhile throws
  */
-template <class Work>
-void callTogether(std::size_t threads, const Work& work)
+template <class Meanwhile, class Work>
+void callTogether(std::size_t threads, const Meanwhile& meanwhile, const Work& work)
 {
   enum Signal
   {
@@ -29,6 +32,7 @@ void callTogether(std::size_t threads, const Work& work)
     Leave
   };
   std::atomic<Signal> signal = Wait;
+  std::atomic<std::size_t> present = 1;
   std::vector<std::jthread> others;
   try
   {
@@ -37,6 +41,7 @@ void callTogether(std::size_t threads, const Work& work)
       others.emplace_back(
         [&, thread]
         {
+          ++present;
           // It does not sleep: a thread that is woken up is often put on the waking one's
           // processor.
           while (signal == Wait)
@@ -49,6 +54,7 @@ void callTogether(std::size_t threads, const Work& work)
           }
         });
     }
+    meanwhile([&] { return present == threads; });
   }
   catch (...)
   {

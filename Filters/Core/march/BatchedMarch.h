@@ -39,9 +39,15 @@ public:
    * @param taken  gets the items that were taken from the queues; may be null */
   void advance(std::uint64_t end, std::vector<Index>* taken)
   {
+    this->advanceWhile(end, taken, [] { return true; });
+  }
+  /** The same, as long as @p mayGoOn returns true, which is asked before each batch. */
+  template <class MayGoOn>
+  void advanceWhile(std::uint64_t end, std::vector<Index>* taken, const MayGoOn& mayGoOn)
+  {
     std::array<Index, BatchSize> room;
     std::array<Index, BatchSize> roomOfNext;
-    while (this->Queues.hasBefore(end))
+    while (mayGoOn() && this->Queues.hasBefore(end))
     {
       const std::span<const Index> batch = this->Queues.take(room);
       if (!this->Control.mayGoOn(this->FrontValues.numberOfValues(), batch.size()))

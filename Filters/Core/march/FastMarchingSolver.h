@@ -118,10 +118,10 @@ private:
   template <class Cost>
   std::optional<bool> marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
     const Cost& cost, const Request& request, StopLimit& limit, DistanceField& field);
-  /** Its second part. @param updates  those of the first part */
-  template <class Cost>
-  std::optional<bool> goOnOnThreads(
-    std::size_t updates, const Cost& cost, const Request& request, DistanceField& field);
+  /** Its second part. @param meanwhile  see callTogether() */
+  template <class Meanwhile, class Cost>
+  std::optional<bool> goOnOnThreads(SharedMarch& march, const Meanwhile& meanwhile,
+    const Cost& cost, const Request& request, DistanceField& field);
 
   bool MayUseQuads;
   FrontQueues Queues;

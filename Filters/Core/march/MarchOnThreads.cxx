@@ -25,9 +25,9 @@ namespace geodesic
 namespace
 {
 
-/** To start threads takes as long as some hundred updates. So a march that may be over soon, as on
- * one of many small parts, is not shared. */
-constexpr std::size_t LeastUpdates = 2048;
+/** To make threads takes as long as some hundred updates. So a march that may be over soon, as on
+ * one of many small parts, is not shared; and it goes on by at most as many updates meanwhile. */
+constexpr std::size_t LeastUpdates = 1024;
 
 }
 
@@ -62,24 +62,38 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   BatchedMarch<Cost, OneLabelValues<Cost>> batches(this->mesh(), *this->bounds(), request.closed,
     cost, values, queues, control, this->MayUseQuads);
   const BucketQueue& queue = queues.group(0).best;
+  const std::size_t least = std::min(LeastUpdates, request.options.verticesOfThread);
   const auto isToBeShared = [&]
   {
     const std::size_t reached = field.reached().size();
-    return control.count() >= std::min(LeastUpdates, request.options.verticesOfThread) &&
-      control.count() <= SharedMarch::mostUpdates(reached) &&
+    return control.count() >= least && control.count() <= SharedMarch::mostUpdates(reached) &&
       SharedMarch::isToBeShared(
         queue.size(), this->mesh().numberOfVertices() - reached, threads, request.options);
   };
   // A mean edge at a time. Where all points are one place, no step would lead on.
   const double edge = this->mesh().meanLongestEdge() * cost.mean();
   const double step = edge > 0.0 ? edge : DistanceField::Unreached;
-  while (!queue.isEmpty() && !control.isCancelled() && !isToBeShared())
+  const auto goesOn = [&] { return !queue.isEmpty() && !control.isCancelled(); };
+  const auto advanceWhile = [&](const auto& mayGoOn)
+  { batches.advanceWhile(queues.endOfMarch(queues.nextKey() + step), nullptr, mayGoOn); };
+  while (goesOn() && !isToBeShared())
   {
-    batches.advance(queues.endOfMarch(queues.nextKey() + step), nullptr);
+    advanceWhile([] { return true; });
   }
-  if (!queue.isEmpty() && !control.isCancelled())
+  if (goesOn())
   {
-    return this->goOnOnThreads(control.count(), cost, request, field);
+    SharedMarch march(this->mesh(), threads, request.options);
+    const auto goOn = [&](const auto& areThere)
+    {
+      const std::size_t most = control.count() + least;
+      const auto isEarly = [&] { return control.count() < most && !areThere(); };
+      while (goesOn() && isEarly())
+      {
+        advanceWhile(isEarly);
+      }
+      march.begin(control.count(), field.reached().size(), control.isCancelled());
+    };
+    return this->goOnOnThreads(march, goOn, cost, request, field);
   }
   field.noteRaisedGain(control.raisedGain());
   field.orderReached();
@@ -92,18 +106,17 @@ template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
 template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
   std::span<const StartValue>, const VertexCost&, const Request&, StopLimit&, DistanceField&);
 
-template <class Cost>
-std::optional<bool> FastMarchingSolver::goOnOnThreads(
-  std::size_t updates, const Cost& cost, const Request& request, DistanceField& field)
+template <class Meanwhile, class Cost>
+std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
+  const Meanwhile& meanwhile, const Cost& cost, const Request& request, DistanceField& field)
 {
   const std::size_t threads = this->Threads.size();
-  SharedMarch march(this->mesh(), threads, request.options, updates, field.reached().size());
   SolveOptions options = request.options;
   options.onProgress = nullptr;
   std::vector<std::exception_ptr> errors(threads);
   std::vector<std::uint8_t> areFinished(threads);
   std::atomic<bool> settles = true;
-  callTogether(threads,
+  callTogether(threads, meanwhile,
     [&](std::size_t thread)
     {
       SharedMarch::Share share(march, thread);
@@ -122,8 +135,8 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(
         SharedValues<Cost> values(context, request.front.labels[0], share, reached);
         BatchedMarch<Cost, SharedValues<Cost>> batches(this->mesh(), *this->bounds(),
           request.closed, cost, values, queues, control, this->MayUseQuads);
-        SharedFront front(queues, control, this->mesh().meanLongestEdge() * cost.mean(), values,
-          share, [&](std::uint64_t end) { batches.advance(end, nullptr); });
+        SharedFront front(
+          queues, control, this->mesh().meanLongestEdge() * cost.mean(), values, share, batches);
         areFinished[thread] = share.march(front) ? 1 : 0;
       }
       catch (const FrontDoesNotSettle&)

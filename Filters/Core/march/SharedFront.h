@@ -19,25 +19,32 @@ namespace geodesic
 
 /**
  * A thread's part of a march of FastMarchingSolver as a ThreadFront, which a SharedMarch drives.
- * @tparam Advance  called with the number of a bucket, see BatchedMarch::advance()
+ * @tparam Batches  a BatchedMarch
  */
-template <class Cost, class Advance>
+template <class Cost, class Batches>
 class SharedFront final : public ThreadFront
 {
 public:
   /** @param meanLongestEdge  see MarchingFront */
   SharedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
-    SharedValues<Cost>& values, SharedMarch::Share& share, Advance advance)
+    SharedValues<Cost>& values, SharedMarch::Share& share, Batches& batches)
     : Queues(queues)
     , Control(control)
     , MeanLongestEdge(meanLongestEdge)
     , FrontValues(values)
     , Share(share)
-    , AdvanceBefore(std::move(advance))
+    , March(batches)
   {
   }
 
-  void advance(double limit) override { this->AdvanceBefore(this->Queues.endOfMarch(limit)); }
+  void advance(double limit) override
+  {
+    this->March.advance(this->Queues.endOfMarch(limit), nullptr);
+  }
+  void advanceWhile(double limit, const std::function<bool()>& mayGoOn) override
+  {
+    this->March.advanceWhile(this->Queues.endOfMarch(limit), nullptr, mayGoOn);
+  }
   void visitAtBorder(const std::function<void(Index)>& visit) override
   {
     this->FrontValues.visitAtBorder(visit);
@@ -89,7 +96,7 @@ private:
   double MeanLongestEdge;
   SharedValues<Cost>& FrontValues;
   SharedMarch::Share& Share;
-  Advance AdvanceBefore;
+  Batches& March;
 };
 
 }

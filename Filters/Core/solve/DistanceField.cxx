@@ -10,11 +10,40 @@
 
 namespace geodesic
 {
+namespace
+{
+
+/** The largest of some numbers that are not below 0; 0 if there is none. */
+template <class NumberAt>
+double largestOf(std::size_t count, const NumberAt& numberAt)
+{
+  // Four independent maxima: with one, each comparison would wait for the one before.
+  std::array<double, 4> most{};
+  std::size_t i = 0;
+  for (; i + most.size() <= count; i += most.size())
+  {
+    for (std::size_t lane = 0; lane < most.size(); ++lane)
+    {
+      most[lane] = largest(numberAt(i + lane), most[lane]);
+    }
+  }
+  for (; i < count; ++i)
+  {
+    most[0] = largest(numberAt(i), most[0]);
+  }
+  return *std::max_element(most.begin(), most.end());
+}
+
+}
 
 void DistanceField::reset()
 {
   this->fillReached(std::span(this->Distances), Unreached);
-  this->setNearestSeed(NoIndex);
+  if (this->OnlySeed == NoIndex)
+  {
+    this->fillReached(std::span(this->NearestSeeds), NoIndex);
+  }
+  this->OnlySeed = NoIndex;
   this->Reached.clear();
   this->LargestDistance = 0.0;
   this->Reason = StopReason::Exhausted;
@@ -74,7 +103,10 @@ void DistanceField::finish(double limit, StopReason reason)
       if (this->Distances[vertex] > limit)
       {
         this->Distances[vertex] = Unreached;
-        this->NearestSeeds[vertex] = NoIndex;
+        if (this->OnlySeed == NoIndex)
+        {
+          this->NearestSeeds[vertex] = NoIndex;
+        }
         return true;
       }
       return false;
@@ -84,21 +116,12 @@ void DistanceField::finish(double limit, StopReason reason)
 
 double DistanceField::largestReached() const
 {
-  // Four independent maxima: with one, each comparison would wait for the one before.
-  std::array<double, 4> most{};
-  std::size_t i = 0;
-  for (; i + most.size() <= this->Reached.size(); i += most.size())
+  if (this->isWhole())
   {
-    for (std::size_t lane = 0; lane < most.size(); ++lane)
-    {
-      most[lane] = largest(this->Distances[this->Reached[i + lane]], most[lane]);
-    }
+    return largestOf(this->Distances.size(), [&](std::size_t i) { return this->Distances[i]; });
   }
-  for (; i < this->Reached.size(); ++i)
-  {
-    most[0] = largest(this->Distances[this->Reached[i]], most[0]);
-  }
-  return *std::max_element(most.begin(), most.end());
+  return largestOf(
+    this->Reached.size(), [&](std::size_t i) { return this->Distances[this->Reached[i]]; });
 }
 
 }

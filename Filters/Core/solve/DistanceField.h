@@ -3,6 +3,7 @@
 #ifndef geodesic_DistanceField_h
 #define geodesic_DistanceField_h
 
+#include "base/BulkVector.h"
 #include "base/Index.h"
 
 #include <algorithm>
@@ -47,7 +48,14 @@ public:
   std::span<const double> distances() const { return this->Distances; }
   bool isReached(Index vertex) const { return this->Distances[vertex] < Unreached; }
   /** Number of the nearest seed, the smallest of equally near ones; NoIndex where unreached. */
-  Index nearestSeed(Index vertex) const { return this->NearestSeeds[vertex]; }
+  Index nearestSeed(Index vertex) const
+  {
+    if (this->OnlySeed != NoIndex)
+    {
+      return this->isReached(vertex) ? this->OnlySeed : NoIndex;
+    }
+    return this->NearestSeeds[vertex];
+  }
   /** The vertices that have a distance, each once, in no particular order. */
   std::span<const Index> reached() const { return this->Reached; }
   double largestDistance() const { return this->LargestDistance; }
@@ -87,9 +95,13 @@ public:
   /** Sorts reached() by vertex if it is at least an eighth of the mesh: a loop over it then goes
    * through memory from front to back. */
   void orderReached();
-  void setNearestSeed(Index vertex, Index seed) { this->NearestSeeds[vertex] = seed; }
-  /** Sets the nearest seed of all reached vertices. */
-  void setNearestSeed(Index seed) { this->fillReached(std::span(this->NearestSeeds), seed); }
+  void setNearestSeed(Index vertex, Index seed)
+  {
+    this->spreadOnlySeed();
+    this->NearestSeeds[vertex] = seed;
+  }
+  /** Sets the nearest seed of all vertices that are or get reached. */
+  void setNearestSeed(Index seed) { this->OnlySeed = seed; }
   /** Sets the entries of all reached vertices in @p values, one for each vertex, to @p value. */
   template <class Value>
   void fillReached(std::span<Value> values, const Value& value) const
@@ -116,10 +128,22 @@ private:
   /** Whether every vertex was reached. */
   bool isWhole() const { return this->Reached.size() == this->Distances.size(); }
   double largestReached() const;
+  /** Gives each reached vertex the only seed as one of its own. */
+  void spreadOnlySeed()
+  {
+    if (this->OnlySeed != NoIndex)
+    {
+      this->fillReached(std::span(this->NearestSeeds), this->OnlySeed);
+      this->OnlySeed = NoIndex;
+    }
+  }
 
   std::vector<double> Distances;
+  /** Where there is an only seed, all are NoIndex. */
   std::vector<Index> NearestSeeds;
-  std::vector<Index> Reached;
+  /** The nearest seed of all reached vertices, if it is one for all. */
+  Index OnlySeed = NoIndex;
+  BulkVector<Index> Reached;
   double LargestDistance = 0.0;
   StopReason Reason = StopReason::Exhausted;
   bool LeavesOutElsewhere = false;

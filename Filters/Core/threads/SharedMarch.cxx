@@ -28,10 +28,9 @@ constexpr double LeastExcess = 4.0;
  * counts. */
 constexpr std::size_t LeastTimed = 32;
 constexpr double PartOfRound = 0.125;
-/** How far a thread goes on while it would wait for others, in mean edges, and in how many steps.
- * What it does too early it does in vain. */
+/** How far a thread goes on while it would wait for others, in mean edges. What it does too early
+ * it does in vain. */
 constexpr double MostAhead = 1.5;
-constexpr int StepsAhead = 5;
 /** A front is short where fewer vertices wait for each thread. */
 constexpr std::size_t MostOfShort = 8;
 std::size_t shortFront(std::size_t threads, const SolveOptions& options)
@@ -78,17 +77,12 @@ bool SharedMarch::isToBeShared(
   return waiting >= 2 * shortFront(threads, options) && unreached > waiting;
 }
 
-SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options,
-  std::size_t updates, std::size_t reached)
+SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options)
   : Mesh(mesh)
   , Options(options)
-  , UpdatesBefore(updates)
-  , ReachedBefore(reached)
-  , NextReport(reportAfter(updates, options))
   , RunAtOnce(SpinBarrier::runAtOnce(threads))
   , Together(threads)
 {
-  this->Work.longestChain = updates;
   for (std::vector<Report>& reports : this->Reports)
   {
     reports.resize(threads);
@@ -96,6 +90,19 @@ SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const So
     {
       report.mail.resize(threads);
     }
+  }
+}
+
+void SharedMarch::begin(std::size_t updates, std::size_t reached, bool isCancelled)
+{
+  this->UpdatesBefore = updates;
+  this->ReachedBefore = reached;
+  this->NextReport = reportAfter(updates, this->Options);
+  this->Work.updates = updates;
+  this->Work.longestChain = updates;
+  if (isCancelled)
+  {
+    this->Together.breakUp();
   }
 }
 
@@ -413,11 +420,8 @@ void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
       std::clamp(taken.count() / static_cast<double>(waiting), 0.5 * this->Pace, 2.0 * this->Pace);
     this->Pace += PartOfRound * (pace - this->Pace);
   }
-  const double step = MostAhead / StepsAhead * front.meanLongestEdge();
-  for (int i = 1; i <= StepsAhead && this->March.Together.othersAreComing(); ++i)
-  {
-    front.advance(end + i * step);
-  }
+  front.advanceWhile(end + MostAhead * front.meanLongestEdge(),
+    [&] { return this->March.Together.othersAreComing(); });
 }
 
 void SharedMarch::Share::sendNotices(ThreadFront& front)

@@ -75,12 +75,17 @@ public:
    * At first thread 0 owns all.
    * @param threads  from 1 to MostThreads
    * @param options  onProgress is called by thread 0, with the updates of all threads
-   * @param updates  how many there were before
-   * @param reached  how many vertices had a value before
    * All arguments must live as long as this.
    */
-  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options,
-    std::size_t updates, std::size_t reached);
+  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options);
+
+  /**
+   * Says what was done before. To be called before the threads begin.
+   * @param updates      how many there were
+   * @param reached      how many vertices have a value
+   * @param isCancelled  whether the run was cancelled, so that there is nothing more to do
+   */
+  void begin(std::size_t updates, std::size_t reached, bool isCancelled);
 
 private:
   struct ValueOfVertex
@@ -212,10 +217,10 @@ private:
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
   /** What was done before the march. */
-  std::size_t UpdatesBefore;
-  std::size_t ReachedBefore;
+  std::size_t UpdatesBefore = 0;
+  std::size_t ReachedBefore = 0;
   /** At how many updates thread 0 reports next. */
-  std::size_t NextReport;
+  std::size_t NextReport = 0;
   /** Where threads take turns on a processor, what a round takes says nothing, and none is early.
    */
   bool RunAtOnce;

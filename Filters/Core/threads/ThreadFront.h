@@ -20,6 +20,8 @@ public:
 
   /** Takes vertices from this thread's queue as MarchingFront::advance() does. */
   virtual void advance(double limit) = 0;
+  /** The same, as long as @p mayGoOn returns true, which is asked again after a few vertices. */
+  virtual void advanceWhile(double limit, const std::function<bool()>& mayGoOn) = 0;
   /** Calls visit(vertex) for each of this thread's vertices that was taken since the last call and
    * has neighbours of other threads; for some others too, and for some several times. */
   virtual void visitAtBorder(const std::function<void(Index vertex)>& visit) = 0;
