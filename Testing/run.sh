@@ -55,17 +55,18 @@ check_includes()
   python3 Testing/Checks/includes.py . || fail "These includes point the wrong way; see Testing/Checks/includes.py"
 }
 
-# Runs a program of tests, spread over the processors.
+# Runs a program of tests, spread over the processors, for ten minutes at most.
 run_in_parts()
 {
-  local part parts=()
+  local part parts=() failed=()
   for ((part = 0; part < $(nproc); ++part)); do
-    GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$part "$@" --gtest_brief=1 &
+    GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$part timeout 600 "$@" --gtest_brief=1 &
     parts+=($!)
   done
   for part in "${parts[@]}"; do
-    wait "$part" || fail "Tests of $1 failed, see above"
+    wait "$part" || failed+=("$part")
   done
+  ((${#failed[@]} == 0)) || fail "Tests of $1 failed or took too long, see above"
 }
 
 # What is computed in another way without vector extensions.
@@ -143,7 +144,7 @@ if [[ " ${labels[*]} " == *" core "* ]]; then
   test_under_sanitizers
   test_threads
 fi
-# Side by side but for those with ranks or windows, which ask for the whole machine.
+# Side by side but for those that ask for the whole machine: with several ranks, or with a real pointer.
 run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
 if (($#)); then
   "${run_tests[@]}" -L "^($(IFS='|'; echo "${labels[*]}"))$"

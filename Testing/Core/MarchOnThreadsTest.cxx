@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -53,7 +54,8 @@ double difference(const DistanceField& a, const DistanceField& b)
 }
 
 void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
-  const std::vector<Seed>& seeds, const SolveOptions& options = {}, bool isShared = true)
+  const std::vector<Seed>& seeds, const SolveOptions& options = {},
+  std::optional<bool> isShared = true)
 {
   FastMarchingSolver one(mesh);
   FastMarchingSolver several(mesh);
@@ -67,7 +69,10 @@ void expectSameField(const std::shared_ptr<const TriangleMesh>& mesh,
       EXPECT_LE(difference(expected, field), 1e-9) << threads << " threads, run " << run;
       EXPECT_EQ(field.reached().size(), expected.reached().size());
       EXPECT_EQ(field.stopReason(), expected.stopReason());
-      EXPECT_EQ(several.threadWork().rounds > 1, isShared);
+      if (isShared)
+      {
+        EXPECT_EQ(several.threadWork().rounds > 1, *isShared);
+      }
       for (Index v = 0; v < mesh->numberOfVertices(); ++v)
       {
         ASSERT_EQ(field.nearestSeed(v), expected.nearestSeed(v)) << "vertex " << v;
@@ -116,8 +121,9 @@ TEST(MarchOnThreads, HasTheFieldOfOneThreadFromRegionsAndSeveralSeeds)
   Seed shifted = seedAt(*mesh, 4000);
   shifted.value = 0.3;
   expectSameField(mesh, { shifted });
-  // Several labels are marched on one thread, though not the first march of very many.
-  expectSameField(mesh, { seedAt(*mesh, 5), shifted }, {}, false);
+  expectSameField(mesh, { seedAt(*mesh, 5), shifted });
+  expectSameField(mesh, { seedAt(*mesh, 5), shifted, seedAt(*mesh, 4010), seedAt(*mesh, 7000) });
+  // Labels that are dense are marched on one thread, after a first march of all together.
   std::vector<Seed> many;
   for (Index point = 3; point < 8000; point += 20)
   {
@@ -129,7 +135,7 @@ TEST(MarchOnThreads, HasTheFieldOfOneThreadFromRegionsAndSeveralSeeds)
   {
     region.push_back(mesh->vertexOfPoint(point));
   }
-  expectSameField(mesh, { Seed::onRegion(region) }, {}, false);
+  expectSameField(mesh, { Seed::onRegion(region) }, {}, std::nullopt);
 }
 
 TEST(MarchOnThreads, HeedsCostsAndBarriers)
@@ -157,9 +163,9 @@ TEST(MarchOnThreads, HeedsCostsAndBarriers)
 
 TEST(MarchOnThreads, HasTheFieldOfOneThreadInRandomCases)
 {
-  for (unsigned number = 0; number < 300; ++number)
+  for (unsigned number = 0; number < 400; ++number)
   {
-    const RandomCase random = randomCase(number, { .mostSeeds = 1 });
+    const RandomCase random = randomCase(number, { .mostSeeds = number % 2 == 0 ? 1u : 5u });
     FastMarchingSolver one(random.mesh);
     FastMarchingSolver several(random.mesh);
     const DistanceField& expected = one.solve(random.seeds, random.options());
@@ -305,6 +311,44 @@ TEST(MarchOnThreads, ReportsProgressOfAllAndEndsWhenCancelled)
   EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
   FastMarchingSolver one(mesh);
   EXPECT_LE(difference(one.solve(seeds), solver.solve(seeds, onThreads(3))), 1e-9);
+}
+
+// Before the threads are made, until they run, and later.
+TEST(MarchOnThreads, EndsAtAnyMoment)
+{
+  // The larger part goes on while the smaller one ends.
+  const auto mesh = meshOf(joined(icosphere(5), torus(60, 30, 3.0, 1.0)));
+  const Index onTorus = 10242;
+  FastMarchingSolver one(mesh);
+  FastMarchingSolver solver(mesh);
+  SolveOptions options;
+  options.threads = 3;
+  options.verticesOfThread = 1024;
+  options.progressInterval = 1;
+  for (std::size_t last = 900; last < 2400; last += 29)
+  {
+    const std::vector<Seed> seeds{ seedAt(*mesh, last % 2 == 0 ? 0 : onTorus) };
+    const bool isOver = last % 2 != 0 && last > 1800;
+    bool hasEnded = false;
+    options.onProgress = [&](std::size_t taken)
+    {
+      EXPECT_FALSE(hasEnded) << last;
+      hasEnded = taken >= last;
+      return !hasEnded;
+    };
+    const StopReason reason = solver.solve(seeds, options).stopReason();
+    EXPECT_EQ(reason, hasEnded ? StopReason::Cancelled : StopReason::Exhausted) << last;
+    EXPECT_TRUE(hasEnded || isOver) << last;
+    options.onProgress = nullptr;
+    EXPECT_LE(difference(one.solve(seeds), solver.solve(seeds, options)), 1e-9) << last;
+    FastMarchingSolver failing(mesh);
+    options.onProgress = [&](std::size_t taken)
+    { return taken < last ? true : throw std::runtime_error("a test"); };
+    if (hasEnded)
+    {
+      EXPECT_THROW(failing.solve(seeds, options), std::runtime_error) << last;
+    }
+  }
 }
 
 TEST(MarchOnThreads, PassesAnErrorOn)

@@ -15,9 +15,8 @@ namespace geodesic
  * Calls work(thread) on each of some threads at the same time, for work in which they wait for each
  * other. The first thread is the calling one. Returns when all calls have returned.
  * @param threads    at least 1
- * @param meanwhile  meanwhile(areThere) is called by the calling thread while the others are being
- *                   made; they begin when it returns. It may throw; areThere() says whether all are
- *                   there
+ * @param meanwhile  meanwhile(areThere) is called by the calling thread once the others are made;
+ *                   areThere() says whether all run. They begin when it returns. It may throw
  * @param work       throws nothing
  * @throws std::system_error where the system has no more threads, before any call of work;
  *         whatever meanwhile throws

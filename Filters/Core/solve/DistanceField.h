@@ -100,7 +100,7 @@ public:
     this->spreadOnlySeed();
     this->NearestSeeds[vertex] = seed;
   }
-  /** Sets the nearest seed of all vertices that are or get reached. */
+  /** Sets the nearest seed of all vertices that are or get reached. @pre no vertex has one */
   void setNearestSeed(Index seed) { this->OnlySeed = seed; }
   /** Sets the entries of all reached vertices in @p values, one for each vertex, to @p value. */
   template <class Value>

@@ -100,10 +100,13 @@ void SharedMarch::begin(std::size_t updates, std::size_t reached, bool isCancell
   this->NextReport = reportAfter(updates, this->Options);
   this->Work.updates = updates;
   this->Work.longestChain = updates;
-  if (isCancelled)
-  {
-    this->Together.breakUp();
-  }
+  // All threads hear of it when they first meet.
+  this->Reports[0][0].isCancelled = isCancelled;
+}
+
+void SharedMarch::fail()
+{
+  this->Together.breakUp();
 }
 
 bool SharedMarch::mayGoOn(std::size_t updates)
@@ -136,10 +139,10 @@ std::size_t SharedMarch::Share::ownerOf(Index vertex) const
     std::upper_bound(this->Ends.begin(), this->Ends.end(), vertex) - this->Ends.begin());
 }
 
-void SharedMarch::Share::send(Index vertex, double value)
+void SharedMarch::Share::send(Index vertex, Index label, double value)
 {
   Mail& mail = this->report().mail[this->ownerOf(vertex)];
-  mail.values.push_back({ vertex, value });
+  mail.values.push_back({ vertex, label, value });
   mail.least = std::min(mail.least, value);
 }
 
@@ -256,9 +259,9 @@ void SharedMarch::Share::takeMail(ThreadFront& front)
   {
     const Mail& mail = report.mail[this->Number];
     front.goBackTo(mail.least);
-    for (const auto& [vertex, value] : mail.values)
+    for (const auto& [vertex, label, value] : mail.values)
     {
-      front.lower(vertex, value);
+      front.lower(vertex, label, value);
     }
     for (const Index vertex : mail.notices)
     {
@@ -443,11 +446,6 @@ void SharedMarch::Share::sendNotices(ThreadFront& front)
         }
       }
     });
-}
-
-void SharedMarch::Share::fail()
-{
-  this->March.Together.breakUp();
 }
 
 }

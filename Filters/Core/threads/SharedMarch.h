@@ -80,17 +80,20 @@ public:
   SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options);
 
   /**
-   * Says what was done before. To be called before the threads begin.
+   * Says what was done before. To be called once, before the threads begin.
    * @param updates      how many there were
    * @param reached      how many vertices have a value
    * @param isCancelled  whether the run was cancelled, so that there is nothing more to do
    */
   void begin(std::size_t updates, std::size_t reached, bool isCancelled);
+  /** To be called by a thread that ends with an error, instead of going on: ends all. */
+  void fail();
 
 private:
   struct ValueOfVertex
   {
     Index vertex;
+    Index label;
     double value;
   };
   struct Mail
@@ -148,15 +151,13 @@ public:
     std::size_t ownerOf(Index vertex) const;
     /** How many vertices others gave their first value, up to the last round. */
     std::size_t reachedByOthers() const { return this->ReachedByOthers; }
-    /** Sends a value to the owner of a vertex. */
-    void send(Index vertex, double value);
+    /** Sends a value of a label to the owner of a vertex. */
+    void send(Index vertex, Index label, double value);
 
     /** Marches until nothing is left to do for any thread.
      * @return false when cancelled
      * @throws FrontDoesNotSettle where all together take more than MostUpdates */
     bool march(ThreadFront& front);
-    /** To be called by a thread that ends with an error, instead of going on: ends all. */
-    void fail();
 
   private:
     /** Waits for the reports of all threads, and begins the next one. Where another thread failed
