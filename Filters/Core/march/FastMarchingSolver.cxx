@@ -106,10 +106,7 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
   const std::size_t threads = mayShare ? this->threadsFor(starts, request, limit) : 1;
   if (threads > 1)
   {
-    const auto isFinished = request.front.labels.size() == 1
-      ? this->marchOnThreads(threads, starts, cost, request, limit, field)
-      : this->marchLabelsOnThreads(threads, starts, cost, request, limit, field);
-    if (isFinished)
+    if (const auto isFinished = this->marchOnThreads(threads, starts, cost, request, limit, field))
     {
       return *isFinished;
     }

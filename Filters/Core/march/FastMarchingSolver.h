@@ -118,32 +118,10 @@ private:
   template <class Cost>
   std::optional<bool> marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
     const Cost& cost, const Request& request, StopLimit& limit, DistanceField& field);
-  /** The same for several labels. What is shared is the march of best values; one thread then goes
-   * on from where labels meet. */
-  template <class Cost>
-  std::optional<bool> marchLabelsOnThreads(std::size_t threads, std::span<const StartValue> starts,
-    const Cost& cost, const Request& request, StopLimit& limit, DistanceField& field);
-  /** Whether a vertex is held, or beside one that is or has another label; see SharedLabelValues.
-   */
-  bool isWhereLabelsMeet(Index vertex) const;
-
-  /** How a march on threads ended. */
-  enum class Outcome
-  {
-    Finished,
-    Cancelled,
-    Unsettled
-  };
-  /**
-   * The part of it on several threads.
-   * @param meanwhile   see callTogether()
-   * @param makeValues  makeValues(context, share, reached) makes the Values of a thread
-   * @param afterwards  afterwards(thread) is called by each thread once all have finished
-   */
-  template <class Values, class Meanwhile, class MakeValues, class Afterwards, class Cost>
-  Outcome goOnOnThreads(SharedMarch& march, const Meanwhile& meanwhile,
-    const MakeValues& makeValues, const Afterwards& afterwards, const Cost& cost,
-    const Request& request, DistanceField& field);
+  /** Its second part. @param meanwhile  see callTogether() */
+  template <class Meanwhile, class Cost>
+  std::optional<bool> goOnOnThreads(SharedMarch& march, const Meanwhile& meanwhile,
+    const Cost& cost, const Request& request, DistanceField& field);
 
   bool MayUseQuads;
   FrontQueues Queues;

@@ -187,23 +187,6 @@ public:
     }
   }
 
-  /** Queues all values of a vertex, after a march of SharedLabelValues. */
-  void startAgain(Index vertex)
-  {
-    VertexState& state = this->state(vertex);
-    const SourceFront& best = this->enter(state.label(), vertex);
-    state.setHeld(false);
-    state.setQueued(true);
-    this->queue(best, best.group->best, vertex, this->value(best, vertex));
-    for (Index number = this->Sets.firstOf(vertex); number != NoIndex;)
-    {
-      SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
-      secondary.state.setQueued(false);
-      this->queueSecondary(this->enter(secondary.state.label(), vertex), number, secondary);
-      number = secondary.next();
-    }
-  }
-
   /** How many values vertices keep, or have kept in this march; up to one more for each vertex. */
   std::size_t numberOfValues() const
   {

@@ -164,9 +164,6 @@ public:
     return number != NoIndex ? number : this->add(vertex, label);
   }
 
-  /** The number of a vertex's first secondary value; NoIndex if it has none. */
-  Index firstOf(Index vertex) const { return this->hasSecondary(vertex) ? vertex : NoIndex; }
-
   /** Calls @p visit with each secondary value of a vertex. */
   template <class Visit>
   void visitSecondary(Index vertex, Visit&& visit) const

@@ -4,9 +4,9 @@
 #define geodesic_SharedFront_h
 
 #include "march/FrontQueues.h"
+#include "march/SharedValues.h"
 #include "solve/MarchControl.h"
 #include "solve/MarchingFront.h"
-#include "threads/SharedMarch.h"
 #include "threads/ThreadFront.h"
 
 #include <cstddef>
@@ -18,16 +18,15 @@ namespace geodesic
 
 /**
  * A thread's part of a march of FastMarchingSolver as a ThreadFront, which a SharedMarch drives.
- * @tparam Values   SharedValues or SharedLabelValues
  * @tparam Batches  a BatchedMarch
  */
-template <class Values, class Batches>
+template <class Cost, class Batches>
 class SharedFront final : public ThreadFront
 {
 public:
   /** @param meanLongestEdge  see MarchingFront */
   SharedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
-    Values& values, SharedMarch::Share& share, Batches& batches)
+    SharedValues<Cost>& values, SharedMarch::Share& share, Batches& batches)
     : Queues(queues)
     , Control(control)
     , MeanLongestEdge(meanLongestEdge)
@@ -54,12 +53,12 @@ public:
   std::size_t reached() const override { return this->FrontValues.numberOfReached(); }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
-  double value(Index vertex) const override { return this->FrontValues.key(vertex); }
+  double value(Index vertex) const override { return this->FrontValues.value(vertex); }
 
   void goBackTo(double value) override { this->Queues.goBackTo(this->Queues.group(0), value); }
-  void lower(Index vertex, Index label, double value) override
+  void lower(Index vertex, double value) override
   {
-    this->FrontValues.lower(vertex, label, value);
+    this->FrontValues.template propose<Way::Along>(this->FrontValues.label(), vertex, value);
   }
   void updateRound(Index vertex) override { this->FrontValues.queueNotice(vertex); }
   void take(Index vertex) override { this->FrontValues.takeOver(vertex); }
@@ -94,7 +93,7 @@ private:
   FrontQueues& Queues;
   const MarchControl& Control;
   double MeanLongestEdge;
-  Values& FrontValues;
+  SharedValues<Cost>& FrontValues;
   SharedMarch::Share& Share;
   Batches& March;
 };

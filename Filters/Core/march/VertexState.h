@@ -52,22 +52,17 @@ public:
   bool isFinal() const { return (this->Bits & Final) != 0; }
   void setFinal(bool isFinal) { this->Bits = isFinal ? this->Bits | Final : this->Bits & ~Final; }
 
-  /** Whether the vertex gets no value in a march of SharedLabelValues. */
-  bool isHeld() const { return (this->Bits & Held) != 0; }
-  void setHeld(bool isHeld) { this->Bits = isHeld ? this->Bits | Held : this->Bits & ~Held; }
-
   // For code that reads several states at once.
 
   /** All bits; the highest one is isQueued(). */
   Index bits() const { return this->Bits; }
   /** The bits of the label; 0 if none is stored. */
   Index labelBits() const { return this->Bits & LabelBits; }
-  static constexpr Index LabelBits = 0x1fffffffu;
+  static constexpr Index LabelBits = 0x3fffffffu;
 
 private:
   static constexpr Index Queued = 0x80000000u;
   static constexpr Index Final = 0x40000000u;
-  static constexpr Index Held = 0x20000000u;
   Index Bits = 0;
 };
 

@@ -139,10 +139,10 @@ std::size_t SharedMarch::Share::ownerOf(Index vertex) const
     std::upper_bound(this->Ends.begin(), this->Ends.end(), vertex) - this->Ends.begin());
 }
 
-void SharedMarch::Share::send(Index vertex, Index label, double value)
+void SharedMarch::Share::send(Index vertex, double value)
 {
   Mail& mail = this->report().mail[this->ownerOf(vertex)];
-  mail.values.push_back({ vertex, label, value });
+  mail.values.push_back({ vertex, value });
   mail.least = std::min(mail.least, value);
 }
 
@@ -259,9 +259,9 @@ void SharedMarch::Share::takeMail(ThreadFront& front)
   {
     const Mail& mail = report.mail[this->Number];
     front.goBackTo(mail.least);
-    for (const auto& [vertex, label, value] : mail.values)
+    for (const auto& [vertex, value] : mail.values)
     {
-      front.lower(vertex, label, value);
+      front.lower(vertex, value);
     }
     for (const Index vertex : mail.notices)
     {

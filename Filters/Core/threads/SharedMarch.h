@@ -93,7 +93,6 @@ private:
   struct ValueOfVertex
   {
     Index vertex;
-    Index label;
     double value;
   };
   struct Mail
@@ -151,8 +150,8 @@ public:
     std::size_t ownerOf(Index vertex) const;
     /** How many vertices others gave their first value, up to the last round. */
     std::size_t reachedByOthers() const { return this->ReachedByOthers; }
-    /** Sends a value of a label to the owner of a vertex. */
-    void send(Index vertex, Index label, double value);
+    /** Sends a value to the owner of a vertex. */
+    void send(Index vertex, double value);
 
     /** Marches until nothing is left to do for any thread.
      * @return false when cancelled

@@ -42,8 +42,8 @@ public:
   /** Goes back in the queue, so that vertices of values from there on have their places in it. To
    * be called before the functions below. */
   virtual void goBackTo(double value) = 0;
-  /** Gives a vertex a value of a label if it is lower. */
-  virtual void lower(Index vertex, Index label, double value) = 0;
+  /** Gives a vertex a value if it is lower. */
+  virtual void lower(Index vertex, double value) = 0;
   /** Updates the neighbours of a vertex of another thread when the front next advances. */
   virtual void updateRound(Index vertex) = 0;
   /** Puts a vertex into the queue that waited in another thread's. */
