@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Checks the sources, builds everything and runs the tests, from a bare Debian 12, 13 or sid.
 # usage: bash Testing/run.sh [LABEL...]      (as root, or with sudo where packages are missing)
-# Labels: core vtk tracing pvpython mpi gui install. Without any, all tests are run.
+# Labels: core vtk tracing pvpython mpi gui install long. Without any, all tests are run but the long ones, more of mpi on
+# four ranks.
 #        bash Testing/run.sh bench [distances|paths|worst|exact|ranks|threads]
 # Runs the benchmarks instead, for about half an hour, and writes benchmarks.md, path_benchmarks.md and
 # worst_cases.md in Plugin/Documentation, exact_benchmarks.md with the table of guide/methods.md, and the tables of
@@ -149,5 +150,5 @@ run_tests=(ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)")
 if (($#)); then
   "${run_tests[@]}" -L "^($(IFS='|'; echo "${labels[*]}"))$"
 else
-  "${run_tests[@]}"
+  "${run_tests[@]}" -LE '^long$'
 fi
