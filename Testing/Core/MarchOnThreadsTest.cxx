@@ -10,7 +10,10 @@
 #include "RandomMeshes.h"
 #include "Solving.h"
 #include "Surfaces.h"
+#include "base/CallsTogether.h"
 #include "march/FastMarchingSolver.h"
+#include "threads/SharedMarch.h"
+#include "threads/ThreadFront.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +89,32 @@ std::function<bool(std::size_t)> expectMoreThan(std::size_t& last)
     return true;
   };
 }
+
+/** A front that has a vertex left for ever, and counts what it is asked to do. */
+class EndlessFront final : public ThreadFront
+{
+public:
+  void advance(double) override { ++this->Advances; }
+  void advanceWhile(double, const std::function<bool()>&) override { ++this->Advances; }
+  void visitAtBorder(const std::function<void(Index)>&) override {}
+  double next() const override { return 1.0; }
+  std::size_t waiting() const override { return 1; }
+  void visitWaiting(const std::function<void(Index)>&) const override {}
+  std::size_t reached() const override { return 1; }
+  std::size_t numberOfUpdates() const override { return 0; }
+  double meanLongestEdge() const override { return 1.0; }
+  double value(Index) const override { return 1.0; }
+  void goBackTo(double) override {}
+  void lower(Index, double) override {}
+  void updateRound(Index) override {}
+  void take(Index) override {}
+  void giveUp(const std::function<void(Index)>&) override {}
+
+  std::size_t numberOfAdvances() const { return this->Advances; }
+
+private:
+  std::size_t Advances = 0;
+};
 
 std::vector<double> randomCosts(Index count, double sigma, unsigned number)
 {
@@ -343,6 +372,22 @@ TEST(MarchOnThreads, EndsAtAnyMoment)
       EXPECT_THROW(failing.solve(seeds, options), std::runtime_error) << last;
     }
   }
+}
+
+TEST(MarchOnThreads, NothingIsDoneOnceItWasCancelled)
+{
+  const auto mesh = meshOf(icosphere(1));
+  const SolveOptions options;
+  SharedMarch march(*mesh, 2, options);
+  std::vector<EndlessFront> fronts(2);
+  callTogether(
+    2, [&](const auto&) { march.begin(10, 10, true); },
+    [&](std::size_t thread)
+    {
+      SharedMarch::Share share(march, thread);
+      EXPECT_FALSE(share.march(fronts[thread]));
+    });
+  EXPECT_EQ(fronts[0].numberOfAdvances() + fronts[1].numberOfAdvances(), 0);
 }
 
 TEST(MarchOnThreads, PassesAnErrorOn)
