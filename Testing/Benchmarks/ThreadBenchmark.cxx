@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: SurfaceGeodesics authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What one field of fast marching takes on several threads:
-//   ThreadBenchmark SURFACE THREADS RUNS
-// For SURFACE see NamedSurface.h. Each run has another seed. Prints the name and number of all that
-// is measured or counted, a pair a line: times are medians in milliseconds of the clock.
-// thread_suite.py makes tables.
+//   ThreadBenchmark SURFACE THREADS RUNS [SEEDS]
+// For SURFACE see NamedSurface.h. Each run has other seeds, one if it is not said how many. Prints
+// the name and number of all that is measured or counted, a pair a line: times are medians in
+// milliseconds of the clock. thread_suite.py makes tables.
 
 #include "NamedSurface.h"
 #include "Solving.h"
@@ -41,7 +41,7 @@ double timeOf(const Work& work)
     .count();
 }
 
-void measure(const std::string& surface, std::size_t threads, int runs)
+void measure(const std::string& surface, std::size_t threads, int runs, std::size_t numberOfSeeds)
 {
   const auto mesh = meshOf(namedSurface(surface));
   FastMarchingSolver alone(mesh);
@@ -54,8 +54,12 @@ void measure(const std::string& surface, std::size_t threads, int runs)
   ThreadWork work;
   for (int run = 0; run <= runs; ++run)
   {
-    const std::vector<Seed> seeds{ Seed::atPoint(
-      mesh->pointAtVertex(static_cast<Index>(random() % mesh->numberOfVertices()))) };
+    std::vector<Seed> seeds;
+    while (seeds.size() < numberOfSeeds)
+    {
+      seeds.push_back(Seed::atPoint(
+        mesh->pointAtVertex(static_cast<Index>(random() % mesh->numberOfVertices()))));
+    }
     SolveOptions options;
     const double one = timeOf([&] { alone.solve(seeds, options); });
     options.threads = threads;
@@ -98,14 +102,15 @@ void measure(const std::string& surface, std::size_t threads, int runs)
 
 int main(int count, char** words)
 {
-  if (count != 4)
+  if (count < 4 || count > 5)
   {
-    std::fprintf(stderr, "usage: ThreadBenchmark SURFACE THREADS RUNS\n");
+    std::fprintf(stderr, "usage: ThreadBenchmark SURFACE THREADS RUNS [SEEDS]\n");
     return 1;
   }
   try
   {
-    measure(words[1], std::stoul(words[2]), std::stoi(words[3]));
+    measure(
+      words[1], std::stoul(words[2]), std::stoi(words[3]), count > 4 ? std::stoul(words[4]) : 1);
   }
   catch (const std::exception& error)
   {

@@ -27,6 +27,17 @@ GEODESIC_INLINED void writeShared(Number& to, Number number)
   __atomic_store(&to, &number, __ATOMIC_RELAXED);
 }
 
+/** What is read shared before is read before what is read after, and what is written shared before
+ * is seen before what is written after. An x86 processor does both anyway. */
+GEODESIC_INLINED void keepSharedInOrder()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  __atomic_signal_fence(__ATOMIC_ACQ_REL);
+#else
+  __atomic_thread_fence(__ATOMIC_ACQ_REL);
+#endif
+}
+
 /**
  * The same for numbers that go into the lanes of a vector, each of which is read at once: returns
  * vectorOf(read), where read(number) reads one of them. Through an atomic read a number goes to a

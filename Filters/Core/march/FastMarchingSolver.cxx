@@ -36,17 +36,6 @@ namespace
  */
 constexpr double BucketWidthInHeights = 0.46;
 
-/** The number of groups of fronts, see FrontQueues. A group gets about as many vertices as it takes
- * in a turn, so that its part of the mesh stays in the processor's caches; smaller groups would do
- * more work for nothing where they meet. With targets there is one group: all fronts stop as soon
- * as the targets are reached, so none may go ahead of the others. */
-std::size_t numberOfGroups(Index numberOfVertices, std::size_t fronts, const SolveOptions& options)
-{
-  const std::size_t groups =
-    (numberOfVertices + FrontQueues::ItemsOfTurn - 1) / FrontQueues::ItemsOfTurn;
-  return options.targets.empty() ? std::max(std::min(groups, fronts), std::size_t{ 1 }) : 1;
-}
-
 }
 
 FastMarchingSolver::FastMarchingSolver(
@@ -81,6 +70,15 @@ bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const Ver
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
+std::size_t FastMarchingSolver::numberOfGroups(const Request& request) const
+{
+  const std::size_t groups =
+    (this->mesh().numberOfVertices() + FrontQueues::ItemsOfTurn - 1) / FrontQueues::ItemsOfTurn;
+  return request.options.targets.empty()
+    ? std::clamp(request.front.labels.size(), std::size_t{ 1 }, std::max(groups, std::size_t{ 1 }))
+    : 1;
+}
+
 template <class Cost>
 void FastMarchingSolver::startQueues(
   FrontQueues& queues, const Cost& cost, std::size_t groups) const
@@ -102,11 +100,12 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
 {
   this->WorkOfThreads = {};
   // In the order of values each thread would soon be far from that of all.
-  const bool mayShare = !bounds && cost.queueOrder() == QueueOrder::ByBucket;
+  const bool mayShare = cost.queueOrder() == QueueOrder::ByBucket;
   const std::size_t threads = mayShare ? this->threadsFor(starts, request, limit) : 1;
   if (threads > 1)
   {
-    if (const auto isFinished = this->marchOnThreads(threads, starts, cost, request, limit, field))
+    if (const auto isFinished =
+          this->marchOnThreads(threads, starts, cost, request, bounds, limit, field))
     {
       return *isFinished;
     }
@@ -124,8 +123,7 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
     return this->marchAtCost(starts, cost, again, bounds, limit, field);
   }
   const std::vector<Label>& labels = request.front.labels;
-  this->startQueues(this->Queues, cost,
-    numberOfGroups(this->mesh().numberOfVertices(), labels.size(), request.options));
+  this->startQueues(this->Queues, cost, this->numberOfGroups(request));
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };

@@ -34,6 +34,7 @@ public:
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -43,6 +44,8 @@ namespace geodesic
 {
 
 class MarchControl;
+template <class Cost>
+struct MarchContext;
 
 /**
  * Geodesic distance by fast marching, the fast tier. It computes the same field as ReferenceSolver;
@@ -60,7 +63,8 @@ class MarchControl;
  *  - CandidateLists.h: lists of the updates to compute
  *  - OneLabelValues.h, or LabelValues.h with SecondaryValues.h: where values are kept
  *  - FrontQueues.h: the queues of a march
- *  - MarchOnThreads.cxx, with SharedValues.h and SharedMarch.h: a march of one label on threads
+ *  - MarchOnThreads.cxx, with SharedMarch.h, and SharedValues.h or SharedLabelValues.h for values:
+ *    a march on several threads
  *
  * The march is label correcting: vertices are taken in rough order of distance and again whenever
  * their value falls. As the updates are monotone the result is their greatest fixed point, the same
@@ -104,24 +108,43 @@ private:
   bool run(const Cost& cost, Values& values, std::span<const StartValue> starts,
     const Request& request, StopLimit& limit, MarchControl& control, DistanceField& field);
 
+  /**
+   * The number of groups of fronts, see FrontQueues. A group gets about as many vertices as it
+   * takes in a turn, so that its part of the mesh stays in the processor's caches; smaller groups
+   * would do more work for nothing where they meet. With targets there is one group: all fronts
+   * stop as soon as the targets are reached, so none may go ahead of the others.
+   */
+  std::size_t numberOfGroups(const Request& request) const;
   /** Empties queues for a march. @param groups  see FrontQueues::start() */
   template <class Cost>
   void startQueues(FrontQueues& queues, const Cost& cost, std::size_t groups) const;
 
-  /** On how many threads a march without bounds of labels goes on. */
+  /** On how many threads a march in the order of buckets goes on. */
   std::size_t threadsFor(
-    std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const;
-  /** A march of one label that goes on on several threads once its front is long, see SharedMarch.
+    std::span<const StartValue> starts, const Request& request, const StopLimit& limit);
+  /** A march that goes on on several threads once its front is long, see SharedMarch.
    * @return false when cancelled; nothing, with the field reset, where the front does not settle
    *         soon: what reaches another thread a round later may go against the order of the march,
    *         and one thread gets on better */
   template <class Cost>
   std::optional<bool> marchOnThreads(std::size_t threads, std::span<const StartValue> starts,
-    const Cost& cost, const Request& request, StopLimit& limit, DistanceField& field);
+    const Cost& cost, const Request& request, LabelBounds* bounds, StopLimit& limit,
+    DistanceField& field);
+  /** The same with the values of one label or of several: see MarchOnThreads.cxx for Sharing.
+   * @param context  of the thread that begins, and its control */
+  template <class Sharing, class Cost>
+  std::optional<bool> marchOnThreads(Sharing& sharing, std::span<const StartValue> starts,
+    MarchControl& control, const MarchContext<Cost>& context, const Request& request);
   /** Its second part. @param meanwhile  see callTogether() */
-  template <class Meanwhile, class Cost>
+  template <class Meanwhile, class Sharing, class Cost>
   std::optional<bool> goOnOnThreads(SharedMarch& march, const Meanwhile& meanwhile,
-    const Cost& cost, const Request& request, DistanceField& field);
+    Sharing& sharing, const MarchContext<Cost>& context, const Request& request);
+  /** Whether a front of the kind of a request did not settle on threads: then later ones do not
+   * try. */
+  std::uint8_t& isBetterAlone(const Request& request)
+  {
+    return this->AreBetterAlone[request.hasCost ? 1 : 0][request.front.labels.size() > 1 ? 1 : 0];
+  }
 
   bool MayUseQuads;
   FrontQueues Queues;
@@ -137,9 +160,8 @@ private:
   };
   std::vector<OfThread> Threads;
   ThreadWork WorkOfThreads;
-  /** Whether a front did not settle on threads, without and with a cost: then later ones of this
-   * surface do not try. */
-  std::array<bool, 2> IsBetterAlone{};
+  /** See isBetterAlone(): without and with a cost, each with one label and with several. */
+  std::array<std::array<std::uint8_t, 2>, 2> AreBetterAlone{};
 };
 
 }

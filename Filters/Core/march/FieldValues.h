@@ -144,7 +144,7 @@ protected:
     {
       if (this->IsByValue && distance[0] < this->Distances[vertex])
       {
-        this->queue(label, label.group->best, vertex, value);
+        this->queue(label, this->groupOf(label).best, vertex, value);
       }
     }
     this->Field.lowerDistance(vertex, distance[0]);
@@ -183,14 +183,14 @@ protected:
       this->Field.lowerDistance(vertex, value + label.seedValue);
       if (this->IsByValue)
       {
-        this->queue(label, label.group->best, vertex, value);
+        this->queue(label, this->groupOf(label).best, vertex, value);
       }
     }
     else
     {
       this->Field.setDistance(vertex, value + label.seedValue);
       this->state(vertex).queueFor(label.labelBits);
-      this->queue(label, label.group->best, vertex, value);
+      this->queue(label, this->groupOf(label).best, vertex, value);
     }
   }
 
@@ -208,6 +208,8 @@ protected:
     }
     this->state(first.vertex).setFinal(first.isFinal);
   }
+
+  FrontGroup& groupOf(const SourceFront& label) { return this->Context.queues.group(label.group); }
 
   /** @param item  the vertex of a best value, or the number that stands for a secondary value */
   void queue(const SourceFront& label, BucketQueue& into, Index item, double value)

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -108,6 +109,34 @@ public:
   std::span<const Index> upcoming(std::size_t skip, std::span<Index> room) const
   {
     return this->Current->upcoming(skip, room);
+  }
+
+  /** How many items wait. */
+  std::size_t size() const
+  {
+    return std::accumulate(this->Groups.begin(), this->Groups.end(), std::size_t{ 0 },
+      [](std::size_t count, const FrontGroup& group)
+      { return count + group.best.size() + group.secondary.size(); });
+  }
+  /** Calls visit(item) for each item that waits. */
+  template <class Visit>
+  void visit(const Visit& visit) const
+  {
+    for (const FrontGroup& group : this->Groups)
+    {
+      group.best.visit(visit);
+      group.secondary.visit(visit);
+    }
+  }
+  /** Removes the items that wait and for which isRemoved(item) holds. */
+  template <class Test>
+  void remove(const Test& isRemoved)
+  {
+    for (FrontGroup& group : this->Groups)
+    {
+      group.best.remove(isRemoved);
+      group.secondary.remove(isRemoved);
+    }
   }
 
   /** Goes back to the bucket of a key in the queues of a group; see BucketQueue::goBackTo(). */

@@ -89,15 +89,11 @@ public:
   std::vector<StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
     std::span<const StartValue> starts) const;
 
-  /** Tells what the nearest label of a vertex is after the march within the bounds.
-   * @param farthest  the value that the label may have at a neighbour */
-  void noteNearest(Index vertex, Index label, double farthest)
-  {
-    if (farthest > this->ofLabel(label))
-    {
-      this->AtEnds.push_back(vertex);
-    }
-  }
+  /** Whether the nearest label of a vertex may end before a neighbour. @param farthest  the value
+   * that the label may have there */
+  bool mayEnd(Index label, double farthest) const { return farthest > this->ofLabel(label); }
+  /** To be called for such a vertex after the march within the bounds. */
+  void noteAtEnd(Index vertex) { this->AtEnds.push_back(vertex); }
   /** The vertices whose nearest label may end before a neighbour. */
   std::span<const Index> atEnds() const { return this->AtEnds; }
 

@@ -6,6 +6,7 @@
 #include "base/Platform.h"
 #include "march/FieldValues.h"
 #include "march/LabelBounds.h"
+#include "march/NearestSeed.h"
 #include "march/SecondaryValues.h"
 #include "solve/MarchingFront.h"
 #include "solve/StartValue.h"
@@ -62,11 +63,10 @@ public:
   const SourceFront& enter(Index number, Index vertex)
   {
     SourceFront& label = this->Fronts[number];
-    if (label.group == nullptr)
+    if (label.group == NoIndex)
     {
-      FrontQueues& queues = this->context().queues;
-      label.group =
-        &queues.group(std::uint64_t{ vertex } * queues.numberOfGroups() / this->NumberOfVertices);
+      label.group = static_cast<Index>(
+        std::uint64_t{ vertex } * this->context().queues.numberOfGroups() / this->NumberOfVertices);
     }
     return label;
   }
@@ -124,7 +124,7 @@ public:
     const BitsTestOf<Real> areLast =
       bitsWith<Real>([&](int lane) { return inPlace(lane).next(); }) == NoIndex;
     const Real values = select(widened<Real>(areInPlace),
-      lanesOf<Real>([&](int lane) { return inPlace(lane).value; }),
+      lanesOf<Real>([&](int lane) { return inPlace(lane).distance; }) - label.seedValue,
       Real() + DistanceField::Unreached);
     const Real keptUpTo = this->Bounds
       ? lanesOf<Real>([&](int lane) { return this->boundOf(label, vertices[lane]); })
@@ -136,7 +136,7 @@ public:
     {
       const int lane = std::countr_zero(inChain);
       const NeighbourValue secondary = this->knownSecondary(
-        this->Sets.findInChain(vertices[lane], label.number()), keptUpTo[lane]);
+        label, this->Sets.findInChain(vertices[lane], label.number()), keptUpTo[lane]);
       known.values[lane] = secondary.value;
       known.ceilings[lane] = secondary.ceiling;
       known.areQueued |= static_cast<unsigned>(secondary.isQueued) << lane;
@@ -231,9 +231,10 @@ public:
       [&](const SecondaryValues::SecondaryValue& secondary)
       {
         const SourceFront& label = this->labelOf(secondary.state);
-        if (secondary.value <= this->keptUpTo(label, vertex))
+        const double value = valueOf(label, secondary);
+        if (value <= this->keptUpTo(label, vertex))
         {
-          visit(label.number(), secondary.value);
+          visit(label.number(), value);
         }
       });
   }
@@ -247,14 +248,16 @@ public:
       VertexState& state = this->state(vertex);
       const Label& nearest = this->Labels[state.label()];
       field.setNearestSeed(vertex, nearest.seed);
-      if (this->Bounds)
+      if (this->Bounds &&
+        this->Bounds->mayEnd(state.label(),
+          field.distance(vertex) - nearest.value + this->context().cost.reach(vertex)))
       {
-        this->Bounds->noteNearest(vertex, state.label(),
-          field.distance(vertex) - nearest.value + this->context().cost.reach(vertex));
+        this->Bounds->noteAtEnd(vertex);
       }
       if (this->Sets.hasSecondary(vertex))
       {
-        field.setNearestSeed(vertex, this->nearestOfSecondary(vertex, field.nearestSeed(vertex)));
+        field.setNearestSeed(vertex,
+          nearestSeedOf(this->Sets, this->Labels, vertex, field.distance(vertex), nearest.seed));
         this->Sets.clear(vertex);
       }
       state = {};
@@ -264,6 +267,10 @@ public:
 
 private:
   const SourceFront& labelOf(const VertexState& state) const { return this->Fronts[state.label()]; }
+  static double valueOf(const SourceFront& label, const SecondaryValues::SecondaryValue& secondary)
+  {
+    return secondary.distance - label.seedValue;
+  }
 
   /** The largest value of a label that a vertex keeps: within the margin, or within bounds. */
   double keptUpTo(const SourceFront& label, Index vertex) const
@@ -300,26 +307,28 @@ private:
     secondary.state.setQueued(false);
     const SourceFront& label = this->labelOf(secondary.state);
     const Index vertex = this->Sets.vertexOf(number);
-    const bool isKept = secondary.value <= this->keptUpTo(label, vertex);
-    return { isKept ? vertex : NoIndex, &label, secondary.value };
+    const double value = valueOf(label, secondary);
+    const bool isKept = value <= this->keptUpTo(label, vertex);
+    return { isKept ? vertex : NoIndex, &label, value };
   }
 
   /** @param number  of a secondary value or NoIndex */
-  NeighbourValue knownSecondary(Index number, double keptUpTo) const
+  NeighbourValue knownSecondary(const SourceFront& label, Index number, double keptUpTo) const
   {
     if (number == NoIndex)
     {
       return { DistanceField::Unreached, keptUpTo, false };
     }
     const SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
-    return { secondary.value, std::min(secondary.value, keptUpTo), secondary.state.isQueued() };
+    const double value = valueOf(label, secondary);
+    return { value, std::min(value, keptUpTo), secondary.state.isQueued() };
   }
 
   template <Way way>
   NeighbourValue proposeSecondary(const SourceFront& label, Index vertex, double value)
   {
     Index number = this->Sets.find(vertex, label.number());
-    const NeighbourValue known = this->knownSecondary(number, this->keptUpTo(label, vertex));
+    const NeighbourValue known = this->knownSecondary(label, number, this->keptUpTo(label, vertex));
     if (!(value < this->ceiling(label, vertex, known.ceiling)) || this->isExcluded(vertex))
     {
       return known;
@@ -336,24 +345,6 @@ private:
     return { value, value, true };
   }
 
-  /** The smallest number of a seed whose value equals the best one of a vertex, to 1e-10.
-   * @param seed  that of the best one */
-  Index nearestOfSecondary(Index vertex, Index seed) const
-  {
-    constexpr double rounding = 1.0 + 1e-10;
-    const double most = this->context().field.distance(vertex) * rounding;
-    this->Sets.visitSecondary(vertex,
-      [&](const SecondaryValues::SecondaryValue& secondary)
-      {
-        const Label& label = this->Labels[secondary.state.label()];
-        if (secondary.value + label.value <= most)
-        {
-          seed = std::min(seed, label.seed);
-        }
-      });
-    return seed;
-  }
-
   void setBest(const SourceFront& label, Index vertex, double value)
   {
     this->state(vertex).setLabel(label.number());
@@ -365,7 +356,7 @@ private:
   void setSecondary(const SourceFront& label, Index vertex, Index number, double value)
   {
     SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
-    secondary.value = value;
+    secondary.distance = label.distance(value);
     if (value < this->value(label, vertex))
     {
       this->makeBest(label, vertex, number, secondary);
@@ -382,7 +373,8 @@ private:
     if (!secondary.state.isQueued())
     {
       secondary.state.setQueued(true);
-      this->queue(label, label.group->secondary, this->NumberOfVertices + number, secondary.value);
+      this->queue(label, this->groupOf(label).secondary, this->NumberOfVertices + number,
+        valueOf(label, secondary));
     }
   }
 
@@ -390,10 +382,10 @@ private:
   void makeBest(const SourceFront& label, Index vertex, Index number,
     SecondaryValues::SecondaryValue& secondary)
   {
-    const double value = secondary.value;
+    const double value = valueOf(label, secondary);
     VertexState& state = this->state(vertex);
     const SourceFront& before = this->labelOf(state);
-    secondary.value = this->value(before, vertex);
+    secondary.distance = this->context().field.distance(vertex);
     std::swap(state, secondary.state);
     this->Sets.relabelled(vertex, number, label.number());
     // What was queued is queued again under its new number.

@@ -7,8 +7,13 @@
 
 #include "base/CallsTogether.h"
 #include "march/BatchedMarch.h"
+#include "march/LabelBounds.h"
+#include "march/LabelValues.h"
+#include "march/NearestSeed.h"
 #include "march/OneLabelValues.h"
 #include "march/SharedFront.h"
+#include "march/SharedLabelValues.h"
+#include "march/SharedSecondaryValues.h"
 #include "march/SharedValues.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/MarchControl.h"
@@ -19,6 +24,10 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace geodesic
 {
@@ -29,15 +38,118 @@ namespace
  * one of many small parts, is not shared; and it goes on by about as many more until they run. */
 constexpr std::size_t LeastUpdates = 1024;
 
+/** How a march of one label is shared. */
+template <class Cost>
+class OneLabelSharing
+{
+public:
+  OneLabelSharing(const MarchContext<Cost>& context, const Label& label)
+    : Context(context)
+    , Only(label)
+    , Alone(context, label)
+  {
+  }
+
+  /** The values of the one thread that begins. */
+  OneLabelValues<Cost>& alone() { return this->Alone; }
+  /** Whether it can be shared. */
+  static bool isPossible() { return true; }
+  /** To be called once it is to be shared. */
+  void begin() {}
+  /** The values of one of several threads, for the parameters see SharedValues. */
+  SharedValues<Cost> ofThread(
+    const MarchContext<Cost>& context, SharedMarch::Share& share, std::vector<Index>& reached)
+  {
+    return { context, this->Only, share, reached };
+  }
+  /** What each thread does once the march has ended. @param reached  by this thread */
+  void finish(std::span<const Index>) {}
+  /** To be called once all have done so. */
+  void end()
+  {
+    this->Context.field.setNearestSeed(this->Only.seed);
+    this->Context.field.fillReached(this->Context.states, VertexState());
+  }
+
+private:
+  const MarchContext<Cost>& Context;
+  const Label& Only;
+  OneLabelValues<Cost> Alone;
+};
+
+/** The same for several labels. */
+template <class Cost>
+class LabelSharing
+{
+public:
+  /** For the parameters see LabelValues. */
+  LabelSharing(const MarchContext<Cost>& context, std::span<const Label> labels,
+    SecondaryValues& sets, std::vector<SourceFront>& fronts, LabelBounds* bounds)
+    : Context(context)
+    , Labels(labels)
+    , OfOne(sets)
+    , Fronts(fronts)
+    , Bounds(bounds)
+    , Alone(context, labels, sets, fronts, bounds)
+  {
+  }
+
+  LabelValues<Cost>& alone() { return this->Alone; }
+  bool isPossible() const { return !this->OfOne.hasLongChains(); }
+  void begin() { this->OfAll.emplace(this->OfOne); }
+  SharedLabelValues<Cost> ofThread(
+    const MarchContext<Cost>& context, SharedMarch::Share& share, std::vector<Index>& reached)
+  {
+    return { context, this->Fronts, *this->OfAll, this->Bounds, this->Alone.firstDistance(), share,
+      reached };
+  }
+  void finish(std::span<const Index> reached)
+  {
+    DistanceField& field = this->Context.field;
+    std::vector<Index> atEnds;
+    for (const Index vertex : reached)
+    {
+      VertexState& state = this->Context.states[vertex];
+      const Label& nearest = this->Labels[state.label()];
+      field.setNearestSeed(vertex,
+        nearestSeedOf(*this->OfAll, this->Labels, vertex, field.distance(vertex), nearest.seed));
+      if (this->Bounds &&
+        this->Bounds->mayEnd(
+          state.label(), field.distance(vertex) - nearest.value + this->Context.cost.reach(vertex)))
+      {
+        atEnds.push_back(vertex);
+      }
+      this->OfAll->clear(vertex);
+      state = {};
+    }
+    const std::lock_guard lock(this->Mutex);
+    for (const Index vertex : atEnds)
+    {
+      this->Bounds->noteAtEnd(vertex);
+    }
+  }
+  void end() { this->OfOne.finish(); }
+
+private:
+  const MarchContext<Cost>& Context;
+  std::span<const Label> Labels;
+  SecondaryValues& OfOne;
+  const std::vector<SourceFront>& Fronts;
+  LabelBounds* Bounds;
+  std::mutex Mutex;
+  LabelValues<Cost> Alone;
+  std::optional<SharedSecondaryValues> OfAll;
+};
+
 }
 
 std::size_t FastMarchingSolver::threadsFor(
-  std::span<const StartValue> starts, const Request& request, const StopLimit& limit) const
+  std::span<const StartValue> starts, const Request& request, const StopLimit& limit)
 {
-  const bool mayShare = request.front.labels.size() == 1 && !limit.isPossible() &&
-    !request.partition.isDivided() && !starts.empty() &&
-    !this->IsBetterAlone[request.hasCost ? 1 : 0] &&
-    this->mesh().numberOfVertices() < SharedValues<UnitCost>::MostVertices;
+  const Index most = request.front.labels.size() == 1 ? SharedValues<UnitCost>::MostVertices
+                                                      : SharedLabelValues<UnitCost>::MostVertices;
+  const bool mayShare = !limit.isPossible() && !request.partition.isDivided() && !starts.empty() &&
+    this->isBetterAlone(request) == 0 && this->mesh().numberOfVertices() < most;
   const std::size_t worthwhile =
     this->mesh().numberOfVertices() / std::max<std::size_t>(request.options.verticesOfThread, 1);
   return mayShare ? std::min({ request.options.threads, SharedMarch::MostThreads, worthwhile }) : 1;
@@ -45,35 +157,60 @@ std::size_t FastMarchingSolver::threadsFor(
 
 template <class Cost>
 std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
-  std::span<const StartValue> starts, const Cost& cost, const Request& request, StopLimit& limit,
-  DistanceField& field)
+  std::span<const StartValue> starts, const Cost& cost, const Request& request, LabelBounds* bounds,
+  StopLimit& limit, DistanceField& field)
 {
   this->Threads.resize(threads);
   FrontQueues& queues = this->Threads[0].queues;
-  this->startQueues(queues, cost, 1);
+  this->startQueues(queues, cost, this->numberOfGroups(request));
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, queues, this->States };
-  OneLabelValues<Cost> values(context, request.front.labels[0]);
+  const std::vector<Label>& labels = request.front.labels;
+  if (labels.size() == 1)
+  {
+    OneLabelSharing<Cost> sharing(context, labels[0]);
+    return this->marchOnThreads(sharing, starts, control, context, request);
+  }
+  LabelSharing<Cost> sharing(context, labels, this->Labels, this->Fronts, bounds);
+  return this->marchOnThreads(sharing, starts, control, context, request);
+}
+
+template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
+  std::span<const StartValue>, const UnitCost&, const Request&, LabelBounds*, StopLimit&,
+  DistanceField&);
+template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
+  std::span<const StartValue>, const VertexCost&, const Request&, LabelBounds*, StopLimit&,
+  DistanceField&);
+
+template <class Sharing, class Cost>
+std::optional<bool> FastMarchingSolver::marchOnThreads(Sharing& sharing,
+  std::span<const StartValue> starts, MarchControl& control, const MarchContext<Cost>& context,
+  const Request& request)
+{
+  const std::size_t threads = this->Threads.size();
+  DistanceField& field = context.field;
+  FrontQueues& queues = context.queues;
+  auto& values = sharing.alone();
   for (const StartValue& start : starts)
   {
-    values.start(values.label(), start);
+    values.start(values.enter(start.label, start.vertex), start);
   }
-  BatchedMarch<Cost, OneLabelValues<Cost>> batches(this->mesh(), *this->bounds(), request.closed,
-    cost, values, queues, control, this->MayUseQuads);
-  const BucketQueue& queue = queues.group(0).best;
+  BatchedMarch batches(this->mesh(), *this->bounds(), request.closed, context.cost, values, queues,
+    control, this->MayUseQuads);
   const std::size_t least = std::min(LeastUpdates, request.options.verticesOfThread);
   const auto isToBeShared = [&]
   {
-    const std::size_t reached = field.reached().size();
-    return control.count() >= least && control.count() <= SharedMarch::mostUpdates(reached) &&
-      SharedMarch::isToBeShared(
-        queue.size(), this->mesh().numberOfVertices() - reached, threads, request.options);
+    return sharing.isPossible() && control.count() >= least &&
+      control.count() <= SharedMarch::mostUpdates(values.numberOfValues()) &&
+      SharedMarch::isToBeShared(queues.size(),
+        this->mesh().numberOfVertices() - field.reached().size(), threads,
+        request.front.labels.size(), request.options);
   };
   // A mean edge at a time. Where all points are one place, no step would lead on.
-  const double edge = this->mesh().meanLongestEdge() * cost.mean();
+  const double edge = this->mesh().meanLongestEdge() * context.cost.mean();
   const double step = edge > 0.0 ? edge : DistanceField::Unreached;
-  const auto goesOn = [&] { return !queue.isEmpty() && !control.isCancelled(); };
+  const auto goesOn = [&] { return queues.size() > 0 && !control.isCancelled(); };
   const auto advanceWhile = [&](const auto& mayGoOn)
   { batches.advanceWhile(queues.endOfMarch(queues.nextKey() + step), nullptr, mayGoOn); };
   while (goesOn() && !isToBeShared())
@@ -82,7 +219,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   }
   if (goesOn())
   {
-    SharedMarch march(this->mesh(), threads, request.options);
+    SharedMarch march(this->mesh(), threads, request.front.labels.size(), request.options);
     const auto untilTheyRun = [&](const auto& areThere)
     {
       const std::size_t most = control.count() + least;
@@ -91,9 +228,11 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
       {
         advanceWhile(mayGoOn);
       }
-      march.begin(control.count(), field.reached().size(), control.isCancelled());
+      sharing.begin();
+      march.begin(
+        control.count(), field.reached().size(), values.numberOfValues(), control.isCancelled());
     };
-    return this->goOnOnThreads(march, untilTheyRun, cost, request, field);
+    return this->goOnOnThreads(march, untilTheyRun, sharing, context, request);
   }
   field.noteRaisedGain(control.raisedGain());
   field.orderReached();
@@ -101,16 +240,14 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
   return !control.isCancelled();
 }
 
-template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
-  std::span<const StartValue>, const UnitCost&, const Request&, StopLimit&, DistanceField&);
-template std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t,
-  std::span<const StartValue>, const VertexCost&, const Request&, StopLimit&, DistanceField&);
-
-template <class Meanwhile, class Cost>
+template <class Meanwhile, class Sharing, class Cost>
 std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
-  const Meanwhile& meanwhile, const Cost& cost, const Request& request, DistanceField& field)
+  const Meanwhile& meanwhile, Sharing& sharing, const MarchContext<Cost>& alone,
+  const Request& request)
 {
   const std::size_t threads = this->Threads.size();
+  const Cost& cost = alone.cost;
+  DistanceField& field = alone.field;
   SolveOptions options = request.options;
   options.onProgress = nullptr;
   std::vector<std::exception_ptr> errors(threads);
@@ -126,18 +263,22 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         reached.clear();
         if (thread > 0)
         {
-          this->startQueues(queues, cost, 1);
+          this->startQueues(queues, cost, this->numberOfGroups(request));
         }
         StopLimit limit(this->mesh(), options, field);
         MarchControl control(options, limit, SharedMarch::MostUpdates);
         const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, options, limit,
           control, field, queues, this->States };
-        SharedValues<Cost> values(context, request.front.labels[0], share, reached);
-        BatchedMarch<Cost, SharedValues<Cost>> batches(this->mesh(), *this->bounds(),
-          request.closed, cost, values, queues, control, this->MayUseQuads);
+        auto values = sharing.ofThread(context, share, reached);
+        BatchedMarch batches(this->mesh(), *this->bounds(), request.closed, cost, values, queues,
+          control, this->MayUseQuads);
         SharedFront front(
           queues, control, this->mesh().meanLongestEdge() * cost.mean(), values, share, batches);
-        areFinished[thread] = share.march(front) ? 1 : 0;
+        if (share.march(front))
+        {
+          areFinished[thread] = 1;
+          sharing.finish(reached);
+        }
       }
       catch (const FrontDoesNotSettle&)
       {
@@ -150,6 +291,21 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         march.fail();
       }
     });
+  // All threads have finished, or none.
+  const bool isFinished = areFinished[0] != 0;
+  sharing.finish(field.reached());
+  std::vector<std::span<const Index>> reached;
+  for (const OfThread& thread : this->Threads)
+  {
+    reached.emplace_back(thread.reached);
+    if (!isFinished)
+    {
+      sharing.finish(thread.reached);
+    }
+  }
+  field.noteReached(reached);
+  field.orderReached();
+  sharing.end();
   for (const std::exception_ptr& error : errors)
   {
     if (error)
@@ -158,23 +314,13 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
     }
   }
   this->WorkOfThreads = march.work();
-  std::vector<std::span<const Index>> reached;
-  for (const OfThread& thread : this->Threads)
-  {
-    reached.emplace_back(thread.reached);
-  }
-  field.noteReached(reached);
   if (!settles)
   {
-    field.fillReached(std::span(this->States), VertexState());
     field.reset();
-    this->IsBetterAlone[request.hasCost ? 1 : 0] = true;
+    this->isBetterAlone(request) = 1;
     return std::nullopt;
   }
-  field.orderReached();
-  field.setNearestSeed(request.front.labels[0].seed);
-  field.fillReached(std::span(this->States), VertexState());
-  return std::find(areFinished.begin(), areFinished.end(), 0) == areFinished.end();
+  return isFinished;
 }
 
 }

@@ -21,7 +21,7 @@ public:
     , Only(label, 0, context.cost.smallest())
     , Seed(label.seed)
   {
-    this->Only.group = &context.queues.group(0);
+    this->Only.group = 0;
   }
 
   static constexpr bool hasOtherLabels = false;

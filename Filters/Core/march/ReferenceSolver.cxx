@@ -136,10 +136,10 @@ public:
           }
         });
       this->Field.setNearestSeed(vertex, nearest);
-      if (this->Bounds)
+      if (this->Bounds &&
+        this->Bounds->mayEnd(least->label, least->value + this->TriangleCost.reach(vertex)))
       {
-        this->Bounds->noteNearest(
-          vertex, least->label, least->value + this->TriangleCost.reach(vertex));
+        this->Bounds->noteAtEnd(vertex);
       }
     }
   }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -36,12 +37,15 @@ namespace geodesic
 class SecondaryValues
 {
 public:
+  /** As many values of a chain are looked at one by one. */
+  static constexpr std::uint8_t LongChain = 32;
+
   /** A value of a vertex for a label that is not its best one. */
   class SecondaryValue
   {
   public:
-    /** The distance without the value of the label's seed; +infinity if the place is empty. */
-    double value = std::numeric_limits<double>::infinity();
+    /** The distance with the value of the label's seed; +infinity if the place is empty. */
+    double distance = std::numeric_limits<double>::infinity();
     /** The label, whether the value is queued, and whether it is final; no label if the place is
      * empty. */
     VertexState state;
@@ -51,6 +55,7 @@ public:
 
   private:
     friend class SecondaryValues;
+    friend class SharedSecondaryValues;
     Index Next = NoIndex;
   };
 
@@ -75,6 +80,8 @@ public:
     this->OfLongChains.clear();
   }
 
+  /** What is in place at all vertices. */
+  std::span<SecondaryValue> allInPlace() { return this->InPlace; }
   /** The secondary value in place at a vertex; without a label if it has none. */
   const SecondaryValue& inPlace(Index vertex) const { return this->InPlace[vertex]; }
 
@@ -155,6 +162,8 @@ public:
       this->OfLongChains.emplace(keyOf(vertex, this->other(number).state.label()), number);
     }
   }
+  /** Whether a vertex has more than LongChain values behind the one in place. */
+  bool hasLongChains() const { return !this->OfLongChains.empty(); }
   /** How many values were added to vertices that had one. */
   std::size_t numberOfOthers() const { return this->Others.size(); }
   /** As find(), or as add() if there is none. */
@@ -179,9 +188,6 @@ public:
   }
 
 private:
-  /** As many values of a chain are looked at one by one. */
-  static constexpr std::uint8_t LongChain = 32;
-
   /** A secondary value that is not in place. */
   const SecondaryValue& other(Index number) const
   {

@@ -4,29 +4,28 @@
 #define geodesic_SharedFront_h
 
 #include "march/FrontQueues.h"
-#include "march/SharedValues.h"
 #include "solve/MarchControl.h"
-#include "solve/MarchingFront.h"
+#include "threads/SharedMarch.h"
 #include "threads/ThreadFront.h"
 
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace geodesic
 {
 
 /**
  * A thread's part of a march of FastMarchingSolver as a ThreadFront, which a SharedMarch drives.
+ * @tparam Values   SharedValues or SharedLabelValues
  * @tparam Batches  a BatchedMarch
  */
-template <class Cost, class Batches>
+template <class Values, class Batches>
 class SharedFront final : public ThreadFront
 {
 public:
   /** @param meanLongestEdge  see MarchingFront */
   SharedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
-    SharedValues<Cost>& values, SharedMarch::Share& share, Batches& batches)
+    Values& values, const SharedMarch::Share& share, Batches& batches)
     : Queues(queues)
     , Control(control)
     , MeanLongestEdge(meanLongestEdge)
@@ -44,57 +43,56 @@ public:
   {
     this->March.advanceWhile(this->Queues.endOfMarch(limit), nullptr, mayGoOn);
   }
-  void visitAtBorder(const std::function<void(Index)>& visit) override
+  void visitAtBorder(
+    const std::function<void(const LabelAtVertex& place, double key)>& visit) override
   {
     this->FrontValues.visitAtBorder(visit);
   }
   double next() const override { return this->Queues.nextKey(); }
-  std::size_t waiting() const override { return this->queue().size(); }
+  std::size_t waiting() const override { return this->Queues.size(); }
   std::size_t reached() const override { return this->FrontValues.numberOfReached(); }
+  std::size_t numberOfValues() const override { return this->FrontValues.numberOfOwnValues(); }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
-  double value(Index vertex) const override { return this->FrontValues.value(vertex); }
 
-  void goBackTo(double value) override { this->Queues.goBackTo(this->Queues.group(0), value); }
-  void lower(Index vertex, double value) override
+  void lower(const LabelAtVertex& place, double key) override
   {
-    this->FrontValues.template propose<Way::Along>(this->FrontValues.label(), vertex, value);
+    this->FrontValues.lower(place, key);
   }
-  void updateRound(Index vertex) override { this->FrontValues.queueNotice(vertex); }
-  void take(Index vertex) override { this->FrontValues.takeOver(vertex); }
-  void visitWaiting(const std::function<void(Index)>& visit) const override
+  void updateRound(const LabelAtVertex& place) override { this->FrontValues.updateRound(place); }
+  void take(Index item) override { this->FrontValues.take(item); }
+  void visitWaiting(const std::function<void(Index vertex)>& visit) const override
   {
-    this->queue().visit(
+    this->Queues.visit(
       [&](Index item)
       {
-        if (!this->FrontValues.isNotice(item))
+        if (!Values::isNotice(item))
         {
-          visit(item);
+          visit(this->FrontValues.vertexOf(item));
         }
       });
   }
-  void giveUp(const std::function<void(Index)>& give) override
+  void giveUp(const std::function<void(Index item, Index vertex)>& give) override
   {
-    this->queue().remove(
+    this->Queues.remove(
       [&](Index item)
       {
-        const bool isGiven = !this->FrontValues.isNotice(item) && !this->Share.owns(item);
+        const Index vertex = this->FrontValues.vertexOf(item);
+        const bool isGiven = !Values::isNotice(item) && !this->Share.owns(vertex);
         if (isGiven)
         {
-          give(item);
+          give(item, vertex);
         }
         return isGiven;
       });
   }
 
 private:
-  BucketQueue& queue() const { return this->Queues.group(0).best; }
-
   FrontQueues& Queues;
   const MarchControl& Control;
   double MeanLongestEdge;
-  SharedValues<Cost>& FrontValues;
-  SharedMarch::Share& Share;
+  Values& FrontValues;
+  const SharedMarch::Share& Share;
   Batches& March;
 };
 

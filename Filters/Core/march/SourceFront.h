@@ -52,8 +52,6 @@ inline double leastSeedValue(std::span<const Label> labels)
     ->value;
 }
 
-struct FrontGroup;
-
 /** A label with what a march needs to know of it. */
 struct SourceFront
 {
@@ -78,8 +76,9 @@ struct SourceFront
   StraightLineBound leastOf;
   Index labelBits;
   FrontShape shape;
-  /** The group of fronts that it belongs to, see FrontQueues; none before its first value. */
-  FrontGroup* group = nullptr;
+  /** The number of the group of fronts that it belongs to, see FrontQueues; NoIndex before its
+   * first value. */
+  Index group = NoIndex;
 };
 
 }

@@ -33,6 +33,8 @@ constexpr double PartOfRound = 0.125;
 constexpr double MostAhead = 1.5;
 /** A front is short where fewer vertices wait for each thread. */
 constexpr std::size_t MostOfShort = 8;
+/** With several labels what waits is much to do where as many items wait for each thread. */
+constexpr std::size_t MuchWork = 1024;
 std::size_t shortFront(std::size_t threads, const SolveOptions& options)
 {
   return threads * std::min(MostOfShort, options.verticesOfThread);
@@ -62,23 +64,28 @@ struct SharedMarch::Summary
   /** How many vertices wait, and how many have a value. */
   std::size_t waiting = 0;
   std::size_t reached = 0;
+  /** How many values they have, of all labels. */
+  std::size_t values = 0;
   /** Whether the queues are so unequal that the ranges are to be cut anew. */
   bool isUneven = false;
 };
 
-std::size_t SharedMarch::mostUpdates(std::size_t reached)
+std::size_t SharedMarch::mostUpdates(std::size_t values)
 {
-  return MostUpdates * (reached + MarchControl::SmallMarch);
+  return MostUpdates * (values + MarchControl::SmallMarch);
 }
 
-bool SharedMarch::isToBeShared(
-  std::size_t waiting, std::size_t unreached, std::size_t threads, const SolveOptions& options)
+bool SharedMarch::isToBeShared(std::size_t waiting, std::size_t unreached, std::size_t threads,
+  std::size_t labels, const SolveOptions& options)
 {
-  return waiting >= 2 * shortFront(threads, options) && unreached > waiting;
+  return waiting >= 2 * shortFront(threads, options) &&
+    (unreached > waiting || (labels > 1 && waiting >= threads * MuchWork));
 }
 
-SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options)
+SharedMarch::SharedMarch(
+  const TriangleMesh& mesh, std::size_t threads, std::size_t labels, const SolveOptions& options)
   : Mesh(mesh)
+  , Labels(labels)
   , Options(options)
   , RunAtOnce(SpinBarrier::runAtOnce(threads))
   , Together(threads)
@@ -93,10 +100,12 @@ SharedMarch::SharedMarch(const TriangleMesh& mesh, std::size_t threads, const So
   }
 }
 
-void SharedMarch::begin(std::size_t updates, std::size_t reached, bool isCancelled)
+void SharedMarch::begin(
+  std::size_t updates, std::size_t reached, std::size_t values, bool isCancelled)
 {
   this->UpdatesBefore = updates;
   this->ReachedBefore = reached;
+  this->ValuesBefore = values;
   this->NextReport = reportAfter(updates, this->Options);
   this->Work.updates = updates;
   this->Work.longestChain = updates;
@@ -139,11 +148,11 @@ std::size_t SharedMarch::Share::ownerOf(Index vertex) const
     std::upper_bound(this->Ends.begin(), this->Ends.end(), vertex) - this->Ends.begin());
 }
 
-void SharedMarch::Share::send(Index vertex, double value)
+void SharedMarch::Share::send(const LabelAtVertex& place, double key)
 {
-  Mail& mail = this->report().mail[this->ownerOf(vertex)];
-  mail.values.push_back({ vertex, value });
-  mail.least = std::min(mail.least, value);
+  Mail& mail = this->report().mail[this->ownerOf(place.vertex)];
+  mail.values.push_back({ place, key });
+  mail.least = std::min(mail.least, key);
 }
 
 bool SharedMarch::Share::march(ThreadFront& front)
@@ -162,11 +171,11 @@ bool SharedMarch::Share::march(ThreadFront& front)
     {
       return !round.isCancelled;
     }
-    if (round.updates > mostUpdates(round.reached))
+    if (round.updates > mostUpdates(round.values))
     {
-      MarchControl::endUnsettled(round.updates, round.reached, MostUpdates);
+      MarchControl::endUnsettled(round.updates, round.values, MostUpdates);
     }
-    this->ReachedByOthers = round.reached - front.reached();
+    this->ValuesOfOthers = round.values - front.numberOfValues();
     step = round.roundUpdates < FewUpdates ? 2.0 * step : std::max(leastStep, 0.5 * step);
     // What is sent lies up to a step behind the limit.
     end = std::max({ end, round.next + step, std::min(end + step, round.next + 1.5 * step) });
@@ -189,7 +198,8 @@ bool SharedMarch::Share::adapt(const Summary& round, ThreadFront& front)
   if (this->isOfOne())
   {
     const std::size_t unreached = this->March.Mesh.numberOfVertices() - round.reached;
-    return !isToBeShared(round.waiting, unreached, threads, this->March.Options) ||
+    return !isToBeShared(
+             round.waiting, unreached, threads, this->March.Labels, this->March.Options) ||
       this->cutRanges(front);
   }
   if (round.waiting < shortFront(threads, this->March.Options))
@@ -206,6 +216,7 @@ SharedMarch::Summary SharedMarch::Share::meet()
   Summary summary;
   summary.updates = this->March.UpdatesBefore;
   summary.reached = this->March.ReachedBefore;
+  summary.values = this->March.ValuesBefore;
   if (!this->March.Together.wait())
   {
     summary.isCancelled = true;
@@ -226,6 +237,7 @@ SharedMarch::Summary SharedMarch::Share::meet()
     load += ofThread;
     summary.waiting += report.waiting;
     summary.reached += report.reached;
+    summary.values += report.values;
     mostLoad = std::max(mostLoad, ofThread);
     sent += report.sent;
   }
@@ -258,14 +270,13 @@ void SharedMarch::Share::takeMail(ThreadFront& front)
   for (const Report& report : this->lastReports())
   {
     const Mail& mail = report.mail[this->Number];
-    front.goBackTo(mail.least);
-    for (const auto& [vertex, value] : mail.values)
+    for (const auto& [place, key] : mail.values)
     {
-      front.lower(vertex, value);
+      front.lower(place, key);
     }
-    for (const Index vertex : mail.notices)
+    for (const LabelAtVertex& place : mail.notices)
     {
-      front.updateRound(vertex);
+      front.updateRound(place);
     }
   }
 }
@@ -304,14 +315,12 @@ bool SharedMarch::Share::handOver(ThreadFront& front)
   for (Mail& mail : own.mail)
   {
     mail.gifts.clear();
-    mail.leastOfGifts = Infinity;
   }
   front.giveUp(
-    [&](Index vertex)
+    [&](Index item, Index vertex)
     {
       Mail& mail = own.mail[this->ownerOf(vertex)];
-      mail.gifts.push_back(vertex);
-      mail.leastOfGifts = std::min(mail.leastOfGifts, front.value(vertex));
+      mail.gifts.push_back(item);
       ++own.sent;
     });
   if (!this->March.Together.wait())
@@ -321,10 +330,9 @@ bool SharedMarch::Share::handOver(ThreadFront& front)
   for (const Report& report : this->March.Reports[this->Parity])
   {
     const Mail& mail = report.mail[this->Number];
-    front.goBackTo(mail.leastOfGifts);
-    for (const Index vertex : mail.gifts)
+    for (const Index item : mail.gifts)
     {
-      front.take(vertex);
+      front.take(item);
     }
   }
   return true;
@@ -387,6 +395,7 @@ void SharedMarch::Share::advance(ThreadFront& front, double end)
   report.roundUpdates = report.updates - before;
   report.waiting = front.waiting();
   report.reached = front.reached();
+  report.values = front.numberOfValues();
   report.pace = this->Pace;
   this->sendNotices(front);
   report.next = front.next();
@@ -431,18 +440,18 @@ void SharedMarch::Share::sendNotices(ThreadFront& front)
 {
   Report& report = this->report();
   front.visitAtBorder(
-    [&](Index vertex)
+    [&](const LabelAtVertex& place, double key)
     {
       std::uint64_t receivers = 0;
-      for (const RingEntry& entry : this->March.Mesh.ring(vertex))
+      for (const RingEntry& entry : this->March.Mesh.ring(place.vertex))
       {
         const std::size_t owner = this->ownerOf(entry.neighbour());
         if (owner > this->Number && (receivers >> owner & 1u) == 0)
         {
           receivers |= std::uint64_t{ 1 } << owner;
           Mail& mail = report.mail[owner];
-          mail.notices.push_back(vertex);
-          mail.least = std::min(mail.least, front.value(vertex));
+          mail.notices.push_back(place);
+          mail.least = std::min(mail.least, key);
         }
       }
     });

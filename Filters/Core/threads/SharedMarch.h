@@ -23,7 +23,7 @@ class TriangleMesh;
 struct ThreadWork
 {
   std::size_t rounds = 0;
-  /** The number of vertices taken from queues. */
+  /** The number of items taken from queues. */
   std::size_t updates = 0;
   /** The sum over all rounds of the most updates of any thread. */
   std::size_t longestChain = 0;
@@ -32,7 +32,7 @@ struct ThreadWork
 };
 
 /**
- * A march that several threads share, of one label, in one field in shared memory. Each thread owns
+ * A march that several threads share, in one field in shared memory. Each thread owns
  * the vertices of a range of numbers, that is, a part of the surface that lies together (see
  * SpatialOrder); those of them that wait are in its queue. All march in rounds, up to a common
  * limit in each, and wait for each other after it; a thread that is early goes on a little
@@ -49,7 +49,9 @@ struct ThreadWork
  *   thread, if that has a higher number. The other one updates round them again, now that it sees
  *   all values of the round. So where both took one of two neighbours in the same round, their last
  *   values meet in an update; in different rounds the later one sees the value of the other;
- * - *gifts*: vertices that wait, where the ranges were cut anew.
+ * - *gifts*: what waits for vertices, where the ranges were cut anew.
+ *
+ * With several labels each value is of one label at a vertex, and all this holds for each label.
  *
  * As the updates are monotone the field is that of one thread to 1e-9. It is not the same to the
  * last bit from run to run, as that depends on when values are read.
@@ -58,66 +60,71 @@ class SharedMarch
 {
 public:
   static constexpr std::size_t MostThreads = 64;
-  /** The most updates for each vertex that has a value. Usual are 1 to 2. It is far below that at
+  /** The most updates for each value that a vertex has. Usual are 1 to 2. It is far below that at
    * which the least gain is raised (see MarchControl). */
   static constexpr std::size_t MostUpdates = 4;
-  /** The most updates of all threads together, by the number of vertices that have a value. */
-  static std::size_t mostUpdates(std::size_t reached);
+  /** The most updates of all threads together, by the number of values that vertices have. */
+  static std::size_t mostUpdates(std::size_t values);
 
   /** Whether a front that one thread has is to be shared.
    * @param waiting    how many vertices wait: too few are not worth the rounds
    * @param unreached  how many vertices have no value: where more wait, nearly all that is left to
-   *                   do has begun */
-  static bool isToBeShared(
-    std::size_t waiting, std::size_t unreached, std::size_t threads, const SolveOptions& options);
+   *                   do has begun; with several labels, unless very many wait
+   * @param labels     how many there are
+   */
+  static bool isToBeShared(std::size_t waiting, std::size_t unreached, std::size_t threads,
+    std::size_t labels, const SolveOptions& options);
 
   /**
    * At first thread 0 owns all.
    * @param threads  from 1 to MostThreads
+   * @param labels   how many there are
    * @param options  onProgress is called by thread 0, with the updates of all threads
    * All arguments must live as long as this.
    */
-  SharedMarch(const TriangleMesh& mesh, std::size_t threads, const SolveOptions& options);
+  SharedMarch(
+    const TriangleMesh& mesh, std::size_t threads, std::size_t labels, const SolveOptions& options);
 
   /**
    * Says what was done before. To be called once, before the threads begin.
    * @param updates      how many there were
    * @param reached      how many vertices have a value
+   * @param values       how many values they have, of all labels
    * @param isCancelled  whether the run was cancelled, so that there is nothing more to do
    */
-  void begin(std::size_t updates, std::size_t reached, bool isCancelled);
+  void begin(std::size_t updates, std::size_t reached, std::size_t values, bool isCancelled);
   /** To be called by a thread that ends with an error, instead of going on: ends all. */
   void fail();
 
 private:
-  struct ValueOfVertex
+  struct Value
   {
-    Index vertex;
-    double value;
+    LabelAtVertex place;
+    double key;
   };
   struct Mail
   {
-    std::vector<ValueOfVertex> values;
-    std::vector<Index> notices;
-    /** The least of the values, and of those of the notices. */
+    std::vector<Value> values;
+    std::vector<LabelAtVertex> notices;
+    /** The least key of the values and notices. */
     double least = std::numeric_limits<double>::infinity();
     std::vector<Index> gifts;
-    double leastOfGifts = std::numeric_limits<double>::infinity();
   };
   /** The pace of a thread of which nothing is known yet; only relations count. */
   static constexpr double UsualPace = 1e-6;
   /** What a thread says after a round. Each on cache lines of its own. */
   struct alignas(128) Report
   {
-    /** The least value that waits in its queue, or in its mail. */
+    /** The least key that waits in its queue, or in its mail. */
     double next = std::numeric_limits<double>::infinity();
     /** In all rounds, and in this one. */
     std::size_t updates = 0;
     std::size_t roundUpdates = 0;
-    /** How many vertices wait in its queue. */
+    /** How many items wait in its queue. */
     std::size_t waiting = 0;
-    /** To how many vertices it gave their first value. */
+    /** See ThreadFront. */
     std::size_t reached = 0;
+    std::size_t values = 0;
     /** How many seconds a round takes this thread for each of them, about. */
     double pace = UsualPace;
     /** How many values, notices and gifts it sends. */
@@ -148,10 +155,10 @@ public:
     bool owns(Index vertex) const { return vertex - this->First < this->Count; }
     /** The owner of a vertex. */
     std::size_t ownerOf(Index vertex) const;
-    /** How many vertices others gave their first value, up to the last round. */
-    std::size_t reachedByOthers() const { return this->ReachedByOthers; }
+    /** How many values others gave to vertices that had none of the label, up to the last round. */
+    std::size_t valuesOfOthers() const { return this->ValuesOfOthers; }
     /** Sends a value to the owner of a vertex. */
-    void send(Index vertex, double value);
+    void send(const LabelAtVertex& place, double key);
 
     /** Marches until nothing is left to do for any thread.
      * @return false when cancelled
@@ -202,7 +209,7 @@ public:
     std::vector<Index> Ends;
     Index First = 0;
     Index Count = 0;
-    std::size_t ReachedByOthers = 0;
+    std::size_t ValuesOfOthers = 0;
     double Pace = UsualPace;
     std::vector<std::pair<Index, std::size_t>> Samples;
   };
@@ -215,10 +222,12 @@ private:
   bool mayGoOn(std::size_t updates);
 
   const TriangleMesh& Mesh;
+  std::size_t Labels;
   const SolveOptions& Options;
   /** What was done before the march. */
   std::size_t UpdatesBefore = 0;
   std::size_t ReachedBefore = 0;
+  std::size_t ValuesBefore = 0;
   /** At how many updates thread 0 reports next. */
   std::size_t NextReport = 0;
   /** Where threads take turns on a processor, what a round takes says nothing, and none is early.

@@ -11,46 +11,56 @@
 namespace geodesic
 {
 
-/** A thread's part of the front of a march, as SharedMarch drives it. Values here leave out the
- * seed's own value. */
+/** A label at a vertex, which may have a value of it. */
+struct LabelAtVertex
+{
+  Index vertex;
+  /** The number of the label; 0 if there is one only. */
+  Index label;
+};
+
+/** A thread's part of the front of a march, as SharedMarch drives it. The items of its queue stand
+ * for values of vertices, at most one for each label. Their keys are distances, less that of key 0.
+ */
 class ThreadFront
 {
 public:
   virtual ~ThreadFront() = default;
 
-  /** Takes vertices from this thread's queue as MarchingFront::advance() does. */
+  /** Takes items from this thread's queue as MarchingFront::advance() does. */
   virtual void advance(double limit) = 0;
-  /** The same, as long as @p mayGoOn returns true, which is asked again after a few vertices. */
+  /** The same, as long as @p mayGoOn returns true, which is asked again after a few items. */
   virtual void advanceWhile(double limit, const std::function<bool()>& mayGoOn) = 0;
-  /** Calls visit(vertex) for each of this thread's vertices that was taken since the last call and
-   * has neighbours of other threads; for some others too, and for some several times. */
-  virtual void visitAtBorder(const std::function<void(Index vertex)>& visit) = 0;
-  /** A lower bound of all values in the queue; infinity where it is empty. */
+  /** Calls visit(place, key) for each value that was taken since the last call, of this thread's
+   * vertices that have neighbours of other threads; for some others too, and for some several
+   * times. */
+  virtual void visitAtBorder(
+    const std::function<void(const LabelAtVertex& place, double key)>& visit) = 0;
+  /** A lower bound of all keys in the queue; infinity where it is empty. */
   virtual double next() const = 0;
-  /** How many vertices wait in the queue. */
+  /** How many items wait in the queue. */
   virtual std::size_t waiting() const = 0;
-  /** Calls visit(vertex) for each vertex that waits as this thread's. */
+  /** Calls visit(vertex) for each item that waits for a vertex of this thread. */
   virtual void visitWaiting(const std::function<void(Index vertex)>& visit) const = 0;
-  /** To how many vertices this thread gave their first value. */
+  /** To how many vertices this thread gave their first value, and how many values it gave to
+   * vertices that had none of the label. */
   virtual std::size_t reached() const = 0;
-  /** The number of vertices taken from the queue so far. */
+  virtual std::size_t numberOfValues() const = 0;
+  /** The number of items taken from the queue so far. */
   virtual std::size_t numberOfUpdates() const = 0;
   /** TriangleMesh::meanLongestEdge() times the mean cost. */
   virtual double meanLongestEdge() const = 0;
-  virtual double value(Index vertex) const = 0;
 
-  /** Goes back in the queue, so that vertices of values from there on have their places in it. To
-   * be called before the functions below. */
-  virtual void goBackTo(double value) = 0;
-  /** Gives a vertex a value if it is lower. */
-  virtual void lower(Index vertex, double value) = 0;
+  // These go back in the queue where a key is less than those it has come to.
+  /** Gives a vertex a value of a label if it is lower. */
+  virtual void lower(const LabelAtVertex& place, double key) = 0;
   /** Updates the neighbours of a vertex of another thread when the front next advances. */
-  virtual void updateRound(Index vertex) = 0;
-  /** Puts a vertex into the queue that waited in another thread's. */
-  virtual void take(Index vertex) = 0;
-  /** Removes the vertices that this thread does not own any more from the queue, and calls
-   * give(vertex) for each. */
-  virtual void giveUp(const std::function<void(Index vertex)>& give) = 0;
+  virtual void updateRound(const LabelAtVertex& place) = 0;
+  /** Puts an item into the queue that waited in another thread's. */
+  virtual void take(Index item) = 0;
+  /** Removes the items for vertices that this thread does not own any more from the queue, and
+   * calls give(item, vertex) for each. */
+  virtual void giveUp(const std::function<void(Index item, Index vertex)>& give) = 0;
 };
 
 }
