@@ -18,32 +18,50 @@ COUNTED = {"sphere": "sphere:10", "terrain": "terrain:3200", "Bunny, subdivided"
 TINY = {"sphere": ["sphere:4"]}
 THREADS = [2, 4, 16, 64]
 RUNS, RUNS_COUNTED = 5, 1
+# Of the surfaces that are the first of each kind above.
+NUMBERS_OF_SEEDS = [2, 5, 20, 100, 1000, 10000]
 # What one thread takes depends on where a process gets its memory, by up to a third.
 PROCESSES = 5
 BEGIN, END = "<!-- Tables of thread_suite.py: -->", "<!-- End of the tables. -->"
 LARGEST_DIFFERENCE = 1e-9
 
 
-def measured(program, surface, threads, runs):
-    run = subprocess.run([program, surface, str(threads), str(runs)], stdout=subprocess.PIPE, text=True, check=True)
+def measured(program, surface, threads, runs, seeds=1):
+    run = subprocess.run([program, surface, str(threads), str(runs), str(seeds)], stdout=subprocess.PIPE, text=True,
+                         check=True)
     found = {name: float(value) for name, value in (line.split(" ") for line in run.stdout.splitlines())}
-    print(surface, threads, found, flush=True)
+    print(surface, threads, seeds, found, flush=True)
     if found["difference"] > LARGEST_DIFFERENCE:
         raise RuntimeError(f"The field is not that of one thread: it differs by {found['difference']}.")
     return found
+
+
+def medians(program, surface, runs, processes, seeds=1):
+    several = [measured(program, surface, 2, runs, seeds) for _ in range(processes)]
+    return {key: statistics.median(one[key] for one in several) for key in several[0]}
 
 
 def table_of_times(program, surfaces, runs, processes):
     rows = []
     for name, sizes in surfaces.items():
         for surface in sizes:
-            several = [measured(program, surface, 2, runs) for _ in range(processes)]
-            found = {key: statistics.median(one[key] for one in several) for key in several[0]}
+            found = medians(program, surface, runs, processes)
             rows.append([name, f"{found['vertices']:,.0f}", f"{found['alone']:.1f} ms", f"{found['time']:.1f} ms",
                          f"{found['ratio']:.2f}", f"{found['first_alone'] / found['first']:.2f}",
                          f"{found['difference']:.0e}"])
     return table(["surface", "vertices", "one thread", "two threads", "times as fast", "first run",
                   "largest difference"], rows)
+
+
+def table_of_seeds(program, surfaces, numbers, runs, processes):
+    rows = []
+    for seeds in numbers:
+        row = [f"{seeds:,}"]
+        for sizes in surfaces.values():
+            found = medians(program, sizes[0], runs, processes, seeds)
+            row += [f"{found['alone']:.0f} and {found['time']:.0f} ms", f"{found['ratio']:.2f}"]
+        rows.append(row)
+    return table(["seeds", *(title for name in surfaces for title in (name, "times as fast"))], rows)
 
 
 def table_of_counts(program, surfaces, threads_counted, runs):
@@ -60,7 +78,9 @@ def table_of_counts(program, surfaces, threads_counted, runs):
 
 def main(program, document, *options):
     is_tiny = "--tiny" in options
-    times = table_of_times(program, TINY if is_tiny else TIMED, 2 if is_tiny else RUNS, 2 if is_tiny else PROCESSES)
+    timed, runs, processes = (TINY, 2, 2) if is_tiny else (TIMED, RUNS, PROCESSES)
+    times = table_of_times(program, timed, runs, processes)
+    of_seeds = table_of_seeds(program, timed, [2, 100] if is_tiny else NUMBERS_OF_SEEDS, runs, processes)
     counted = {"sphere": "sphere:4"} if is_tiny else COUNTED
     counts = table_of_counts(program, counted, [3] if is_tiny else THREADS, 1 if is_tiny else RUNS_COUNTED)
     with open(document, encoding="utf-8") as page:
@@ -69,7 +89,7 @@ def main(program, document, *options):
     after = rest.split(END)[1]
     if not is_tiny:
         with open(document, "w", encoding="utf-8") as page:
-            page.write(f"{before}{BEGIN}\n\n{times}\n\n{counts}\n\n{END}{after}")
+            page.write(f"{before}{BEGIN}\n\n{times}\n\n{of_seeds}\n\n{counts}\n\n{END}{after}")
 
 
 if __name__ == "__main__":
