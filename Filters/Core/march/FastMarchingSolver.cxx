@@ -9,6 +9,7 @@
 #include "march/LabelBounds.h"
 #include "march/LabelMargin.h"
 #include "march/LabelValues.h"
+#include "march/NeighbourUpdate.h"
 #include "march/OneLabelValues.h"
 #include "march/QueuedFront.h"
 #include "march/TriangleCost.h"
@@ -26,6 +27,13 @@
 
 namespace geodesic
 {
+
+// MarchOnThreads.cxx uses them, too.
+template class NeighbourUpdate<UnitCost, OneLabelValues<UnitCost>>;
+template class NeighbourUpdate<UnitCost, LabelValues<UnitCost>>;
+template class NeighbourUpdate<VertexCost, OneLabelValues<VertexCost>>;
+template class NeighbourUpdate<VertexCost, LabelValues<VertexCost>>;
+
 namespace
 {
 

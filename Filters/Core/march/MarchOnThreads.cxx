@@ -10,11 +10,13 @@
 #include "march/LabelBounds.h"
 #include "march/LabelValues.h"
 #include "march/NearestSeed.h"
+#include "march/NeighbourUpdate.h"
 #include "march/OneLabelValues.h"
 #include "march/SharedFront.h"
 #include "march/SharedLabelValues.h"
 #include "march/SharedSecondaryValues.h"
 #include "march/SharedValues.h"
+#include "march/TriangleCost.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
@@ -31,6 +33,13 @@
 
 namespace geodesic
 {
+
+// FastMarchingSolver.cxx has the code of these.
+extern template class NeighbourUpdate<UnitCost, OneLabelValues<UnitCost>>;
+extern template class NeighbourUpdate<UnitCost, LabelValues<UnitCost>>;
+extern template class NeighbourUpdate<VertexCost, OneLabelValues<VertexCost>>;
+extern template class NeighbourUpdate<VertexCost, LabelValues<VertexCost>>;
+
 namespace
 {
 
