@@ -8,11 +8,8 @@
 #include "march/FieldValues.h"
 #include "march/LabelBounds.h"
 #include "march/LabelMargin.h"
-#include "march/LabelValues.h"
-#include "march/NeighbourUpdate.h"
-#include "march/OneLabelValues.h"
+#include "march/NeighbourUpdateOnOne.h"
 #include "march/QueuedFront.h"
-#include "march/TriangleCost.h"
 #include "march/UpdateBounds.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
@@ -27,13 +24,6 @@
 
 namespace geodesic
 {
-
-// MarchOnThreads.cxx uses them, too.
-template class NeighbourUpdate<UnitCost, OneLabelValues<UnitCost>>;
-template class NeighbourUpdate<UnitCost, LabelValues<UnitCost>>;
-template class NeighbourUpdate<VertexCost, OneLabelValues<VertexCost>>;
-template class NeighbourUpdate<VertexCost, LabelValues<VertexCost>>;
-
 namespace
 {
 

@@ -8,15 +8,12 @@
 #include "base/CallsTogether.h"
 #include "march/BatchedMarch.h"
 #include "march/LabelBounds.h"
-#include "march/LabelValues.h"
 #include "march/NearestSeed.h"
-#include "march/NeighbourUpdate.h"
-#include "march/OneLabelValues.h"
+#include "march/NeighbourUpdateOnOne.h"
 #include "march/SharedFront.h"
 #include "march/SharedLabelValues.h"
 #include "march/SharedSecondaryValues.h"
 #include "march/SharedValues.h"
-#include "march/TriangleCost.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/MarchControl.h"
 #include "solve/StopLimit.h"
@@ -33,13 +30,6 @@
 
 namespace geodesic
 {
-
-// FastMarchingSolver.cxx has the code of these.
-extern template class NeighbourUpdate<UnitCost, OneLabelValues<UnitCost>>;
-extern template class NeighbourUpdate<UnitCost, LabelValues<UnitCost>>;
-extern template class NeighbourUpdate<VertexCost, OneLabelValues<VertexCost>>;
-extern template class NeighbourUpdate<VertexCost, LabelValues<VertexCost>>;
-
 namespace
 {
 
