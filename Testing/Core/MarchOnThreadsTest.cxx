@@ -368,7 +368,8 @@ TEST(MarchOnThreads, EndsAtAnyMoment)
   for (std::size_t last = 900; last < 2400; last += 29)
   {
     const std::vector<Seed> seeds{ seedAt(*mesh, last % 2 == 0 ? 0 : onTorus) };
-    const bool isOver = last % 2 != 0 && last > 1800;
+    // How many updates a run on threads takes differs from run to run.
+    const bool mayBeOver = last % 2 != 0 && last > 1800;
     bool hasEnded = false;
     options.onProgress = [&](std::size_t taken)
     {
@@ -378,13 +379,13 @@ TEST(MarchOnThreads, EndsAtAnyMoment)
     };
     const StopReason reason = solver.solve(seeds, options).stopReason();
     EXPECT_EQ(reason, hasEnded ? StopReason::Cancelled : StopReason::Exhausted) << last;
-    EXPECT_TRUE(hasEnded || isOver) << last;
+    EXPECT_TRUE(hasEnded || mayBeOver) << last;
     options.onProgress = nullptr;
     EXPECT_LE(difference(one.solve(seeds), solver.solve(seeds, options)), 1e-9) << last;
     FastMarchingSolver failing(mesh);
     options.onProgress = [&](std::size_t taken)
     { return taken < last ? true : throw std::runtime_error("a test"); };
-    if (hasEnded)
+    if (!mayBeOver)
     {
       EXPECT_THROW(failing.solve(seeds, options), std::runtime_error) << last;
     }

@@ -6,6 +6,13 @@
 #include "base/Lanes.h"
 #include "base/Platform.h"
 
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) &&                         \
+  !defined(__SANITIZE_THREAD__)
+#define GEODESIC_READS_LANES_PLAINLY 1
+#else
+#define GEODESIC_READS_LANES_PLAINLY 0
+#endif
+
 namespace geodesic
 {
 
@@ -39,23 +46,34 @@ GEODESIC_INLINED void keepSharedInOrder()
 }
 
 /**
- * The same for numbers that go into the lanes of a vector, each of which is read at once: returns
- * vectorOf(read), where read(number) reads one of them. Through an atomic read a number goes to a
- * register of its own first, which takes some hundredths of a march's instructions. On x86 an
- * aligned number is always read at once, so a plain read is enough there, as long as the compiler
- * does not repeat it: the empty instruction hides where the vector comes from. Clang takes no
- * vectors of all sizes in it, and GCC without optimisation none that are larger than a register.
+ * Shared numbers in the lanes of a vector, each of which is read at once, where numberAt(lane)
+ * returns a reference to one. Through an atomic read a number goes to a register of its own first,
+ * which takes some hundredths of a march's instructions. On x86 an aligned number is always read at
+ * once, so a plain read is enough there, as long as the compiler does not repeat it: the empty
+ * instruction hides where the vector comes from. Clang takes no vectors of all sizes in it, and GCC
+ * without optimisation none that are larger than a register.
  */
-template <class VectorOf>
-GEODESIC_INLINED auto readSharedLanes(const VectorOf& vectorOf)
+template <class Real, class NumberAt>
+GEODESIC_INLINED Real sharedLanesOf(const NumberAt& numberAt)
 {
-#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) &&                         \
-  !defined(__SANITIZE_THREAD__)
-  auto vector = vectorOf([](const auto& number) { return number; });
+#if GEODESIC_READS_LANES_PLAINLY
+  Real vector = lanesOf<Real>([&](int lane) { return numberAt(lane); });
   __asm__("" : "+x"(vector));
   return vector;
 #else
-  return vectorOf([](const auto& number) { return readShared(number); });
+  return lanesOf<Real>([&](int lane) { return readShared(numberAt(lane)); });
+#endif
+}
+/** The same for the bits of what has a function bits(). */
+template <class Real, class ItemAt>
+GEODESIC_INLINED BitsOf<Real> sharedBitsWith(const ItemAt& itemAt)
+{
+#if GEODESIC_READS_LANES_PLAINLY
+  BitsOf<Real> vector = bitsWith<Real>([&](int lane) { return itemAt(lane).bits(); });
+  __asm__("" : "+x"(vector));
+  return vector;
+#else
+  return bitsWith<Real>([&](int lane) { return readShared(itemAt(lane)).bits(); });
 #endif
 }
 

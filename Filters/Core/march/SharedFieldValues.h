@@ -72,17 +72,14 @@ protected:
     template <class Real>
     GEODESIC_INLINED Real distances(const Indices<Real>& vertices) const
     {
-      return readSharedLanes([&](const auto& read)
-        { return lanesOf<Real>([&](int lane) { return read(this->Distances[vertices[lane]]); }); });
+      return sharedLanesOf<Real>(
+        [&](int lane) -> const double& { return this->Distances[vertices[lane]]; });
     }
     template <class Real>
     GEODESIC_INLINED BitsOf<Real> states(const Indices<Real>& vertices) const
     {
-      return readSharedLanes(
-        [&](const auto& read) {
-          return bitsWith<Real>(
-            [&](int lane) { return read(this->States[vertices[lane]]).bits(); });
-        });
+      return sharedBitsWith<Real>(
+        [&](int lane) -> const VertexState& { return this->States[vertices[lane]]; });
     }
     /** Numbers whose highest bits are set where a vertex is another thread's. */
     template <class Real>

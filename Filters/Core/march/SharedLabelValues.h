@@ -102,11 +102,11 @@ public:
   {
     const auto inPlace = [&](int lane) -> const Secondary&
     { return this->Sets.inPlace(vertices[lane]); };
-    const Real distances = readSharedLanes([&](const auto& read)
-      { return lanesOf<Real>([&](int lane) { return read(inPlace(lane).distance); }); });
+    const Real distances =
+      sharedLanesOf<Real>([&](int lane) -> const double& { return inPlace(lane).distance; });
     keepSharedInOrder();
-    const BitsOf<Real> states = bitsWith<Real>(
-      [&](int lane) { return SharedSecondaryValues::stateOf(inPlace(lane)).bits(); });
+    const BitsOf<Real> states =
+      sharedBitsWith<Real>([&](int lane) -> const VertexState& { return inPlace(lane).state; });
     const BitsTestOf<Real> areInPlace = (states & VertexState::LabelBits) == label.labelBits;
     const BitsTestOf<Real> areLast =
       bitsWith<Real>([&](int lane) { return SharedSecondaryValues::nextOf(inPlace(lane)); }) ==
