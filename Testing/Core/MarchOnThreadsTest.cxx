@@ -109,7 +109,7 @@ public:
   std::size_t numberOfValues() const override { return 1; }
   std::size_t numberOfUpdates() const override { return 0; }
   double meanLongestEdge() const override { return 1.0; }
-  void lower(const LabelAtVertex&, double) override {}
+  void lower(const LabelAtVertex&, double, bool) override {}
   void updateRound(const LabelAtVertex&) override {}
   void take(Index) override {}
   void giveUp(const std::function<void(Index, Index)>&) override {}
@@ -322,6 +322,40 @@ TEST(MarchOnThreads, ProgressGoesOnWhereOneThreadBeginsAgain)
   EXPECT_EQ(solver.threadWork().rounds, 0);
   options.onProgress = [](std::size_t) { return false; };
   EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+}
+
+TEST(MarchOnThreads, BeginsAgainOnOneThreadWithSeveralSeeds)
+{
+  Surface flat = torus(120, 120, 1.0, 0.4);
+  for (Vector3& point : flat.points)
+  {
+    point.x *= 1e-3;
+  }
+  const auto mesh = meshOf(flat);
+  for (const Index step : { 5000, 36 })
+  {
+    std::vector<Seed> seeds;
+    for (Index point = 7; point < mesh->numberOfVertices(); point += step)
+    {
+      seeds.push_back(seedAt(*mesh, point));
+    }
+    FastMarchingSolver one(mesh);
+    FastMarchingSolver several(mesh);
+    const DistanceField& expected = one.solve(seeds);
+    for (int run = 0; run < 2; ++run)
+    {
+      const DistanceField& field = several.solve(seeds, onThreads(3));
+      EXPECT_LE(difference(expected, field), 1e-6) << seeds.size() << " seeds, run " << run;
+      EXPECT_EQ(field.raisedGain(), expected.raisedGain()) << seeds.size() << " seeds, run " << run;
+      EXPECT_EQ(field.reached().size(), expected.reached().size());
+    }
+    // A front of few seeds goes too far where needles lower each other.
+    EXPECT_EQ(several.threadWork().rounds == 0, seeds.size() < 10);
+    SolveOptions options = onThreads(3);
+    options.onProgress = [](std::size_t taken) { return taken < 5000; };
+    EXPECT_EQ(several.solve(seeds, options).stopReason(), StopReason::Cancelled);
+    EXPECT_LE(difference(expected, several.solve(seeds, onThreads(3))), 1e-6);
+  }
 }
 
 TEST(MarchOnThreads, MovesItsSeedsFromRunToRun)

@@ -139,8 +139,8 @@ private:
   template <class Meanwhile, class Sharing, class Cost>
   std::optional<bool> goOnOnThreads(SharedMarch& march, const Meanwhile& meanwhile,
     Sharing& sharing, const MarchContext<Cost>& context, const Request& request);
-  /** Whether a front of the kind of a request did not settle on threads: then later ones do not
-   * try. */
+  /** Whether a front of the kind of a request did not settle on threads, or had too many values at
+   * a vertex: then later ones do not try. */
   std::uint8_t& isBetterAlone(const Request& request)
   {
     return this->AreBetterAlone[request.hasCost ? 1 : 0][request.front.labels.size() > 1 ? 1 : 0];

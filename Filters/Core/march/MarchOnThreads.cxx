@@ -61,8 +61,10 @@ public:
   {
     return { context, this->Only, share, reached };
   }
-  /** What each thread does once the march has ended. @param reached  by this thread */
-  void finish(std::span<const Index>) {}
+  /** What each thread does once the march has ended. It may be called again for the same vertices.
+   * @param reached  vertices that got their first value by this thread
+   * @param isFinished  whether the march has come to its end */
+  void finish(std::span<const Index>, bool) {}
   /** To be called once all have done so. */
   void end()
   {
@@ -102,17 +104,21 @@ public:
     return { context, this->Fronts, *this->OfAll, this->Bounds, this->Alone.firstDistance(), share,
       reached };
   }
-  void finish(std::span<const Index> reached)
+  void finish(std::span<const Index> reached, bool isFinished)
   {
     DistanceField& field = this->Context.field;
     std::vector<Index> atEnds;
     for (const Index vertex : reached)
     {
       VertexState& state = this->Context.states[vertex];
+      if (!state.hasLabel())
+      {
+        continue;
+      }
       const Label& nearest = this->Labels[state.label()];
       field.setNearestSeed(vertex,
         nearestSeedOf(*this->OfAll, this->Labels, vertex, field.distance(vertex), nearest.seed));
-      if (this->Bounds &&
+      if (isFinished && this->Bounds &&
         this->Bounds->mayEnd(
           state.label(), field.distance(vertex) - nearest.value + this->Context.cost.reach(vertex)))
       {
@@ -252,6 +258,10 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
   std::vector<std::exception_ptr> errors(threads);
   std::vector<std::uint8_t> areFinished(threads);
   std::atomic<bool> settles = true;
+  for (OfThread& thread : this->Threads)
+  {
+    thread.reached.clear();
+  }
   callTogether(threads, meanwhile,
     [&](std::size_t thread)
     {
@@ -259,7 +269,6 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
       {
         SharedMarch::Share share(march, thread);
         auto& [queues, reached] = this->Threads[thread];
-        reached.clear();
         if (thread > 0)
         {
           this->startQueues(queues, cost, this->numberOfGroups(request));
@@ -275,8 +284,8 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
           queues, control, this->mesh().meanLongestEdge() * cost.mean(), values, share, batches);
         if (share.march(front))
         {
+          sharing.finish(reached, true);
           areFinished[thread] = 1;
-          sharing.finish(reached);
         }
       }
       catch (const FrontDoesNotSettle&)
@@ -290,16 +299,15 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         march.fail();
       }
     });
-  // All threads have finished, or none.
-  const bool isFinished = areFinished[0] != 0;
-  sharing.finish(field.reached());
+  const bool isFinished = std::find(areFinished.begin(), areFinished.end(), 0) == areFinished.end();
+  sharing.finish(field.reached(), isFinished);
   std::vector<std::span<const Index>> reached;
   for (const OfThread& thread : this->Threads)
   {
     reached.emplace_back(thread.reached);
     if (!isFinished)
     {
-      sharing.finish(thread.reached);
+      sharing.finish(thread.reached, false);
     }
   }
   field.noteReached(reached);
@@ -313,9 +321,11 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
     }
   }
   this->WorkOfThreads = march.work();
-  if (!settles)
+  if (!settles && !march.wasCancelled())
   {
+    const double gain = field.raisedGain();
     field.reset();
+    field.noteRaisedGain(gain);
     this->isBetterAlone(request) = 1;
     return std::nullopt;
   }

@@ -134,14 +134,13 @@ protected:
   {
     writeShared(this->Context.states[vertex], state);
   }
-  /** Stores a distance that may be the first one of its vertex. */
-  void setAnyDistance(Index vertex, double distance)
+  /** To be called before a distance of a vertex is stored that may be its first one. */
+  void noteIfFirst(Index vertex)
   {
     if (!(this->distance(vertex) < DistanceField::Unreached))
     {
       this->Reached.push_back(vertex);
     }
-    this->setDistance(vertex, distance);
   }
 
   /** Puts an item into a queue of a group, and goes back to its key if need be. */

@@ -4,6 +4,7 @@
 #define geodesic_SharedFront_h
 
 #include "march/FrontQueues.h"
+#include "march/NeighbourValues.h"
 #include "solve/MarchControl.h"
 #include "threads/SharedMarch.h"
 #include "threads/ThreadFront.h"
@@ -55,9 +56,16 @@ public:
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
 
-  void lower(const LabelAtVertex& place, double key) override
+  void lower(const LabelAtVertex& place, double key, bool isAlong) override
   {
-    this->FrontValues.lower(place, key);
+    if (isAlong)
+    {
+      this->FrontValues.template lower<Way::Along>(place, key);
+    }
+    else
+    {
+      this->FrontValues.template lower<Way::Across>(place, key);
+    }
   }
   void updateRound(const LabelAtVertex& place) override { this->FrontValues.updateRound(place); }
   void take(Index item) override { this->FrontValues.take(item); }

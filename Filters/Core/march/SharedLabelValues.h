@@ -34,7 +34,7 @@ class SharedLabelValues : public SharedFieldValues<Cost>
 public:
   using Secondary = SharedSecondaryValues::SecondaryValue;
 
-  /** A mesh must have fewer vertices: the best value of each and MostOthers + 1 secondary ones are
+  /** A mesh must have fewer vertices: the best value of each and MostOthers + 2 secondary ones are
    * items of a queue. */
   static constexpr Index MostVertices =
     SharedFieldValues<Cost>::Notice / (SharedSecondaryValues::MostOthers + 3);
@@ -209,12 +209,12 @@ public:
 
   // See ThreadFront.
 
+  template <Way way>
   void lower(const LabelAtVertex& place, double key)
   {
     const SourceFront& label = this->Fronts[place.label];
     this->Context.queues.goBackTo(this->groupOf(label), key);
-    this->template propose<Way::Along>(
-      label, place.vertex, key + this->FirstDistance - label.seedValue);
+    this->template propose<way>(label, place.vertex, key + this->FirstDistance - label.seedValue);
   }
   void updateRound(const LabelAtVertex& place)
   {
@@ -369,7 +369,8 @@ private:
     if (value < known.ceiling * this->Context.control.keptFraction() && !isFixed<way>(state) &&
       !this->Context.options.isExcluded(vertex) && !this->isBeyondBounds(label, vertex, value))
     {
-      this->Share.send({ vertex, label.number() }, label.distance(value) - this->FirstDistance);
+      this->Share.send(
+        { vertex, label.number() }, label.distance(value) - this->FirstDistance, way == Way::Along);
     }
     return known;
   }
@@ -397,11 +398,12 @@ private:
   {
     VertexState state = this->state(vertex);
     const bool wasQueued = state.isQueued();
+    this->noteIfFirst(vertex);
     state.setLabel(label.number());
     state.setQueued(true);
     this->setState(vertex, state);
     keepSharedInOrder();
-    this->setAnyDistance(vertex, label.distance(value));
+    this->setDistance(vertex, label.distance(value));
     if (!wasQueued)
     {
       this->groupOf(label).best.push(vertex, label.distance(value) - this->FirstDistance);

@@ -37,7 +37,7 @@ class SharedSecondaryValues
 public:
   using SecondaryValue = SecondaryValues::SecondaryValue;
 
-  /** The most values of a vertex that are not in place. */
+  /** About the most values of a vertex that are not in place. */
   static constexpr Index MostOthers = SecondaryValues::LongChain;
 
   /** Goes on from the values of a march on one thread. */
@@ -103,6 +103,7 @@ public:
         throw FrontDoesNotSettle("A vertex has too many values for several threads.");
       }
       number = nextOf(secondary);
+      keepSharedInOrder();
     }
     return NoIndex;
   }

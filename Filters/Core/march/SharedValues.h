@@ -80,7 +80,7 @@ public:
     }
     if (!isOwn)
     {
-      this->Share.send({ vertex, 0 }, value);
+      this->Share.send({ vertex, 0 }, value, way == Way::Along);
       return { old, old, false };
     }
     this->set(vertex, state, value);
@@ -114,10 +114,11 @@ public:
 
   // See ThreadFront.
 
+  template <Way way>
   void lower(const LabelAtVertex& place, double key)
   {
     this->Context.queues.goBackTo(this->Group, key);
-    this->template propose<Way::Along>(this->Only, place.vertex, key);
+    this->template propose<way>(this->Only, place.vertex, key);
   }
   void updateRound(const LabelAtVertex& place)
   {
@@ -133,7 +134,8 @@ private:
   /** Stores a value of a vertex that this thread owns, and queues the vertex. */
   void set(Index vertex, VertexState state, double value)
   {
-    this->setAnyDistance(vertex, this->Only.distance(value));
+    this->noteIfFirst(vertex);
+    this->setDistance(vertex, this->Only.distance(value));
     if (!state.isQueued())
     {
       state.setQueued(true);

@@ -111,6 +111,7 @@ void SharedMarch::begin(
   this->Work.longestChain = updates;
   // All threads hear of it when they first meet.
   this->Reports[0][0].isCancelled = isCancelled;
+  this->WasCancelled = isCancelled;
 }
 
 void SharedMarch::fail()
@@ -125,7 +126,8 @@ bool SharedMarch::mayGoOn(std::size_t updates)
     return true;
   }
   this->NextReport = reportAfter(updates, this->Options);
-  return this->Options.onProgress(this->NextReport - this->Options.progressInterval);
+  this->WasCancelled = !this->Options.onProgress(this->NextReport - this->Options.progressInterval);
+  return !this->WasCancelled;
 }
 
 SharedMarch::Share::Share(SharedMarch& march, std::size_t thread)
@@ -148,10 +150,10 @@ std::size_t SharedMarch::Share::ownerOf(Index vertex) const
     std::upper_bound(this->Ends.begin(), this->Ends.end(), vertex) - this->Ends.begin());
 }
 
-void SharedMarch::Share::send(const LabelAtVertex& place, double key)
+void SharedMarch::Share::send(const LabelAtVertex& place, double key, bool isAlong)
 {
   Mail& mail = this->report().mail[this->ownerOf(place.vertex)];
-  mail.values.push_back({ place, key });
+  mail.values.push_back({ place, key, isAlong });
   mail.least = std::min(mail.least, key);
 }
 
@@ -270,9 +272,9 @@ void SharedMarch::Share::takeMail(ThreadFront& front)
   for (const Report& report : this->lastReports())
   {
     const Mail& mail = report.mail[this->Number];
-    for (const auto& [place, key] : mail.values)
+    for (const auto& [place, key, isAlong] : mail.values)
     {
-      front.lower(place, key);
+      front.lower(place, key, isAlong);
     }
     for (const LabelAtVertex& place : mail.notices)
     {

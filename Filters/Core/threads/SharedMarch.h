@@ -53,8 +53,9 @@ struct ThreadWork
  *
  * With several labels each value is of one label at a vertex, and all this holds for each label.
  *
- * As the updates are monotone the field is that of one thread to 1e-9. It is not the same to the
- * last bit from run to run, as that depends on when values are read.
+ * As the updates are monotone the field is that of one thread to 1e-9; with several labels as far
+ * as that does not depend on the order (see algorithm.md). It is not the same to the last bit from
+ * run to run, as that depends on when values are read.
  */
 class SharedMarch
 {
@@ -101,6 +102,7 @@ private:
   {
     LabelAtVertex place;
     double key;
+    bool isAlong;
   };
   struct Mail
   {
@@ -157,8 +159,8 @@ public:
     std::size_t ownerOf(Index vertex) const;
     /** How many values others gave to vertices that had none of the label, up to the last round. */
     std::size_t valuesOfOthers() const { return this->ValuesOfOthers; }
-    /** Sends a value to the owner of a vertex. */
-    void send(const LabelAtVertex& place, double key);
+    /** Sends a value to the owner of a vertex, see ThreadFront::lower(). */
+    void send(const LabelAtVertex& place, double key, bool isAlong);
 
     /** Marches until nothing is left to do for any thread.
      * @return false when cancelled
@@ -214,6 +216,8 @@ public:
     std::vector<std::pair<Index, std::size_t>> Samples;
   };
 
+  /** Whether the run was cancelled, once the march has ended. */
+  bool wasCancelled() const { return this->WasCancelled; }
   /** The work of the march, once it has ended. */
   const ThreadWork& work() const { return this->Work; }
 
@@ -237,6 +241,7 @@ private:
   std::array<std::vector<Report>, 2> Reports;
   SpinBarrier Together;
   ThreadWork Work;
+  bool WasCancelled = false;
 };
 
 }

@@ -52,8 +52,9 @@ public:
   virtual double meanLongestEdge() const = 0;
 
   // These go back in the queue where a key is less than those it has come to.
-  /** Gives a vertex a value of a label if it is lower. */
-  virtual void lower(const LabelAtVertex& place, double key) = 0;
+  /** Gives a vertex a value of a label if it is lower. @param isAlong  whether the value comes
+   * along an edge, or else across a triangle */
+  virtual void lower(const LabelAtVertex& place, double key, bool isAlong) = 0;
   /** Updates the neighbours of a vertex of another thread when the front next advances. */
   virtual void updateRound(const LabelAtVertex& place) = 0;
   /** Puts an item into the queue that waited in another thread's. */
