@@ -132,5 +132,5 @@ TEST(SharedSecondaryValues, TooManyOfAVertexAreAnError)
   }
   EXPECT_EQ(shared.find(1, 1000), NoIndex);
   shared.add(1, 1000, block);
-  EXPECT_THROW(shared.find(1, 1001), FrontDoesNotSettle);
+  EXPECT_THROW(shared.find(1, 1001), SharedSecondaryValues::TooManyValues);
 }

@@ -293,6 +293,11 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         settles = false;
         march.fail();
       }
+      catch (const SharedSecondaryValues::TooManyValues&)
+      {
+        settles = false;
+        march.fail();
+      }
       catch (...)
       {
         errors[thread] = std::current_exception();

@@ -6,13 +6,13 @@
 #include "base/Index.h"
 #include "base/SharedNumber.h"
 #include "march/SecondaryValues.h"
-#include "solve/MarchControl.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -39,6 +39,11 @@ public:
 
   /** About the most values of a vertex that are not in place. */
   static constexpr Index MostOthers = SecondaryValues::LongChain;
+
+  /** A vertex has more values than that, so that one thread is to go on. */
+  class TooManyValues : public std::exception
+  {
+  };
 
   /** Goes on from the values of a march on one thread. */
   explicit SharedSecondaryValues(SecondaryValues& begun)
@@ -86,7 +91,7 @@ public:
   }
   static Index nextOf(const SecondaryValue& secondary) { return readShared(secondary.Next); }
   /** The number of a vertex's secondary value for a label; NoIndex if it has none.
-   * @throws FrontDoesNotSettle where there are too many */
+   * @throws TooManyValues */
   Index find(Index vertex, Index label) const
   {
     Index number = vertex;
@@ -100,7 +105,7 @@ public:
       }
       if (i > MostOthers)
       {
-        throw FrontDoesNotSettle("A vertex has too many values for several threads.");
+        throw TooManyValues();
       }
       number = nextOf(secondary);
       keepSharedInOrder();
