@@ -74,8 +74,8 @@ struct MarchContext;
  * sources.
  *
  * Time O(n) on meshes whose edges do not vary wildly. Memory besides the mesh and its UpdateBounds:
- * 24 bytes a vertex for one label; for several labels 16 bytes a vertex more, and 20 for each
- * secondary value beyond the first of a vertex.
+ * 24 bytes a vertex for one label; for several labels 16 bytes a vertex more, and 21 for each
+ * secondary value beyond the first of a vertex, on threads 24 to 48.
  */
 class FastMarchingSolver : public MarchingSolver
 {

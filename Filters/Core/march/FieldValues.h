@@ -68,6 +68,13 @@ private:
   double SeedValue;
 };
 
+/** Whether updates that come on a way leave a value as it is because it is final. */
+template <class Cost, Way way>
+bool isFixed(const VertexState& state)
+{
+  return !(Cost::isUnit && way == Way::Along) && state.isFinal();
+}
+
 /**
  * The best values of vertices, which are in the field: its distances less the values of the labels'
  * seeds. It is the common base of OneLabelValues and LabelValues.
@@ -152,13 +159,6 @@ protected:
     return { held, held, true };
   }
 
-  /** Whether updates that come on a way leave a value as it is because it is final. */
-  template <Way way>
-  static bool isFixed(const VertexState& state)
-  {
-    return !(Cost::isUnit && way == Way::Along) && state.isFinal();
-  }
-
   /** Gives a vertex a value if that counts, and queues it. @pre the vertex has no value or a best
    * one of the same label
    * @return what the vertex then has */
@@ -166,7 +166,7 @@ protected:
   NeighbourValue offer(const SourceFront& label, Index vertex, double value)
   {
     const double old = this->value(label, vertex);
-    if (!isFixed<way>(this->state(vertex)) && !this->isExcluded(vertex) &&
+    if (!isFixed<Cost, way>(this->state(vertex)) && !this->isExcluded(vertex) &&
       value < this->ceiling(label, vertex, old))
     {
       this->set(label, vertex, value);

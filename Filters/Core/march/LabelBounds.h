@@ -4,10 +4,12 @@
 #define geodesic_LabelBounds_h
 
 #include "base/Index.h"
+#include "march/SourceFront.h"
 #include "solve/DistanceField.h"
 #include "solve/SeedFront.h"
 #include "solve/StartValue.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -73,6 +75,11 @@ public:
   /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
    */
   double ofVertex(Index vertex) const { return this->OfVertices[vertex]; }
+  /** The largest value of a label that counts at a vertex, without the value of its seed. */
+  double of(const SourceFront& label, Index vertex) const
+  {
+    return std::min(this->ofVertex(vertex) - label.seedValue, label.reach);
+  }
   /** The largest value of a label that counts, without the value of its seed. */
   double ofLabel(Index label) const { return this->OfLabels[label]; }
 

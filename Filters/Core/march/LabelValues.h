@@ -5,8 +5,8 @@
 
 #include "base/Platform.h"
 #include "march/FieldValues.h"
+#include "march/FinishedVertex.h"
 #include "march/LabelBounds.h"
-#include "march/NearestSeed.h"
 #include "march/SecondaryValues.h"
 #include "solve/MarchingFront.h"
 #include "solve/StartValue.h"
@@ -127,7 +127,7 @@ public:
       lanesOf<Real>([&](int lane) { return inPlace(lane).distance; }) - label.seedValue,
       Real() + DistanceField::Unreached);
     const Real keptUpTo = this->Bounds
-      ? lanesOf<Real>([&](int lane) { return this->boundOf(label, vertices[lane]); })
+      ? lanesOf<Real>([&](int lane) { return this->Bounds->of(label, vertices[lane]); })
       : best + lanesOf<Real>([&](int lane) { return this->context().cost.margin(vertices[lane]); });
     NeighbourValues<Real> known{ values, least(values, keptUpTo),
       highestBits<Real>(areInPlace) & highestBits<Real>(states) };
@@ -158,7 +158,7 @@ public:
     {
       return this->proposeSecondary<way>(label, vertex, value);
     }
-    if (this->Bounds && value > this->boundOf(label, vertex))
+    if (this->Bounds && value > this->Bounds->of(label, vertex))
     {
       const double known = this->value(label, vertex);
       return { known, known, this->state(vertex).isQueued() };
@@ -242,25 +242,12 @@ public:
   /** Sets the nearest seeds in the field, and removes all values. */
   void finish()
   {
-    DistanceField& field = this->context().field;
-    for (Index vertex : field.reached())
+    for (const Index vertex : this->context().field.reached())
     {
-      VertexState& state = this->state(vertex);
-      const Label& nearest = this->Labels[state.label()];
-      field.setNearestSeed(vertex, nearest.seed);
-      if (this->Bounds &&
-        this->Bounds->mayEnd(state.label(),
-          field.distance(vertex) - nearest.value + this->context().cost.reach(vertex)))
+      if (finishVertex(this->context(), this->Labels, this->Sets, this->Bounds, vertex))
       {
         this->Bounds->noteAtEnd(vertex);
       }
-      if (this->Sets.hasSecondary(vertex))
-      {
-        field.setNearestSeed(vertex,
-          nearestSeedOf(this->Sets, this->Labels, vertex, field.distance(vertex), nearest.seed));
-        this->Sets.clear(vertex);
-      }
-      state = {};
     }
     this->Sets.finish();
   }
@@ -275,14 +262,8 @@ private:
   /** The largest value of a label that a vertex keeps: within the margin, or within bounds. */
   double keptUpTo(const SourceFront& label, Index vertex) const
   {
-    return this->Bounds ? this->boundOf(label, vertex)
+    return this->Bounds ? this->Bounds->of(label, vertex)
                         : this->value(label, vertex) + this->context().cost.margin(vertex);
-  }
-
-  /** The largest value of a label that counts at a vertex. @pre there are bounds */
-  double boundOf(const SourceFront& label, Index vertex) const
-  {
-    return std::min(this->Bounds->ofVertex(vertex) - label.seedValue, label.reach);
   }
 
   PoppedValue popBest(Index vertex)
@@ -337,7 +318,7 @@ private:
     {
       number = this->Sets.add(vertex, label.number());
     }
-    else if (LabelValues::template isFixed<way>(this->Sets.secondary(number).state))
+    else if (isFixed<Cost, way>(this->Sets.secondary(number).state))
     {
       return known;
     }

@@ -7,8 +7,8 @@
 
 #include "base/CallsTogether.h"
 #include "march/BatchedMarch.h"
+#include "march/FinishedVertex.h"
 #include "march/LabelBounds.h"
-#include "march/NearestSeed.h"
 #include "march/NeighbourUpdateOnOne.h"
 #include "march/SharedFront.h"
 #include "march/SharedLabelValues.h"
@@ -51,7 +51,7 @@ public:
 
   /** The values of the one thread that begins. */
   OneLabelValues<Cost>& alone() { return this->Alone; }
-  /** Whether it can be shared. */
+  /** Whether it can be shared; once it can't, it never can. */
   static bool isPossible() { return true; }
   /** To be called once it is to be shared. */
   void begin() {}
@@ -106,26 +106,14 @@ public:
   }
   void finish(std::span<const Index> reached, bool isFinished)
   {
-    DistanceField& field = this->Context.field;
     std::vector<Index> atEnds;
     for (const Index vertex : reached)
     {
-      VertexState& state = this->Context.states[vertex];
-      if (!state.hasLabel())
-      {
-        continue;
-      }
-      const Label& nearest = this->Labels[state.label()];
-      field.setNearestSeed(vertex,
-        nearestSeedOf(*this->OfAll, this->Labels, vertex, field.distance(vertex), nearest.seed));
-      if (isFinished && this->Bounds &&
-        this->Bounds->mayEnd(
-          state.label(), field.distance(vertex) - nearest.value + this->Context.cost.reach(vertex)))
+      if (this->Context.states[vertex].hasLabel() &&
+        finishVertex(this->Context, this->Labels, *this->OfAll, this->Bounds, vertex) && isFinished)
       {
         atEnds.push_back(vertex);
       }
-      this->OfAll->clear(vertex);
-      state = {};
     }
     const std::lock_guard lock(this->Mutex);
     for (const Index vertex : atEnds)
@@ -216,11 +204,11 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(Sharing& sharing,
   const double edge = this->mesh().meanLongestEdge() * context.cost.mean();
   const double step = edge > 0.0 ? edge : DistanceField::Unreached;
   const auto goesOn = [&] { return queues.size() > 0 && !control.isCancelled(); };
-  const auto advanceWhile = [&](const auto& mayGoOn)
-  { batches.advanceWhile(queues.endOfMarch(queues.nextKey() + step), nullptr, mayGoOn); };
+  const auto endOfStep = [&] { return queues.endOfMarch(queues.nextKey() + step); };
   while (goesOn() && !isToBeShared())
   {
-    advanceWhile([] { return true; });
+    batches.advance(
+      sharing.isPossible() ? endOfStep() : queues.endOfMarch(DistanceField::Unreached), nullptr);
   }
   if (goesOn())
   {
@@ -231,7 +219,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(Sharing& sharing,
       const auto mayGoOn = [&] { return control.count() < most && !areThere(); };
       while (goesOn() && mayGoOn())
       {
-        advanceWhile(mayGoOn);
+        batches.advanceWhile(endOfStep(), nullptr, mayGoOn);
       }
       sharing.begin();
       march.begin(

@@ -114,7 +114,7 @@ public:
     const Real values = select(
       widened<Real>(areInPlace), distances - label.seedValue, Real() + DistanceField::Unreached);
     const Real keptUpTo = this->Bounds
-      ? lanesOf<Real>([&](int lane) { return this->boundOf(label, vertices[lane]); })
+      ? lanesOf<Real>([&](int lane) { return this->Bounds->of(label, vertices[lane]); })
       : best + lanesOf<Real>([&](int lane) { return this->Context.cost.margin(vertices[lane]); });
     NeighbourValues<Real> known{ values, least(values, keptUpTo),
       highestBits<Real>(areInPlace) & highestBits<Real>(states) };
@@ -155,8 +155,8 @@ public:
     {
       return this->template proposeSecondary<way>(label, vertex, value);
     }
-    if (!(value < ceiling) || isFixed<way>(state) || this->Context.options.isExcluded(vertex) ||
-      this->isBeyondBounds(label, vertex, value))
+    if (!(value < ceiling) || isFixed<Cost, way>(state) ||
+      this->Context.options.isExcluded(vertex) || this->isBeyondBounds(label, vertex, value))
     {
       return { old, old, state.isQueued() };
     }
@@ -261,26 +261,16 @@ private:
     return own;
   }
 
-  template <Way way>
-  static bool isFixed(const VertexState& state)
-  {
-    return !(Cost::isUnit && way == Way::Along) && state.isFinal();
-  }
-
   /** See LabelValues. */
   double keptUpTo(const SourceFront& label, Index vertex) const
   {
     return this->Bounds
-      ? this->boundOf(label, vertex)
+      ? this->Bounds->of(label, vertex)
       : this->distance(vertex) - label.seedValue + this->Context.cost.margin(vertex);
-  }
-  double boundOf(const SourceFront& label, Index vertex) const
-  {
-    return std::min(this->Bounds->ofVertex(vertex) - label.seedValue, label.reach);
   }
   bool isBeyondBounds(const SourceFront& label, Index vertex, double value) const
   {
-    return this->Bounds && value > this->boundOf(label, vertex);
+    return this->Bounds && value > this->Bounds->of(label, vertex);
   }
 
   PoppedValue popBest(Index vertex)
@@ -366,8 +356,9 @@ private:
   {
     auto [known, state] = this->known(label, vertex);
     known.isQueued = false;
-    if (value < known.ceiling * this->Context.control.keptFraction() && !isFixed<way>(state) &&
-      !this->Context.options.isExcluded(vertex) && !this->isBeyondBounds(label, vertex, value))
+    if (value < known.ceiling * this->Context.control.keptFraction() &&
+      !isFixed<Cost, way>(state) && !this->Context.options.isExcluded(vertex) &&
+      !this->isBeyondBounds(label, vertex, value))
     {
       this->Share.send(
         { vertex, label.number() }, label.distance(value) - this->FirstDistance, way == Way::Along);
@@ -380,8 +371,8 @@ private:
   {
     Index number = this->Sets.find(vertex, label.number());
     const auto [known, state] = this->knownSecondary(label, number, this->keptUpTo(label, vertex));
-    if (!(value < known.ceiling * this->Context.control.keptFraction()) || isFixed<way>(state) ||
-      this->Context.options.isExcluded(vertex))
+    if (!(value < known.ceiling * this->Context.control.keptFraction()) ||
+      isFixed<Cost, way>(state) || this->Context.options.isExcluded(vertex))
     {
       return known;
     }

@@ -73,8 +73,7 @@ public:
       this->setDistance(vertex, this->Only.distance(held[0]));
       return { held[0], held[0], true };
     }
-    const bool isFixed = !(Cost::isUnit && way == Way::Along) && state.isFinal();
-    if (!(value < ceiling) || isFixed || this->Context.options.isExcluded(vertex))
+    if (!(value < ceiling) || isFixed<Cost, way>(state) || this->Context.options.isExcluded(vertex))
     {
       return { old, old, isOwn && state.isQueued() };
     }

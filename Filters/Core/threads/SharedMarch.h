@@ -32,13 +32,12 @@ struct ThreadWork
 };
 
 /**
- * A march that several threads share, in one field in shared memory. Each thread owns
- * the vertices of a range of numbers, that is, a part of the surface that lies together (see
- * SpatialOrder); those of them that wait are in its queue. All march in rounds, up to a common
- * limit in each, and wait for each other after it; a thread that is early goes on a little
- * meanwhile. Where the queues would take them unequal times the ranges are cut anew. Where so few
- * vertices wait that rounds are not worth it, as at the start, the first thread owns all and goes
- * on alone.
+ * A march that several threads share, in one field in shared memory. Each thread owns the vertices
+ * of a range of numbers, that is, a part of the surface that lies together (see SpatialOrder);
+ * those of them that wait are in its queue. All march in rounds, up to a common limit in each, and
+ * wait for each other after it; a thread that is early goes on a little meanwhile. Where the queues
+ * would take them unequal times the ranges are cut anew. Where so few vertices wait that rounds are
+ * not worth it, as at the start, the first thread owns all and goes on alone.
  *
  * A thread writes the values of its own vertices only. It reads those of all vertices, also while
  * their owners write them: a value only falls, and one that was read too early makes an update too
