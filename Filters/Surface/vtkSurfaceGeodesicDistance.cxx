@@ -17,6 +17,7 @@
 #include "algorithm/DealtField.h"
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
+#include "base/MachineMemory.h"
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
@@ -39,6 +40,8 @@
 #include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -64,6 +67,8 @@ struct vtkSurfaceGeodesicDistance::Internals
   geodesic::distributed::ThinTriangleNotice Thin;
   /** Whether there are costs on any rank. */
   bool HasCost = false;
+  /** Whether the field is that of a march on intrinsic triangles. */
+  bool IsIntrinsic = false;
 };
 
 vtkStandardNewMacro(vtkSurfaceGeodesicDistance);
@@ -293,13 +298,17 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   if (this->Method == FAST_MARCHING)
   {
     internal.Thin.update(ranks, internal.Surface, run.blocks);
-    this->ThinTriangles = static_cast<vtkIdType>(internal.Thin.thin());
-    this->NoticeText = internal.Thin.text(internal.HasCost);
+    this->ThinTriangles = static_cast<vtkIdType>(internal.Thin.count().thin);
   }
   const geodesic::bridge::InputPathAttributes input(internal.Surface->piece(), run.blocks);
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
+  internal.IsIntrinsic = this->NeedsIntrinsic(ranks, seeds);
+  if (this->Method == FAST_MARCHING)
+  {
+    this->NoticeText = internal.Thin.text(internal.IsIntrinsic, internal.HasCost);
+  }
   if (this->Signed)
   {
     internal.Sides.update(ranks, internal.Lined, seeds);
@@ -324,7 +333,9 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   geodesic::SolveOptions options = surface.options();
   options.partition = &partition;
   options.memoryLimit = this->GetMemoryLimitInBytes();
-  options.threads = this->GetThreadsOfField(ranks, internal.Thin.areMany());
+  options.isIntrinsic = internal.IsIntrinsic;
+  options.threads =
+    this->GetThreadsOfField(ranks, internal.Thin.count().areMany() && !internal.IsIntrinsic);
   options.tolerance = this->GetCheckedTolerance();
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
@@ -371,7 +382,32 @@ void vtkSurfaceGeodesicDistance::CheckUnreachedValue() const
 //------------------------------------------------------------------------------
 bool vtkSurfaceGeodesicDistance::Gathers(const geodesic::distributed::RankGroup& ranks) const
 {
-  return this->GatherForExact && this->NeedsOneOf(ranks);
+  return (this->GatherForExact && this->NeedsOneOf(ranks)) ||
+    (this->Internal->IsIntrinsic && ranks.size() > 1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceGeodesicDistance::NeedsIntrinsic(
+  geodesic::distributed::RankGroup& ranks, const std::vector<geodesic::Seed>& seeds) const
+{
+  const Internals& internal = *this->Internal;
+  const bool arePoints = std::all_of(seeds.begin(), seeds.end(),
+    [](const geodesic::Seed& seed) { return seed.kind == geodesic::Seed::Kind::Point; });
+  if (this->Method != FAST_MARCHING || !internal.Thin.count().needOthers() || internal.HasCost ||
+    ranks.isAny(!arePoints))
+  {
+    return false;
+  }
+  // The first of several ranks gets all of the surface. What it takes there, see
+  // IntrinsicMarchingSolver.
+  constexpr double bytesOfVertex = 2000.0;
+  const double bytes =
+    ranks.sum(static_cast<double>(internal.Lined.mesh()->numberOfVertices())) * bytesOfVertex;
+  const std::size_t limit = this->GetMemoryLimitInBytes();
+  std::array room{ limit > 0 ? static_cast<double>(limit)
+                             : 0.75 * static_cast<double>(geodesic::machineMemory()) };
+  ranks.takeLeast(room);
+  return bytes <= room[0];
 }
 
 //------------------------------------------------------------------------------
@@ -388,7 +424,8 @@ void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic
       "SpreadWork can't be used with BarrierSource or with lines of SeedSource. Turn it off.");
   }
   geodesic::distributed::Dealing dealing{ gathers };
-  if (gathers && this->UseMaximumDistance)
+  // Where intrinsic triangles are depends on all of the surface.
+  if (gathers && this->UseMaximumDistance && !internal.IsIntrinsic)
   {
     dealing.distance = this->MaximumDistance;
     dealing.box = geodesic::distributed::boxOf(ranks, internal.Lined.divided().mesh(), seeds);

@@ -5,6 +5,7 @@
 #include "ExactDistances.h"
 #include "Solving.h"
 #include "WorstSeeds.h"
+#include "mesh/ThinTriangles.h"
 #include "methods/SolverTable.h"
 
 #include <algorithm>
@@ -25,7 +26,9 @@ FieldError errorOn(const Surface& surface, const std::string& method)
   {
     const std::vector<double> exact = exactDistances(surface, { mesh->pointOfVertex(source) });
     const Seed seed = Seed::atPoint(mesh->pointAtVertex(source));
-    const DistanceField& found = solver->solve({ &seed, 1 }, {});
+    SolveOptions options;
+    options.isIntrinsic = countThinTriangles(*mesh).needOthers();
+    const DistanceField& found = solver->solve({ &seed, 1 }, options);
     for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
     {
       const double truth = exact[mesh->pointOfVertex(vertex)];

@@ -3,6 +3,8 @@
 #include "Trial.h"
 
 #include "WorstSeeds.h"
+#include "march/IntrinsicMarchingSolver.h"
+#include "mesh/ThinTriangles.h"
 #include "methods/SolverTable.h"
 
 #include <algorithm>
@@ -71,6 +73,7 @@ private:
 Trial::Trial(const Surface& surface, const std::string& method)
   : Made(setUp(surface))
   , Solver(solverOfName(method).make(this->Made.mesh))
+  , NeedsOthers(countThinTriangles(*this->Made.mesh).needOthers())
   , Random(1)
 {
 }
@@ -80,12 +83,19 @@ double Trial::secondsOfOneSeed()
   const auto solve = [&](Index source)
   {
     const Seed seed = Seed::atPoint(this->mesh().pointAtVertex(source));
-    this->Solver->solve({ &seed, 1 }, {});
+    this->Solver->solve({ &seed, 1 }, this->asUsersRun({ &seed, 1 }, {}));
   };
   const std::vector<Index> sources = someVertices(this->mesh());
   // The first run is not warm.
   solve(sources.front());
   return medianFrom(sources, solve);
+}
+
+SolveOptions Trial::asUsersRun(std::span<const Seed> seeds, SolveOptions options) const
+{
+  options.isIntrinsic =
+    this->NeedsOthers && IntrinsicMarchingSolver::canMarchIntrinsically(seeds, options);
+  return options;
 }
 
 double Trial::secondsOfDijkstra(std::span<const double> cost) const
@@ -99,7 +109,7 @@ RunCost Trial::solve(const std::vector<Seed>& seeds, const SolveOptions& options
   std::size_t reached = 0;
   RunCost cost = this->run([&](const SolveOptions& watched)
     { reached = this->Solver->solve(seeds, watched).reached().size(); },
-    options);
+    this->asUsersRun(seeds, options));
   cost.reached = reached;
   return cost;
 }

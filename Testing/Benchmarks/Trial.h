@@ -52,8 +52,13 @@ public:
     const std::function<void(const SolveOptions&)>& work, const SolveOptions& options = {});
 
 private:
+  /** Options with which the filters solve: on intrinsic triangles where many are thin. */
+  SolveOptions asUsersRun(std::span<const Seed> seeds, SolveOptions options) const;
+
   SetUp Made;
   std::unique_ptr<DistanceSolver> Solver;
+  /** Whether many triangles are thin. */
+  bool NeedsOthers;
   std::mt19937 Random;
 };
 

@@ -97,6 +97,12 @@ def thin(rows=60, columns=60):
     return points, grid(rows, columns)
 
 
+def flat():
+    """A torus flattened so much that most of its triangles are thin."""
+    points, cells = torus()
+    return points * [1.0, 1.0 / 40, 1.0], cells
+
+
 def square():
     u, v = np.meshgrid(np.arange(8.0), np.arange(8.0), indexing="ij")
     return np.stack([u, v, 0 * u], -1).reshape(-1, 3), grid(8, 8)
@@ -161,7 +167,7 @@ def in_boxes(middles, ranks):
     return owner
 
 
-SURFACES = {f.__name__: f for f in (bunny, sphere, torus, large, thin, triangle, edge, corner, parts)}
+SURFACES = {f.__name__: f for f in (bunny, sphere, torus, large, thin, flat, triangle, edge, corner, parts)}
 
 
 def owners(points, cells, cut, ranks):

@@ -58,6 +58,7 @@ public:
     const Vector3& centre = positions[taken.vertex];
     const Vector3Of<Real> origin{ sameOf<Real>(centre.x), sameOf<Real>(centre.y),
       sameOf<Real>(centre.z) };
+    const Vector3* const offsets = this->offsetsOf(entries);
     const typename Values::Reader reader = this->FrontValues.reader(*taken.label);
     Judgement<Real> judgement(taken.vertex, taken.value);
     std::size_t others = batch.OthersCount;
@@ -68,9 +69,11 @@ public:
       const Indices<Real> neighbours = neighboursIn<Real>(entries + i);
       std::copy_n(neighbours.begin(), lanes<Real>, &batch.Neighbours[base + i]);
       const BestValues<Real> seen = reader.template look<Real>(neighbours);
-      const Vector3Of<Real> offset =
-        sideBySide<Real>([&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
-        origin;
+      const Vector3Of<Real> offset = offsets
+        ? sideBySide<Real>([&](int lane) -> const Vector3& { return offsets[i + lane]; })
+        : sideBySide<Real>(
+            [&](int lane) -> const Vector3& { return positions[neighbours[lane]]; }) -
+          origin;
       const Real squares = dot(offset, offset);
       store(seen.values, &batch.Values[base + i]);
       store(offset.x, &batch.X[base + i]);
@@ -135,6 +138,14 @@ public:
 
 private:
   using Mask = BatchMasks::Mask;
+
+  /** TriangleMesh::offsets() from some ring entries on; null if the mesh is not intrinsic. */
+  const Vector3* offsetsOf(const RingEntry* entries) const
+  {
+    return this->Mesh.isIntrinsic()
+      ? this->Mesh.offsets().data() + this->Mesh.rings().numberOf(entries)
+      : nullptr;
+  }
 
   template <class Real>
   GEODESIC_INLINED static Indices<Real> neighboursIn(const RingEntry* entries)

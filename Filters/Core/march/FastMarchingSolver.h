@@ -11,7 +11,7 @@
 namespace geodesic
 {
 /** With a compiler without vector extensions, ReferenceSolver stands in for the batched solver. */
-class FastMarchingSolver final : public ReferenceSolver
+class FastMarchingSolver : public ReferenceSolver
 {
 public:
   /** @param mayUseQuads has no effect: numbers are treated one at a time */

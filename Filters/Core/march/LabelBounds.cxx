@@ -23,12 +23,17 @@ constexpr std::size_t VerticesOfStart = 8;
 /** Starts of labels lie anywhere: what is read of them is fetched by so many starts ahead. */
 constexpr std::size_t Soon = 8;
 
+/** Whether a test holds for all neighbours of a vertex and the entries of its ring. */
 template <class Test>
 bool allRound(const TriangleMesh& mesh, Index vertex, const Test& test)
 {
   const std::span<const RingEntry> ring = mesh.ring(vertex);
-  return std::all_of(
-    ring.begin(), ring.end(), [&](const RingEntry& entry) { return test(entry.neighbour()); });
+  bool isAll = true;
+  for (std::size_t i = 0; i < ring.size() && isAll; ++i)
+  {
+    isAll = test(ring[i].neighbour(), i);
+  }
+  return isAll;
 }
 
 }
@@ -77,18 +82,19 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   {
     // A final value falls by a way along an edge alone.
     start.isIdle = allRound(mesh, start.vertex,
-      [&](Index vertex)
+      [&](Index vertex, std::size_t entry)
       {
         const double rise = finalValue(vertex) - start.value;
         if (!(rise > 0.0))
         {
           return rise > -DistanceField::Unreached;
         }
-        const Vector3 edge = mesh.position(vertex) - mesh.position(start.vertex);
+        const Vector3 edge = mesh.toNeighbour(start.vertex, entry);
         return rise * rise <= dot(edge, edge);
       });
     const bool isInside = start.isFinal &&
-      allRound(mesh, start.vertex, [&](Index vertex) { return start.value <= finalValue(vertex); });
+      allRound(mesh, start.vertex,
+        [&](Index vertex, std::size_t) { return start.value <= finalValue(vertex); });
     this->AreInside[start.vertex] = isInside ? 1 : 0;
   }
   std::vector<StartValue> shared;
@@ -177,7 +183,8 @@ std::vector<StartValue> LabelBounds::within(
     {
       within.push_back(start);
       within.back().isIdle = !this->AreInside.empty() &&
-        allRound(mesh, start.vertex, [&](Index vertex) { return this->isInside(vertex); });
+        allRound(
+          mesh, start.vertex, [&](Index vertex, std::size_t) { return this->isInside(vertex); });
     }
     else if (start.isFinal)
     {

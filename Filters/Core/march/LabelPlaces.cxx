@@ -66,7 +66,7 @@ Vector3 alignedSum(std::vector<Vector3>& normals)
 std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
 {
   const std::span<const RingEntry> ring = mesh.ring(vertex);
-  if (ring.size() > MostOfFlat + 1 || !isSimpleFan(ring))
+  if (ring.size() > MostOfFlat + 1 || mesh.isIntrinsic() || !isSimpleFan(ring))
   {
     return std::nullopt;
   }
@@ -96,7 +96,8 @@ std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
 
 /** Appends the normals of this piece's triangles at a point: those of which it is a corner, or on
  * an edge, or that it lies in. All pieces together have those of the whole surface, some of them
- * several times: ghost triangles are in several pieces. */
+ * several times: ghost triangles are in several pieces. On an intrinsic mesh a corner without a
+ * position makes a normal of NaN, which does not count. */
 void appendNormalsAt(
   const TriangleMesh& mesh, const SurfacePoint& point, std::vector<Vector3>& normals)
 {
@@ -157,6 +158,10 @@ void findNormalsAt(
     return;
   }
   appendNormalsAt(mesh, point, normals);
+  if (mesh.isIntrinsic())
+  {
+    std::erase_if(normals, [](const Vector3& normal) { return !isFinite(normal); });
+  }
   if (!isShared)
   {
     normals.assign(1, alignedSum(normals));

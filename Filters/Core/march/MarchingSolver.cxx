@@ -63,11 +63,11 @@ void learnTargets(StopLimit& limit, Partition& partition)
 StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
 {
   StartValue nearest{ vertex, NoIndex, DistanceField::Unreached, false };
-  for (const RingEntry& entry : mesh.ring(vertex))
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    const Index neighbour = entry.neighbour();
-    const double length =
-      field.distance(neighbour) + norm(mesh.position(neighbour) - mesh.position(vertex));
+    const Index neighbour = ring[i].neighbour();
+    const double length = field.distance(neighbour) + norm(mesh.toNeighbour(vertex, i));
     if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
     {
       nearest.value = length;

@@ -33,7 +33,7 @@ protected:
   MarchingSolver(
     std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds);
 
-  bool march(const Request& request, StopLimit& limit, DistanceField& field) final;
+  bool march(const Request& request, StopLimit& limit, DistanceField& field) override;
   bool renewFor(const TriangleMesh& mesh) final;
 
   /**

@@ -158,18 +158,22 @@ private:
     {
       if (this->Closed.isOpen(from.vertex, i))
       {
-        this->update(from, ring[i].neighbour(), ring[i + 1].neighbour());
-        this->update(from, ring[i + 1].neighbour(), ring[i].neighbour());
+        this->update(from, i, i + 1);
+        this->update(from, i + 1, i);
       }
     }
   }
 
-  /** Updates the third corner of a triangle over the edge from @p from's vertex to @p second. */
-  void update(const ReferenceValue& from, Index second, Index third)
+  /** Updates the third corner of a triangle over the edge from @p from's vertex to the second.
+   * @param entryOfSecond, entryOfThird  entries of the ring of @p from's vertex */
+  void update(const ReferenceValue& from, std::size_t entryOfSecond, std::size_t entryOfThird)
   {
     const Label& label = this->Labels[from.label];
-    const Vector3 edge = this->Mesh.position(second) - this->Mesh.position(from.vertex);
-    const Vector3 side = this->Mesh.position(third) - this->Mesh.position(from.vertex);
+    const std::span<const RingEntry> ring = this->Mesh.ring(from.vertex);
+    const Index second = ring[entryOfSecond].neighbour();
+    const Index third = ring[entryOfThird].neighbour();
+    const Vector3 edge = this->Mesh.toNeighbour(from.vertex, entryOfSecond);
+    const Vector3 side = this->Mesh.toNeighbour(from.vertex, entryOfThird);
     const Vector3 normal = cross(edge, side);
     const FlatTriangle triangle{ dot(edge, edge), dot(edge, side), dot(normal, normal) };
     const double cost = this->TriangleCost.ofTriangle(from.vertex, second, third);

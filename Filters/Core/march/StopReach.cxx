@@ -42,12 +42,13 @@ public:
   void raiseNeighbours(Index vertex)
   {
     const float reach = this->Reaches[vertex];
-    for (const RingEntry& entry : this->Mesh.ring(vertex))
+    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Index neighbour = entry.neighbour();
+      const Index neighbour = ring[i].neighbour();
       if (reach > this->Reaches[neighbour])
       {
-        this->raise(neighbour, static_cast<float>(reach - this->fallTo(neighbour, vertex)));
+        this->raise(neighbour, static_cast<float>(reach - this->fallTo(vertex, i)));
       }
     }
   }
@@ -66,9 +67,11 @@ public:
   }
 
 private:
-  double fallTo(Index neighbour, Index vertex) const
+  /** @param entry of the neighbour in the ring of the vertex */
+  double fallTo(Index vertex, std::size_t entry) const
   {
-    const double length = norm(this->Mesh.position(neighbour) - this->Mesh.position(vertex));
+    const Index neighbour = this->Mesh.ring(vertex)[entry].neighbour();
+    const double length = norm(this->Mesh.toNeighbour(vertex, entry));
     const double cost =
       this->Cost.empty() ? 1.0 : std::min(this->Cost[neighbour], this->Cost[vertex]);
     return PartOfEdge * cost * length;

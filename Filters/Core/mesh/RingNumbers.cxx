@@ -38,6 +38,10 @@ public:
     : Mesh(mesh)
     , Numbers(numbers)
   {
+    for (Index i = 0; i < this->Triangles.size(); ++i)
+    {
+      this->Triangles[i] = { 3 * i, 3 * i + 1, 3 * i + 2 };
+    }
   }
 
   /** Adds the triangles round a vertex. */
@@ -46,6 +50,7 @@ public:
     this->Numbers.ofVertices[vertex] = 0.0f;
     const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
     const std::uint32_t first = this->Mesh.rings().firstEntry(vertex);
+    const Vector3 origin = this->Mesh.isIntrinsic() ? Vector3{} : this->Mesh.position(vertex);
     for (std::uint32_t i = 0; i < ring.size(); ++i)
     {
       if (!ring[i].opensTriangle())
@@ -53,8 +58,15 @@ public:
         this->Numbers.ofEntries[first + i] = this->Numbers.measurer->ofNoTriangle();
         continue;
       }
-      this->Triangles[this->Count] = { vertex, ring[i].neighbour(), ring[i + 1].neighbour() };
+      this->Vertices[this->Count] = vertex;
       this->Entries[this->Count] = first + i;
+      Vector3* const corners = &this->Corners[3 * this->Count];
+      corners[0] = origin;
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        corners[k + 1] = this->Mesh.isIntrinsic() ? this->Mesh.toNeighbour(vertex, i + k)
+                                                  : this->Mesh.position(ring[i + k].neighbour());
+      }
       if (++this->Count == TriangleNumbers::Most)
       {
         this->finish();
@@ -65,12 +77,12 @@ public:
   /** Measures what was added and not yet measured; to be called after the last vertex. */
   void finish()
   {
-    this->Numbers.measurer->measure(
-      { this->Triangles.data(), this->Count }, this->Mesh.positions(), this->Measured);
+    measureTriangles(this->Numbers.measurer, { this->Triangles.data(), this->Count }, this->Corners,
+      this->Measured);
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       this->Numbers.ofEntries[this->Entries[i]] = this->Measured.ofEntries[i];
-      float& ofVertex = this->Numbers.ofVertices[this->Triangles[i][0]];
+      float& ofVertex = this->Numbers.ofVertices[this->Vertices[i]];
       ofVertex = std::max(ofVertex, this->Measured.ofVertices[i]);
     }
     this->Count = 0;
@@ -81,7 +93,11 @@ private:
   RingNumbers& Numbers;
   TriangleNumbers Measured;
   std::size_t Count = 0;
+  /** The triangles, each by the numbers of three corners. */
   std::array<Triangle, TriangleNumbers::Most> Triangles;
+  std::array<Vector3, 3 * TriangleNumbers::Most> Corners;
+  /** The vertices round which they were added. */
+  std::array<Index, TriangleNumbers::Most> Vertices;
   /** The numbers of the ring entries that open the triangles. */
   std::array<std::uint32_t, TriangleNumbers::Most> Entries;
 };

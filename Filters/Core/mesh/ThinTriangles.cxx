@@ -11,8 +11,10 @@ namespace geodesic
 
 ThinTriangles countThinTriangles(const TriangleMesh& mesh, const std::function<bool(Index)>& counts)
 {
-  constexpr double mostHeight = 0.1;
-  const auto isThin = [&](const Triangle& t)
+  constexpr double ofThin = 0.1;
+  constexpr double ofNeedle = 0.05;
+  // The square of the height over the longest side, in parts of that side.
+  const auto narrowness = [&](const Triangle& t)
   {
     const Vector3& a = mesh.position(t[0]);
     const Vector3 ab = mesh.position(t[1]) - a;
@@ -21,18 +23,25 @@ ThinTriangles countThinTriangles(const TriangleMesh& mesh, const std::function<b
     const double square = std::max({ dot(ab, ab), dot(ac, ac), dot(bc, bc) });
     const Vector3 area = cross(ab, ac);
     // Twice the area is the longest side times the height.
-    return dot(area, area) < mostHeight * mostHeight * square * square;
+    return dot(area, area) / (square * square);
   };
   ThinTriangles count;
   for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
   {
     if (counts(t))
     {
+      const double narrow = narrowness(mesh.triangle(t));
       ++count.all;
-      count.thin += isThin(mesh.triangle(t)) ? 1 : 0;
+      count.thin += narrow < ofThin * ofThin ? 1 : 0;
+      count.needles += narrow < ofNeedle * ofNeedle ? 1 : 0;
     }
   }
   return count;
+}
+
+ThinTriangles countThinTriangles(const TriangleMesh& mesh)
+{
+  return countThinTriangles(mesh, [](Index) { return true; });
 }
 
 }

@@ -13,24 +13,37 @@ namespace geodesic
 
 class TriangleMesh;
 
-/** Where so many triangles of all are thin, users of fast marching are told. */
-constexpr double ManyThinTriangles = 0.01;
-
 struct ThinTriangles
 {
+  /** Height over the longest side less than a tenth of that side. */
   std::size_t thin = 0;
+  /** Less than a twentieth. */
+  std::size_t needles = 0;
   /** The number of triangles, thin or not. */
   std::size_t all = 0;
+
+  /** Whether so many are thin that users of fast marching are told: there it can be far from the
+   * shortest distance. Plugin/Documentation/algorithm.md has its errors on flattened surfaces. */
+  bool areMany() const { return this->isPart(this->thin, 0.01); }
+  /** Whether so many are thin that fast marching gains by intrinsic triangles (see
+   * IntrinsicTriangles.h). On random points, Delaunay triangulations have fewer. */
+  bool needOthers() const
+  {
+    return this->isPart(this->thin, 0.03) || this->isPart(this->needles, 0.01);
+  }
+
+private:
+  bool isPart(std::size_t count, double part) const
+  {
+    return count > 0 && static_cast<double>(count) >= part * static_cast<double>(this->all);
+  }
 };
 
-/**
- * Counts the triangles that are thin: their height over the longest side is less than a tenth of
- * that side. There fast marching can be far from the shortest distance; Plugin/Documentation/
- * algorithm.md has its errors on flattened surfaces. Time O(n).
- * @param counts  whether a triangle counts
- */
+/** Counts thin triangles. Time O(n). @param counts  whether a triangle counts */
 ThinTriangles countThinTriangles(
   const TriangleMesh& mesh, const std::function<bool(Index)>& counts);
+/** The same of all triangles. */
+ThinTriangles countThinTriangles(const TriangleMesh& mesh);
 
 }
 

@@ -22,6 +22,7 @@
 namespace geodesic
 {
 
+class IntrinsicTriangles;
 struct LazyMotionTable;
 
 /** Whether points of equal coordinates are one vertex of the mesh. */
@@ -84,6 +85,16 @@ public:
     const std::vector<bool>& leftOut, const ThreadTeam& team = ThreadTeam()) const;
 
   /**
+   * Returns the same surface with other triangles: straight on the surface, but not in space. Their
+   * sides have the lengths that @p intrinsic tells, not the distances of their ends in space; what
+   * is measured round a vertex is measured by toNeighbour(). The vertices keep their numbers.
+   * Behind them come those that @p intrinsic added; these have no point, and NaN as position.
+   * @param team  as for the constructor. Time O(n). Memory 170 bytes a vertex more.
+   */
+  TriangleMesh withTriangles(
+    const IntrinsicTriangles& intrinsic, const ThreadTeam& team = ThreadTeam()) const;
+
+  /**
    * Returns this mesh with its points elsewhere. It shares all that does not depend on positions,
    * also the order in memory, which suits neighbours wherever they are. Distances on it are those
    * on a mesh that is built of the points, but for rounding.
@@ -126,6 +137,22 @@ public:
   std::span<const Triangle> triangles() const { return this->Triangles; }
   /** The number that a triangle has in the constructor's list. */
   Index sourceOfTriangle(Index triangle) const { return this->SourceOfTriangle[triangle]; }
+  /** Whether triangles are straight on another surface and not in space, see withTriangles(). */
+  bool isIntrinsic() const { return !this->Offsets.empty(); }
+  /** The vector from a vertex to the neighbour of an entry of its ring: in space, or, on an
+   * intrinsic mesh, where the triangles of that fan lie if they are laid into a plane. */
+  Vector3 toNeighbour(Index vertex, std::size_t entry) const
+  {
+    return this->isIntrinsic()
+      ? this->Offsets[this->Rings.firstEntry(vertex) + entry]
+      : this->Positions[this->ring(vertex)[entry].neighbour()] - this->Positions[vertex];
+  }
+  /** On an intrinsic mesh toNeighbour() of all entries of all rings, and VertexRings::Overrun
+   * vectors more; else empty. */
+  std::span<const Vector3> offsets() const
+  {
+    return { this->Offsets.data(), this->Offsets.size() };
+  }
   /** The triangles round a vertex; see VertexRings. */
   std::span<const RingEntry> ring(Index vertex) const { return this->Rings[vertex]; }
   const VertexRings& rings() const { return this->Rings; }
@@ -211,6 +238,8 @@ private:
    * surface. */
   void forgetBareVertices(std::span<Index> vertexOfPoint);
   void measureEdges();
+  /** Measures the rings of an intrinsic mesh. */
+  void makeOffsets(const IntrinsicTriangles& intrinsic, const ThreadTeam& team);
 
   /** Where points put the vertices; nothing if one of these is not finite. */
   std::optional<BulkVector<Vector3>> movedPositions(
@@ -225,6 +254,7 @@ private:
   SharedVector<Triangle> Triangles;
   SharedVector<Index> SourceOfTriangle;
   VertexRings Rings;
+  SharedVector<Vector3> Offsets;
   std::shared_ptr<const RingNumbers> Numbers;
   SharedVector<Index> VertexOfPoint;
   SharedVector<Index> PointOfVertex;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/SolverTable.h"
 
-#include "march/FastMarchingSolver.h"
+#include "march/IntrinsicMarchingSolver.h"
 #include "march/ReferenceSolver.h"
 #include "solve/DijkstraSolver.h"
 #include "sources/VirtualSourceSolver.h"
@@ -36,7 +36,7 @@ constexpr std::array Solvers{
     .takesBarriers = true,
     .ranks = RankSupport::Partition,
     .bytesPerVertex = 41.0,
-    .make = &make<FastMarchingSolver> },
+    .make = &make<IntrinsicMarchingSolver> },
   SolverTraits{ .number = 1,
     .name = "Dijkstra",
     .interpolatorNumber = 0,

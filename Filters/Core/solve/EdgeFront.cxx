@@ -65,14 +65,13 @@ void EdgeFront::proposeToNeighbours(Index vertex)
 {
   const double own = this->Field.distance(vertex);
   const Index seed = this->Field.nearestSeed(vertex);
-  const Vector3 centre = this->Mesh.position(vertex);
   const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (this->Closed.isOpenEdge(vertex, i))
     {
       const Index neighbour = ring[i].neighbour();
-      const double length = norm(this->Mesh.position(neighbour) - centre);
+      const double length = norm(this->Mesh.toNeighbour(vertex, i));
       const double meanCost = 0.5 * (this->costOf(vertex) + this->costOf(neighbour));
       this->propose(neighbour, seed, own + length * meanCost);
     }

@@ -53,7 +53,8 @@ public:
   double leftOf(double length) const
   {
     constexpr double rounding = 1e-9;
-    return this->LeastCost * std::max((1.0 - rounding) * length - this->Radius, 0.0);
+    // In this order, NaN is nothing left: a vertex without a position.
+    return this->LeastCost * std::max(0.0, (1.0 - rounding) * length - this->Radius);
   }
   double leftFrom(const Vector3& position) const
   {

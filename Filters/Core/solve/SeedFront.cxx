@@ -201,8 +201,42 @@ private:
     }
     for (Index vertex : cornersRound(this->Mesh, this->Closed, carriers))
     {
-      this->Front.starts.push_back({ vertex, label, norm(this->Mesh.position(vertex) - position) });
+      const double length = this->Mesh.isIntrinsic() ? this->lengthOnSurface(vertex, point)
+                                                     : norm(this->Mesh.position(vertex) - position);
+      this->Front.starts.push_back({ vertex, label, length });
     }
+  }
+
+  /** The length from a point to a corner of a triangle that has the point, in the plane of this
+   * triangle. */
+  double lengthOnSurface(Index corner, const SurfacePoint& point) const
+  {
+    const Triangle& carrying = this->Mesh.triangle(point.triangle);
+    const std::span<const RingEntry> ring = this->Mesh.ring(corner);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (!ring[i].opensTriangle())
+      {
+        continue;
+      }
+      Vector3 toPoint;
+      bool hasAll = true;
+      for (int c = 0; c < 3; ++c)
+      {
+        const bool isFirst = ring[i].neighbour() == carrying[c];
+        const bool isSecond = ring[i + 1].neighbour() == carrying[c];
+        if (isFirst || isSecond)
+        {
+          toPoint =
+            toPoint + point.weights[c] * this->Mesh.toNeighbour(corner, isFirst ? i : i + 1);
+        }
+        hasAll =
+          hasAll && (isFirst || isSecond || carrying[c] == corner || !(point.weights[c] > 0.0));
+      }
+      least = hasAll ? std::min(least, norm(toPoint)) : least;
+    }
+    return least;
   }
 
   /** @param points all of the curve's, on one of the pieces; none on the others */

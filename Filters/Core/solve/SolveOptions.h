@@ -77,6 +77,8 @@ struct SolveOptions
    */
   std::span<const Triangle> targets;
   TargetMode targetMode = TargetMode::Any;
+  /** By how much vertices may be farther than a target and yet get a distance. */
+  double beyondTargets = 0.0;
   /**
    * Whether only paths to the targets matter. Vertices that none of these can pass then get no
    * distance, or one that is too large; those on shortest paths get the same one as else. Needs
@@ -112,6 +114,9 @@ struct SolveOptions
    * several threads not to the last bit from run to run.
    */
   std::size_t threads = 1;
+  /** Whether fast marching goes over intrinsic triangles, see IntrinsicMarchingSolver: where many
+   * triangles are thin, it is faster and more exact. Others don't look at it. */
+  bool isIntrinsic = false;
   /** So many vertices there must be for each thread that shares a march: below that it gains too
    * little. */
   std::size_t verticesOfThread = std::size_t{ 1 } << 16;

@@ -31,7 +31,7 @@ public:
     , Limit(options.maximumDistance)
     , UsefulBelow(options.usefulBelow)
     , Elsewhere(options.targets.size(), DistanceField::Unreached)
-    , BeyondCorners(beyondCorners(mesh, options.pathStarts))
+    , BeyondCorners(std::max(options.beyondTargets, beyondCorners(mesh, options.pathStarts)))
   {
     const bool hasGoal = options.onlyTowardsTargets && !options.partition &&
       !options.targets.empty() && options.targetMode == TargetMode::All;
@@ -122,6 +122,23 @@ public:
     return this->isKnown() ? StopReason::MaximumDistance : StopReason::Exhausted;
   }
 
+  /** How much farther than all corners of its face a point from which a path is wanted may be, as
+   * fronts can meet inside of the face. */
+  static double beyondCorners(const TriangleMesh& mesh, std::span<const SurfacePoint> starts)
+  {
+    double most = 0.0;
+    for (const SurfacePoint& start : starts)
+    {
+      const Vector3 position = mesh.positionOf(start);
+      const bool isVertex = *std::max_element(start.weights.begin(), start.weights.end()) >= 1.0;
+      for (const Index corner : mesh.triangle(start.triangle))
+      {
+        most = isVertex ? most : std::max(most, norm(mesh.position(corner) - position));
+      }
+    }
+    return most;
+  }
+
 private:
   /** with(), by the limit of all vertices alone. */
   double ofAllWith(Index vertex) const
@@ -148,23 +165,6 @@ private:
           std::max({ this->Field.distance(target[0]), this->Field.distance(target[1]),
             this->Field.distance(target[2]) }) +
             this->BeyondCorners);
-  }
-
-  /** How much farther than all corners of its face a point from which a path is wanted may be, as
-   * fronts can meet inside of the face. */
-  static double beyondCorners(const TriangleMesh& mesh, std::span<const SurfacePoint> starts)
-  {
-    double most = 0.0;
-    for (const SurfacePoint& start : starts)
-    {
-      const Vector3 position = mesh.positionOf(start);
-      const bool isVertex = *std::max_element(start.weights.begin(), start.weights.end()) >= 1.0;
-      for (const Index corner : mesh.triangle(start.triangle))
-      {
-        most = isVertex ? most : std::max(most, norm(mesh.position(corner) - position));
-      }
-    }
-    return most;
   }
 
   double distanceOfTargets() const

@@ -25,25 +25,23 @@ void ThinTriangleNotice::update(RankGroup& ranks,
   }
   const auto ofAll = [&](std::size_t count)
   { return static_cast<std::size_t>(ranks.sum(static_cast<double>(count))); };
-  this->OfAll.thin = ofAll(this->OfThisRank.thin);
-  this->OfAll.all = ofAll(this->OfThisRank.all);
+  this->OfAll = { ofAll(this->OfThisRank.thin), ofAll(this->OfThisRank.needles),
+    ofAll(this->OfThisRank.all) };
 }
 
-bool ThinTriangleNotice::areMany() const
+std::string ThinTriangleNotice::text(bool isIntrinsic, bool hasCost) const
 {
-  const auto [thin, all] = this->OfAll;
-  return thin > 0 && static_cast<double>(thin) >= ManyThinTriangles * static_cast<double>(all);
-}
-
-std::string ThinTriangleNotice::text(bool hasCost) const
-{
-  const auto [thin, all] = this->OfAll;
-  if (!this->areMany())
+  if (!this->OfAll.areMany())
   {
     return {};
   }
-  return std::to_string(thin) + " of " + std::to_string(all) +
-    " triangles are thin; distances of FastMarching can be far off there. " +
+  const std::string count = std::to_string(this->OfAll.thin) + " of " +
+    std::to_string(this->OfAll.all) + " triangles are thin; ";
+  if (isIntrinsic)
+  {
+    return count + "FastMarching goes over others of the same surface instead.";
+  }
+  return count + "distances of FastMarching can be far off there. " +
     (hasCost ? "Remesh the surface."
              : "Use the method Exact, Bounded or VirtualSources, or remesh the surface.");
 }

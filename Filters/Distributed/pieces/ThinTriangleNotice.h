@@ -30,12 +30,12 @@ public:
   void update(RankGroup& ranks, const std::shared_ptr<const DistributedSurface>& surface,
     const bridge::InputBlocks& blocks);
 
-  std::size_t thin() const { return this->OfAll.thin; }
-  /** Whether there are so many that the user should know. */
-  bool areMany() const;
+  /** The count of all ranks. */
+  const ThinTriangles& count() const { return this->OfAll; }
   /** What the user should know; empty if there is nothing.
-   * @param hasCost  with costs no other method serves */
-  std::string text(bool hasCost) const;
+   * @param isIntrinsic  whether fast marching goes over intrinsic triangles instead
+   * @param hasCost      with costs no other method serves */
+  std::string text(bool isIntrinsic, bool hasCost) const;
 
 private:
   /** The surface whose triangles were counted, which this does not keep alive. */

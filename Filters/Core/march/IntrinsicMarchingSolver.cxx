@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/IntrinsicMarchingSolver.h"
+
+#include "base/Interruption.h"
+#include "march/EdgeLowering.h"
+#include "mesh/IntrinsicTriangles.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/MarchControl.h"
+#include "solve/Partition.h"
+#include "solve/RequestCheck.h"
+#include "solve/StopLimit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+namespace
+{
+
+/** The triangles that flips must leave as they are: closed ones, and those at excluded vertices. */
+std::vector<bool> fixedTriangles(const TriangleMesh& mesh, const SolveOptions& options)
+{
+  if (options.closedTriangles.empty() && options.excluded.empty())
+  {
+    return {};
+  }
+  std::vector<bool> isFixed(mesh.numberOfTriangles());
+  for (Index t = 0; t < mesh.numberOfTriangles(); ++t)
+  {
+    const Triangle& corners = mesh.triangle(t);
+    isFixed[t] = options.isClosed(t) ||
+      std::any_of(
+        corners.begin(), corners.end(), [&](Index vertex) { return options.isExcluded(vertex); });
+  }
+  return isFixed;
+}
+
+/** What was made with options, made longer: what is added is of the vertices that a mesh has not.
+ */
+template <class Value>
+std::vector<Value> extended(std::span<const Value> values, Index size, Value added)
+{
+  std::vector<Value> all(values.begin(), values.end());
+  if (!all.empty())
+  {
+    all.resize(size, added);
+  }
+  return all;
+}
+
+}
+
+/** The march itself, on the intrinsic mesh. */
+class IntrinsicMarchingSolver::Solver final : public FastMarchingSolver
+{
+public:
+  Solver(const std::shared_ptr<const TriangleMesh>& intrinsic, const TriangleMesh& faces,
+    const SolveOptions& barriers, const std::vector<std::array<Index, 2>>& removedEdges)
+    : FastMarchingSolver(intrinsic)
+    , Faces(faces)
+    , ClosedFaces(faces, barriers.closedTriangles)
+  {
+    this->Removed.reserve(removedEdges.size());
+    for (const auto& ends : removedEdges)
+    {
+      this->Removed.push_back({ ends, norm(faces.position(ends[1]) - faces.position(ends[0])) });
+    }
+  }
+
+protected:
+  bool march(const Request& request, StopLimit& limit, DistanceField& field) override
+  {
+    // The second march counts its steps on from those of the first.
+    std::size_t before = 0;
+    std::size_t steps = 0;
+    SolveOptions options = request.options;
+    if (options.onProgress)
+    {
+      options.onProgress = [&](std::size_t taken)
+      {
+        steps = before + taken;
+        return request.options.onProgress(steps);
+      };
+    }
+    const Request counted{ request.front, request.closed, options, request.partition,
+      request.hasCost, request.keepsSurface, request.seeds };
+    if (!FastMarchingSolver::march(counted, limit, field))
+    {
+      return false;
+    }
+    before = steps;
+    std::vector<Index> from;
+    for (const RemovedEdge& edge : this->Removed)
+    {
+      const auto [a, b] = edge.ends;
+      const double difference = field.distance(b) - field.distance(a);
+      if (std::abs(difference) > edge.length)
+      {
+        from.push_back(difference > 0.0 ? a : b);
+      }
+    }
+    return lowerAlongEdges(
+      this->Faces, this->ClosedFaces, options, from, request.partition, limit, field);
+  }
+
+private:
+  const TriangleMesh& Faces;
+  ClosedTriangles ClosedFaces;
+  /** An edge of the mesh that the intrinsic triangles do not have. */
+  struct RemovedEdge
+  {
+    std::array<Index, 2> ends;
+    double length;
+  };
+  std::vector<RemovedEdge> Removed;
+};
+
+/** The intrinsic triangles within some barriers, and the solver on them. */
+struct IntrinsicMarchingSolver::Intrinsic
+{
+  Intrinsic(const TriangleMesh& faces, const SolveOptions& options)
+    : closedFaces(options.closedTriangles.begin(), options.closedTriangles.end())
+    , triangles(faces, fixedTriangles(faces, options))
+    , mesh(std::make_shared<TriangleMesh>(faces.withTriangles(this->triangles)))
+    , excluded(extended(options.excluded, this->mesh->numberOfVertices(), std::uint8_t{ 0 }))
+    , numberOf(this->mesh->numberOfTriangles())
+    , solver(this->mesh, faces, options, this->triangles.removedEdges())
+  {
+    for (Index t = 0; t < this->numberOf.size(); ++t)
+    {
+      this->numberOf[this->mesh->sourceOfTriangle(t)] = t;
+    }
+    if (!this->closedFaces.empty())
+    {
+      this->closed.resize(this->numberOf.size());
+      for (Index t = 0; t < this->closedFaces.size(); ++t)
+      {
+        this->closed[this->numberOf[this->triangles.numberOf(t)]] = this->closedFaces[t];
+      }
+    }
+  }
+
+  /** Whether it was made for the barriers of a request. */
+  bool suits(const TriangleMesh& faces, const SolveOptions& options) const
+  {
+    const auto ofFaces =
+      std::span(this->excluded).first(options.excluded.empty() ? 0 : faces.numberOfVertices());
+    return this->excluded.empty() == options.excluded.empty() &&
+      std::ranges::equal(ofFaces, options.excluded) &&
+      std::ranges::equal(this->closedFaces, options.closedTriangles);
+  }
+
+  /** A seed on the faces as one on the intrinsic mesh. */
+  Seed seedOf(const TriangleMesh& faces, const Seed& seed) const
+  {
+    Seed moved = seed;
+    moved.position = seed.position ? seed.position : faces.positionOf(seed.points[0]);
+    moved.points[0] = this->triangles.pointOf(seed.points[0]);
+    moved.points[0].triangle = this->numberOf[moved.points[0].triangle];
+    return moved;
+  }
+
+  std::vector<std::uint8_t> closedFaces;
+  IntrinsicTriangles triangles;
+  std::shared_ptr<const TriangleMesh> mesh;
+  /** For each vertex and triangle of the intrinsic mesh; empty if there is none. */
+  std::vector<std::uint8_t> excluded;
+  std::vector<std::uint8_t> closed;
+  /** The number in the intrinsic mesh of each of the triangles. */
+  std::vector<Index> numberOf;
+  Solver solver;
+};
+
+IntrinsicMarchingSolver::IntrinsicMarchingSolver(const std::shared_ptr<const TriangleMesh>& mesh)
+  : Faces(mesh)
+{
+}
+
+IntrinsicMarchingSolver::~IntrinsicMarchingSolver() = default;
+
+bool IntrinsicMarchingSolver::moveTo(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+  if (!this->OnFaces || !this->OnFaces->moveTo(mesh))
+  {
+    return false;
+  }
+  this->Faces = mesh;
+  this->OnIntrinsic.reset();
+  this->IsBetterOnFaces = false;
+  return true;
+}
+
+bool IntrinsicMarchingSolver::canMarchIntrinsically(
+  std::span<const Seed> seeds, const SolveOptions& options)
+{
+  const bool isInOnePiece = !options.partition || !options.partition->isDivided();
+  return isInOnePiece && options.cost.empty() && !seeds.empty() &&
+    std::all_of(
+      seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.kind == Seed::Kind::Point; });
+}
+
+const DistanceField& IntrinsicMarchingSolver::solve(
+  std::span<const Seed> seeds, const SolveOptions& options)
+{
+  if (!options.isIntrinsic || this->IsBetterOnFaces)
+  {
+    return this->solveOnFaces(seeds, options);
+  }
+  if (!canMarchIntrinsically(seeds, options))
+  {
+    throw std::invalid_argument(
+      "Fast marching on intrinsic triangles is from points, without costs "
+      "and on a surface in one piece. Let it march on the faces.");
+  }
+  Partition onePiece;
+  if (!options.keepsSurface || !this->OnIntrinsic)
+  {
+    checkSurface(*this->Faces, options);
+  }
+  checkOptions(*this->Faces, options);
+  checkSeeds(*this->Faces, seeds, onePiece);
+  if (!this->Field)
+  {
+    this->Field.emplace(this->Faces->numberOfVertices());
+  }
+  this->Field->reset();
+  if (!this->prepare(options))
+  {
+    this->Field->finish(0.0, StopReason::Cancelled);
+    return *this->Field;
+  }
+  try
+  {
+    return this->solveIntrinsically(seeds, options);
+  }
+  catch (const FrontDoesNotSettle&)
+  {
+    // As where triangles lie on each other, and new vertices have no bound by straight lines.
+    this->OnIntrinsic.reset();
+    this->IsBetterOnFaces = true;
+    return this->solveOnFaces(seeds, options);
+  }
+}
+
+const DistanceField& IntrinsicMarchingSolver::solveOnFaces(
+  std::span<const Seed> seeds, const SolveOptions& options)
+{
+  if (!this->OnFaces)
+  {
+    this->OnFaces = std::make_unique<FastMarchingSolver>(this->Faces);
+  }
+  return this->OnFaces->solve(seeds, options);
+}
+
+bool IntrinsicMarchingSolver::prepare(const SolveOptions& options)
+{
+  const bool isThere =
+    this->OnIntrinsic && (options.keepsSurface || this->OnIntrinsic->suits(*this->Faces, options));
+  if (isThere)
+  {
+    return true;
+  }
+  this->OnIntrinsic.reset();
+  const Interruption watch([&] { return !options.onProgress || options.onProgress(0); });
+  try
+  {
+    this->OnIntrinsic = std::make_unique<Intrinsic>(*this->Faces, options);
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+  return true;
+}
+
+const DistanceField& IntrinsicMarchingSolver::solveIntrinsically(
+  std::span<const Seed> seeds, const SolveOptions& options)
+{
+  Intrinsic& intrinsic = *this->OnIntrinsic;
+  std::vector<Seed> moved;
+  moved.reserve(seeds.size());
+  std::transform(seeds.begin(), seeds.end(), std::back_inserter(moved),
+    [&](const Seed& seed) { return intrinsic.seedOf(*this->Faces, seed); });
+  const auto usefulBelow =
+    extended(options.usefulBelow, intrinsic.mesh->numberOfVertices(), DistanceField::Unreached);
+  SolveOptions onIntrinsic = options;
+  onIntrinsic.closedTriangles = intrinsic.closed;
+  onIntrinsic.excluded = intrinsic.excluded;
+  onIntrinsic.usefulBelow = usefulBelow;
+  onIntrinsic.pathStarts = {};
+  onIntrinsic.incomplete = {};
+  onIntrinsic.beyondTargets = StopLimit::beyondCorners(*this->Faces, options.pathStarts);
+  const DistanceField& found = intrinsic.solver.solve(moved, onIntrinsic);
+  DistanceField& field = *this->Field;
+  if (seeds.size() == 1)
+  {
+    field.setNearestSeed(0);
+  }
+  for (const Index vertex : found.reached())
+  {
+    if (vertex < this->Faces->numberOfVertices())
+    {
+      field.setDistance(vertex, found.distance(vertex));
+      if (seeds.size() > 1)
+      {
+        field.setNearestSeed(vertex, found.nearestSeed(vertex));
+      }
+    }
+  }
+  field.noteRaisedGain(found.raisedGain());
+  field.setLeavesOutElsewhere(found.leavesOutElsewhere());
+  field.finish(DistanceField::Unreached, found.stopReason());
+  return field;
+}
+
+}

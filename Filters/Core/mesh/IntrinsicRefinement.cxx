@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of IntrinsicTriangles that add vertices.
+
+#include "base/Interruption.h"
+#include "mesh/IntrinsicTriangles.h"
+#include "mesh/TriangleMesh.h"
+#include "mesh/TriangleShape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace geodesic
+{
+
+void IntrinsicTriangles::refine()
+{
+  // The longest sides first, so that triangles are of one kind everywhere if there are to be no
+  // more vertices.
+  std::priority_queue<std::pair<double, Index>> thin;
+  const auto add = [&](Index triangle)
+  {
+    if (const HalfEdge side = this->sideToHalve(triangle); side != NoIndex)
+    {
+      thin.emplace(this->Lengths[side], triangle);
+    }
+  };
+  for (Index t = 0; t < this->Corners.size(); ++t)
+  {
+    add(t);
+  }
+  this->Touched.clear();
+  const Index most = 3 * this->Mesh.numberOfVertices();
+  while (!thin.empty() && this->numberOfVertices() < most)
+  {
+    Interruption::checkAt(thin.size());
+    const auto [length, triangle] = thin.top();
+    thin.pop();
+    const HalfEdge side = this->sideToHalve(triangle);
+    if (side == NoIndex || this->Lengths[side] != length)
+    {
+      continue;
+    }
+    this->halve(side);
+    this->flipWaiting();
+    std::for_each(this->Touched.begin(), this->Touched.end(), add);
+    this->Touched.clear();
+  }
+}
+
+IntrinsicTriangles::HalfEdge IntrinsicTriangles::sideToHalve(Index triangle) const
+{
+  const HalfEdge first = 3 * triangle;
+  HalfEdge longest = first;
+  for (const HalfEdge h : { first + 1, first + 2 })
+  {
+    longest = this->Lengths[h] > this->Lengths[longest] ? h : longest;
+  }
+  const double length = this->Lengths[longest];
+  const double other = this->Lengths[following(longest)];
+  const double third = this->Lengths[preceding(longest)];
+  const Index a = this->cornerOf(following(longest));
+  const Index b = this->cornerOf(preceding(longest));
+  const double least = std::min(this->LeastEdges[a], this->LeastEdges[b]);
+  // Beside edges that are far shorter, triangles must grow step by step: a front that enters the
+  // small ones by large ones comes again and again, each time a little nearer to the truth.
+  constexpr double graded = 8.0;
+  const double leastHeight = length > graded * least ? 0.25 : 0.1;
+  const double areas = fourAreas(length, other, third);
+  const double square = length * length;
+  // A half of a triangle without area has none either.
+  constexpr double flat = 1e-9;
+  const bool isThin = areas > flat * square && areas < 2.0 * leastHeight * square;
+  const bool isLong = length > 2.0 * std::max(least, std::min(other, third));
+  return isThin && isLong && this->Twins[longest] != Fixed ? longest : NoIndex;
+}
+
+void IntrinsicTriangles::halve(HalfEdge h)
+{
+  const Index a = this->cornerOf(following(h));
+  const Index b = this->cornerOf(preceding(h));
+  if (this->hasTwin(h) && this->cornerOf(following(this->Twins[h])) == a)
+  {
+    this->reverse(this->Twins[h] / 3);
+  }
+  const HalfEdge twin = this->Twins[h];
+  const double half = 0.5 * this->Lengths[h];
+  const Index middle = this->numberOfVertices();
+  this->LeastEdges.push_back(std::min(this->LeastEdges[a], this->LeastEdges[b]));
+  const HalfEdge behind = this->divide(h, middle);
+  if (twin == Border)
+  {
+    this->Twins[h] = Border;
+    this->Twins[behind] = Border;
+  }
+  else
+  {
+    const HalfEdge behindTwin = this->divide(twin, middle);
+    this->join(h, behindTwin, half);
+    this->join(behind, twin, half);
+  }
+  this->Changed.set(a, b, Removed);
+  this->Changed.set(a, middle, half);
+  this->Changed.set(b, middle, half);
+}
+
+IntrinsicTriangles::HalfEdge IntrinsicTriangles::divide(HalfEdge h, Index middle)
+{
+  const Index old = h / 3;
+  const auto added = static_cast<Index>(this->Corners.size());
+  const Index a = this->cornerOf(following(h));
+  const Index b = this->cornerOf(preceding(h));
+  const Index c = this->cornerOf(h);
+  const PlanePoint apex = this->apexOf(h);
+  const double length = this->Lengths[h];
+  const double half = 0.5 * length;
+  const double toMiddle = std::hypot(apex.x - half, apex.y);
+  const HalfEdge bc = following(h);
+  const double lengthOfBc = this->Lengths[bc];
+  const HalfEdge twinOfBc = this->Twins[bc];
+
+  // The old triangle keeps a and its side to c; the new one is middle, b, c.
+  this->Corners.push_back({ c, middle, b });
+  this->Lengths.resize(this->Lengths.size() + 3);
+  this->Twins.resize(this->Twins.size() + 3);
+  this->FirstStep.push_back(NoStep);
+  this->LastStep.push_back(NoStep);
+  this->Corners[old][preceding(h) % 3] = middle;
+  const HalfEdge behind = 3 * added;
+  this->Lengths[h] = half;
+  this->Lengths[behind] = half;
+  this->join(behind + 1, twinOfBc, lengthOfBc);
+  this->join(behind + 2, bc, toMiddle);
+  this->Lengths[bc] = toMiddle;
+  this->Changed.set(c, middle, toMiddle);
+  this->note({ { a, b, c, middle }, length, apex, { half, 0.0 }, { old, added } });
+  this->Touched.insert(this->Touched.end(), { old, added });
+  this->Waiting.insert(this->Waiting.end(), { bc, preceding(h), behind + 1 });
+  return behind;
+}
+
+}
