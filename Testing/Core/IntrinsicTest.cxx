@@ -134,12 +134,26 @@ TEST(Intrinsic, TrianglesAreOfTheSameSurfaceAndNotThin)
   }
 }
 
-TEST(Intrinsic, HasNoMoreThanThreeTimesTheVertices)
+// Where needles are everywhere, new vertices would be far too many; and round the middle of a fan.
+TEST(Intrinsic, HasNoNewVerticesWhereTheyWouldBeTooMany)
 {
-  const auto mesh = meshOf(stretchedPlane(2000, 1000.0));
-  const IntrinsicTriangles intrinsic(*mesh, {});
-  EXPECT_LE(intrinsic.numberOfVertices(), 3 * mesh->numberOfVertices());
-  EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-5);
+  for (const Surface& surface : { planeGrid(1, 3000, 1000.0, 1.0), disc(3000) })
+  {
+    const auto mesh = meshOf(surface);
+    const IntrinsicTriangles intrinsic(*mesh, {});
+    EXPECT_EQ(intrinsic.numberOfVertices(), mesh->numberOfVertices());
+    EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-9);
+    std::size_t updates = 0;
+    SolveOptions options = intrinsicOptions();
+    options.onProgress = [&](std::size_t count)
+    {
+      updates = count;
+      return true;
+    };
+    IntrinsicMarchingSolver solver(mesh);
+    solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
+    EXPECT_LT(updates, 4u * mesh->numberOfVertices());
+  }
 }
 
 TEST(Intrinsic, OrdinaryTrianglesStay)
@@ -230,22 +244,16 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
 {
   const RoundedTube tube(4, 20, 30.0, 1);
   const auto mesh = meshOf(tube.surface());
-  const auto updatesOf = [&](bool isIntrinsic)
+  std::size_t updates = 0;
+  SolveOptions options = intrinsicOptions();
+  options.onProgress = [&](std::size_t count)
   {
-    std::size_t updates = 0;
-    SolveOptions options;
-    options.isIntrinsic = isIntrinsic;
-    options.onProgress = [&](std::size_t count)
-    {
-      updates = count;
-      return true;
-    };
-    IntrinsicMarchingSolver solver(mesh);
-    solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
-    return updates;
+    updates = count;
+    return true;
   };
-  EXPECT_LT(updatesOf(true), 4u * mesh->numberOfVertices());
-  EXPECT_GT(updatesOf(false), 6u * mesh->numberOfVertices());
+  IntrinsicMarchingSolver solver(mesh);
+  solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
+  EXPECT_LT(updates, 4u * mesh->numberOfVertices());
 }
 
 // No distance is more than along an edge of the mesh, though the front does not follow these.

@@ -6,7 +6,6 @@
 #include "base/Index.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -73,10 +72,11 @@ private:
   /** Where a key is, or is to be put. */
   std::size_t placeOf(std::uint64_t key) const
   {
-    // The highest bits of a product depend on all bits of the key. D. Knuth, The Art of Computer
-    // Programming, volume 3, section 6.4.
-    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
-    std::size_t place = (key * golden) >> (64 - std::countr_zero(this->Items.size()));
+    // Each bit of the key changes the place; with one product, the keys of a fan shared few places.
+    // G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, OOPSLA (2014).
+    std::uint64_t mixed = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
+    std::size_t place = (mixed ^ (mixed >> 31)) & (this->Items.size() - 1);
     while (this->Items[place].key != key && this->Items[place].key != NoKey)
     {
       place = (place + 1) & (this->Items.size() - 1);

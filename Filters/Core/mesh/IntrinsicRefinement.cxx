@@ -15,10 +15,9 @@
 namespace geodesic
 {
 
-void IntrinsicTriangles::refine()
+bool IntrinsicTriangles::refine()
 {
-  // The longest sides first, so that triangles are of one kind everywhere if there are to be no
-  // more vertices.
+  // The longest sides first: so fewer vertices are enough.
   std::priority_queue<std::pair<double, Index>> thin;
   const auto add = [&](Index triangle)
   {
@@ -32,9 +31,15 @@ void IntrinsicTriangles::refine()
     add(t);
   }
   this->Touched.clear();
-  const Index most = 3 * this->Mesh.numberOfVertices();
-  while (!thin.empty() && this->numberOfVertices() < most)
+  const std::size_t mostVertices = 3 * std::size_t{ this->Mesh.numberOfVertices() };
+  const std::size_t mostSteps =
+    MostStepsOfTriangle / 4 * std::size_t{ this->Mesh.numberOfTriangles() };
+  while (!thin.empty())
   {
+    if (this->numberOfVertices() >= mostVertices || this->Steps.size() >= mostSteps)
+    {
+      return false;
+    }
     Interruption::checkAt(thin.size());
     const auto [length, triangle] = thin.top();
     thin.pop();
@@ -48,6 +53,7 @@ void IntrinsicTriangles::refine()
     std::for_each(this->Touched.begin(), this->Touched.end(), add);
     this->Touched.clear();
   }
+  return true;
 }
 
 IntrinsicTriangles::HalfEdge IntrinsicTriangles::sideToHalve(Index triangle) const

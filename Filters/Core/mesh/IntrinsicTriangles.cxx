@@ -71,21 +71,33 @@ bool isBad(double length, const std::array<double, 2>& sides, const std::array<d
 
 IntrinsicTriangles::IntrinsicTriangles(const TriangleMesh& mesh, const std::vector<bool>& isFixed)
   : Mesh(mesh)
-  , Numbers(mesh.numberOfTriangles())
-  , Corners(mesh.numberOfTriangles())
-  , Lengths(3 * this->Corners.size())
-  , Twins(3 * this->Corners.size(), Fixed)
-  , LeastEdges(mesh.numberOfVertices(), std::numeric_limits<double>::infinity())
-  , FirstStep(this->Corners.size(), NoStep)
-  , LastStep(this->Corners.size(), NoStep)
 {
+  this->makeDelaunay(isFixed);
+  if (!this->refine())
+  {
+    this->makeDelaunay(isFixed);
+  }
+}
+
+void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
+{
+  const std::size_t triangles = this->Mesh.numberOfTriangles();
+  this->Numbers.resize(triangles);
+  this->Corners.resize(triangles);
+  this->Lengths.resize(3 * triangles);
+  this->Twins.assign(3 * triangles, Fixed);
+  this->Changed = {};
+  this->LeastEdges.assign(this->Mesh.numberOfVertices(), std::numeric_limits<double>::infinity());
+  this->Steps.clear();
+  this->FirstStep.assign(triangles, NoStep);
+  this->LastStep.assign(triangles, NoStep);
   this->takeTriangles();
   for (HalfEdge h = 0; h < this->Lengths.size(); ++h)
   {
     Interruption::checkAt(h);
     const Index a = this->cornerOf(following(h));
     const Index b = this->cornerOf(preceding(h));
-    const double length = lengthOnMesh(mesh, a, b);
+    const double length = lengthOnMesh(this->Mesh, a, b);
     this->Lengths[h] = length;
     const double counted = length > 0.0 ? length : std::numeric_limits<double>::infinity();
     this->LeastEdges[a] = std::min(this->LeastEdges[a], counted);
@@ -97,7 +109,6 @@ IntrinsicTriangles::IntrinsicTriangles(const TriangleMesh& mesh, const std::vect
     this->Waiting.push_back(h);
     this->flipWaiting();
   }
-  this->refine();
 }
 
 void IntrinsicTriangles::takeTriangles()
@@ -131,6 +142,13 @@ void IntrinsicTriangles::linkTwins(const std::vector<bool>& isFixed)
   {
     stays[triangle] = true;
     stays[first] = true;
+  }
+  for (Index vertex = 0; vertex < this->Mesh.numberOfVertices(); ++vertex)
+  {
+    if (const auto round = edges.trianglesAt(vertex); round.size() > MostRoundVertex)
+    {
+      std::for_each(round.begin(), round.end(), [&](Index triangle) { stays[triangle] = true; });
+    }
   }
   const auto isFree = [&](Index triangle) { return !stays[triangle]; };
   // A half-edge of the mesh is that opposite to the same corner.

@@ -27,12 +27,14 @@ class TriangleMesh;
  * an edge sum to at most a half turn. It is made by flips: two triangles that are laid into a plane
  * get the other diagonal. Where triangles are then still thin, as between the ends of a long
  * fillet, their longest sides are halved by a new vertex, and edges flipped again, until none is
- * thin whose sides are longer than the edges of the mesh near it, or there are three times as many
- * vertices.
+ * thin whose sides are longer than the edges of the mesh near it. Where that would take more than
+ * twice as many new vertices or many steps, as on a strip of needles alone, there are no new
+ * vertices at all.
  *
- * Edges stay that have more than two triangles or lie at a triangle that is fixed, and where the
- * other diagonal joins vertices that an edge joins already: an edge is named by its ends. Where new
- * vertices come depends on the positions of the vertices, and not on the order of the input.
+ * Edges stay that have more than two triangles or lie at a triangle that is fixed or at a vertex of
+ * very many triangles, and where the other diagonal joins vertices that an edge joins already: an
+ * edge is named by its ends. Where new vertices come depends on the positions of the vertices, and
+ * not on the order of the input.
  *
  * M. Fisher, B. Springborn, P. Schroeder, A. Bobenko, An algorithm for the construction of
  * intrinsic Delaunay triangulations with applications to digital geometry processing, Computing 81
@@ -87,9 +89,12 @@ private:
     std::array<std::uint32_t, 2> next{ NoStep, NoStep };
   };
   static constexpr std::uint32_t NoStep = static_cast<std::uint32_t>(-1);
-  /** Edges are left as they are once there were so many steps for each triangle; some are common.
-   */
+  /** Edges are left as they are once there were so many steps for each triangle, and with a quarter
+   * of them there are no new vertices; one to four are common. */
   static constexpr std::size_t MostStepsOfTriangle = 64;
+  /** Triangles stay round a vertex with more of them, as in a fan: they are thin, but a front comes
+   * from its middle or goes to it, and a new vertex would change them all. */
+  static constexpr std::size_t MostRoundVertex = 256;
   /** In Twins: the edge must stay; and the edge has no other triangle. */
   static constexpr HalfEdge Fixed = NoIndex;
   static constexpr HalfEdge Border = NoIndex - 1;
@@ -104,6 +109,8 @@ private:
    * axis. */
   PlanePoint apexOf(HalfEdge h) const;
 
+  /** Makes the triangulation without new vertices. */
+  void makeDelaunay(const std::vector<bool>& isFixed);
   /** Brings the triangles into an order that positions alone decide. */
   void takeTriangles();
   /** @param isFixed  by the mesh's numbers */
@@ -119,8 +126,9 @@ private:
   bool isEdge(Index a, Index b) const;
   void note(const Step& step);
 
-  /** Halves sides of thin triangles, see IntrinsicRefinement.cxx. */
-  void refine();
+  /** Halves sides of thin triangles, see IntrinsicRefinement.cxx.
+   * @return false, with a part done, where this takes too many vertices or steps */
+  bool refine();
   /** The longest side of a triangle if it is to be halved; else NoIndex. */
   HalfEdge sideToHalve(Index triangle) const;
   void halve(HalfEdge h);
