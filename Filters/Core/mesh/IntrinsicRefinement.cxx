@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <numeric>
 #include <utility>
 
 namespace geodesic
@@ -17,41 +17,31 @@ namespace geodesic
 
 bool IntrinsicTriangles::refine()
 {
-  // The longest sides first: so fewer vertices are enough.
-  std::priority_queue<std::pair<double, Index>> thin;
-  const auto add = [&](Index triangle)
-  {
-    if (const HalfEdge side = this->sideToHalve(triangle); side != NoIndex)
-    {
-      thin.emplace(this->Lengths[side], triangle);
-    }
-  };
-  for (Index t = 0; t < this->Corners.size(); ++t)
-  {
-    add(t);
-  }
-  this->Touched.clear();
+  std::vector<Index> triangles(this->Corners.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
   const std::size_t mostVertices = 3 * std::size_t{ this->Mesh.numberOfVertices() };
   const std::size_t mostSteps =
     MostStepsOfTriangle / 4 * std::size_t{ this->Mesh.numberOfTriangles() };
-  while (!thin.empty())
+  // Round by round, so that triangles become smaller everywhere alike.
+  while (!triangles.empty())
   {
-    if (this->numberOfVertices() >= mostVertices || this->Steps.size() >= mostSteps)
-    {
-      return false;
-    }
-    Interruption::checkAt(thin.size());
-    const auto [length, triangle] = thin.top();
-    thin.pop();
-    const HalfEdge side = this->sideToHalve(triangle);
-    if (side == NoIndex || this->Lengths[side] != length)
-    {
-      continue;
-    }
-    this->halve(side);
-    this->flipWaiting();
-    std::for_each(this->Touched.begin(), this->Touched.end(), add);
     this->Touched.clear();
+    for (const Index triangle : triangles)
+    {
+      Interruption::checkAt(triangle);
+      const HalfEdge side = this->sideToHalve(triangle);
+      if (side == NoIndex)
+      {
+        continue;
+      }
+      if (this->numberOfVertices() >= mostVertices || this->Steps.size() >= mostSteps)
+      {
+        return false;
+      }
+      this->halve(side);
+      this->flipWaiting();
+    }
+    std::swap(triangles, this->Touched);
   }
   return true;
 }
