@@ -376,7 +376,8 @@ SurfacePoint IntrinsicTriangles::pointOf(const SurfacePoint& onMesh) const
       const PlanePoint line = step.c - step.d;
       const PlanePoint along = place - step.d;
       const double square = line.x * line.x + line.y * line.y;
-      weights[1] = std::clamp((along.x * line.x + along.y * line.y) / square, 0.0, 1.0);
+      weights[1] =
+        square > 0.0 ? std::clamp((along.x * line.x + along.y * line.y) / square, 0.0, 1.0) : 1.0;
       weights[2] = 1.0 - weights[1];
     }
     weights[0] = 1.0 - weights[1] - weights[2];
