@@ -339,7 +339,11 @@ TEST(Intrinsic, KeepsWithinBarriers)
   const double withoutBarriers =
     solver.solve(seeds, intrinsicOptions()).distance(mesh->vertexOfPoint(2));
   EXPECT_NEAR(withoutBarriers, norm(surface.points[2] - Vector3{ 1.0, 0.5, 0.0 }), 1e-6);
-  const DistanceField& again = solver.solve(seeds, intrinsicOptions(options));
+  // On the faces, and then again with what that run had.
+  solver.solve(seeds, options);
+  SolveOptions kept = intrinsicOptions(options);
+  kept.keepsSurface = true;
+  const DistanceField& again = solver.solve(seeds, kept);
   for (Index i = 0; i < mesh->numberOfPoints(); ++i)
   {
     ASSERT_EQ(again.distance(mesh->vertexOfPoint(i)), found[i]);
@@ -444,6 +448,28 @@ TEST(Intrinsic, OtherRequestsAreOnFacesOrAnError)
     distances<FastMarchingSolver>(mesh, seeds, options));
   EXPECT_FALSE(IntrinsicMarchingSolver::canMarchIntrinsically(seeds, options));
   EXPECT_NE(errorOf([&] { intrinsicDistances(mesh, seeds, options); }), "");
+}
+
+TEST(Intrinsic, SeedsOfVerticesAreThere)
+{
+  for (const unsigned number : { 5u, 7u, 8u, 23u })
+  {
+    for (const MeshKind kind : { MeshKind::NonManifold, MeshKind::Graded, MeshKind::Careless })
+    {
+      Surface surface = randomSurface(kind, number);
+      for (Vector3& point : surface.points)
+      {
+        point.x *= 1000.0;
+      }
+      const auto mesh = meshOf(surface);
+      IntrinsicMarchingSolver solver(mesh);
+      for (Index vertex = 0; vertex < mesh->numberOfVertices(); vertex += 29)
+      {
+        const std::vector seeds{ Seed::atPoint(mesh->pointAtVertex(vertex)) };
+        ASSERT_EQ(solver.solve(seeds, intrinsicOptions()).distance(vertex), 0.0);
+      }
+    }
+  }
 }
 
 // Anything may come: sheets that meet, doubled triangles, points without area.

@@ -4,6 +4,7 @@
 
 #include "base/Interruption.h"
 #include "march/EdgeLowering.h"
+#include "mesh/Carriers.h"
 #include "mesh/IntrinsicTriangles.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/MarchControl.h"
@@ -163,6 +164,12 @@ struct IntrinsicMarchingSolver::Intrinsic
   {
     Seed moved = seed;
     moved.position = seed.position ? seed.position : faces.positionOf(seed.points[0]);
+    const Carriers carriers = carriersOf(faces, seed.points[0]);
+    if (carriers.size() == 1)
+    {
+      moved.points[0] = this->mesh->pointAtVertex(carriers[0]);
+      return moved;
+    }
     moved.points[0] = this->triangles.pointOf(seed.points[0]);
     moved.points[0].triangle = this->numberOf[moved.points[0].triangle];
     return moved;
@@ -193,6 +200,7 @@ bool IntrinsicMarchingSolver::moveTo(const std::shared_ptr<const TriangleMesh>& 
     return false;
   }
   this->Faces = mesh;
+  this->Last = nullptr;
   this->OnIntrinsic.reset();
   this->IsBetterOnFaces = false;
   return true;
@@ -221,10 +229,7 @@ const DistanceField& IntrinsicMarchingSolver::solve(
       "and on a surface in one piece. Let it march on the faces.");
   }
   Partition onePiece;
-  if (!options.keepsSurface || !this->OnIntrinsic)
-  {
-    checkSurface(*this->Faces, options);
-  }
+  checkSurface(*this->Faces, options);
   checkOptions(*this->Faces, options);
   checkSeeds(*this->Faces, seeds, onePiece);
   if (!this->Field)
@@ -244,6 +249,7 @@ const DistanceField& IntrinsicMarchingSolver::solve(
   catch (const FrontDoesNotSettle&)
   {
     // As where triangles lie on each other, and new vertices have no bound by straight lines.
+    this->Last = nullptr;
     this->OnIntrinsic.reset();
     this->IsBetterOnFaces = true;
     return this->solveOnFaces(seeds, options);
@@ -257,17 +263,19 @@ const DistanceField& IntrinsicMarchingSolver::solveOnFaces(
   {
     this->OnFaces = std::make_unique<FastMarchingSolver>(this->Faces);
   }
-  return this->OnFaces->solve(seeds, options);
+  SolveOptions onFaces = options;
+  onFaces.keepsSurface = options.keepsSurface && this->Last == this->OnFaces.get();
+  this->Last = this->OnFaces.get();
+  return this->OnFaces->solve(seeds, onFaces);
 }
 
 bool IntrinsicMarchingSolver::prepare(const SolveOptions& options)
 {
-  const bool isThere =
-    this->OnIntrinsic && (options.keepsSurface || this->OnIntrinsic->suits(*this->Faces, options));
-  if (isThere)
+  if (this->OnIntrinsic && this->OnIntrinsic->suits(*this->Faces, options))
   {
     return true;
   }
+  this->Last = nullptr;
   this->OnIntrinsic.reset();
   const Interruption watch([&] { return !options.onProgress || options.onProgress(0); });
   try
@@ -298,6 +306,8 @@ const DistanceField& IntrinsicMarchingSolver::solveIntrinsically(
   onIntrinsic.pathStarts = {};
   onIntrinsic.incomplete = {};
   onIntrinsic.beyondTargets = StopLimit::beyondCorners(*this->Faces, options.pathStarts);
+  onIntrinsic.keepsSurface = options.keepsSurface && this->Last == &intrinsic.solver;
+  this->Last = &intrinsic.solver;
   const DistanceField& found = intrinsic.solver.solve(moved, onIntrinsic);
   DistanceField& field = *this->Field;
   if (seeds.size() == 1)

@@ -52,6 +52,8 @@ private:
   std::shared_ptr<const TriangleMesh> Faces;
   std::unique_ptr<FastMarchingSolver> OnFaces;
   std::unique_ptr<Intrinsic> OnIntrinsic;
+  /** The solver of the last run, which alone may keep its surface. */
+  const DistanceSolver* Last = nullptr;
   /** Whether a front on the intrinsic triangles did not settle. */
   bool IsBetterOnFaces = false;
   /** Of a march on intrinsic triangles. */

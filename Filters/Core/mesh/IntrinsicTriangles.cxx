@@ -290,6 +290,11 @@ bool IntrinsicTriangles::isEdge(Index a, Index b) const
   {
     return false;
   }
+  return this->isMeshEdge(a, b);
+}
+
+bool IntrinsicTriangles::isMeshEdge(Index a, Index b) const
+{
   if (this->Mesh.ring(b).size() < this->Mesh.ring(a).size())
   {
     std::swap(a, b);
@@ -330,7 +335,12 @@ std::vector<std::array<Index, 2>> IntrinsicTriangles::removedEdges() const
   this->Changed.visit(
     [&](Index lower, Index higher, double length)
     {
-      if (length == Removed && higher < this->Mesh.numberOfVertices())
+      // The mesh's edge is also gone where a longer line has taken its name.
+      constexpr double rounding = 1.0 + 1e-12;
+      const bool isOfMesh = higher < this->Mesh.numberOfVertices();
+      if (isOfMesh &&
+        (length == Removed || length > rounding * lengthOnMesh(this->Mesh, lower, higher)) &&
+        this->isMeshEdge(lower, higher))
       {
         edges.push_back({ lower, higher });
       }
@@ -362,7 +372,10 @@ SurfacePoint IntrinsicTriangles::pointOf(const SurfacePoint& onMesh) const
     const double ofD = weightOf(d);
     const PlanePoint place{ weightOf(b) * step.x + ofC * step.c.x + ofD * step.d.x,
       ofC * step.c.y + ofD * step.d.y };
-    const bool isAtA = orientation(step.d, step.c, place) >= 0.0;
+    // A point without weight at a or b is on the other's side, whatever rounding says.
+    const bool hasA = weightOf(a) > 0.0;
+    const bool hasB = weightOf(b) > 0.0;
+    const bool isAtA = hasA == hasB ? orientation(step.d, step.c, place) >= 0.0 : hasA;
     const PlanePoint third = isAtA ? PlanePoint{} : PlanePoint{ step.x, 0.0 };
     const double whole = orientation(third, step.d, step.c);
     corners = { isAtA ? a : b, c, d };

@@ -60,7 +60,7 @@ public:
   /** The length of an edge of a triangle, on the surface. Time O(1). */
   double length(Index a, Index b) const;
   std::size_t numberOfSteps() const { return this->Steps.size(); }
-  /** The edges of the mesh that these triangles do not have, sorted. */
+  /** The edges of the mesh that no side of these triangles is, sorted. */
   std::vector<std::array<Index, 2>> removedEdges() const;
 
   /** A point of the mesh as one of these triangles. Time O(1) for each step that changed its
@@ -124,6 +124,7 @@ private:
   /** Turns a triangle over. */
   void reverse(Index triangle);
   bool isEdge(Index a, Index b) const;
+  bool isMeshEdge(Index a, Index b) const;
   void note(const Step& step);
 
   /** Halves sides of thin triangles, see IntrinsicRefinement.cxx.

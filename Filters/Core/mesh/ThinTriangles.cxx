@@ -12,7 +12,7 @@ namespace geodesic
 ThinTriangles countThinTriangles(const TriangleMesh& mesh, const std::function<bool(Index)>& counts)
 {
   constexpr double ofThin = 0.1;
-  constexpr double ofNeedle = 0.05;
+  constexpr double ofNeedle = 0.02;
   // The square of the height over the longest side, in parts of that side.
   const auto narrowness = [&](const Triangle& t)
   {

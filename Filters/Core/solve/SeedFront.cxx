@@ -207,34 +207,43 @@ private:
     }
   }
 
-  /** The length from a point to a corner of a triangle that has the point, in the plane of this
-   * triangle. */
+  /** The length from a point to a corner of its triangle or, if it is on an edge, of another one
+   * there, in the plane of that triangle. */
   double lengthOnSurface(Index corner, const SurfacePoint& point) const
   {
-    const Triangle& carrying = this->Mesh.triangle(point.triangle);
-    const std::span<const RingEntry> ring = this->Mesh.ring(corner);
+    // The triangle of the corner and all that carry the point.
+    Triangle triangle = this->Mesh.triangle(point.triangle);
+    std::array<double, 3> weights = point.weights;
+    if (std::find(triangle.begin(), triangle.end(), corner) == triangle.end())
+    {
+      const std::size_t without = weights[0] > 0.0 ? weights[1] > 0.0 ? 2 : 1 : 0;
+      triangle[without] = corner;
+      weights[without] = 0.0;
+    }
+    // Rings of very many triangles are not looked through where there is a shorter one.
+    const auto sizeOf = [&](Index vertex) { return this->Mesh.ring(vertex).size(); };
+    const Index centre = *std::min_element(
+      triangle.begin(), triangle.end(), [&](Index a, Index b) { return sizeOf(a) < sizeOf(b); });
+    const std::span<const RingEntry> ring = this->Mesh.ring(centre);
+    const auto has = [&](Index vertex)
+    { return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end(); };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      if (!ring[i].opensTriangle())
+      if (!ring[i].opensTriangle() || !has(ring[i].neighbour()) || !has(ring[i + 1].neighbour()))
       {
         continue;
       }
       Vector3 toPoint;
-      bool hasAll = true;
-      for (int c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const bool isFirst = ring[i].neighbour() == carrying[c];
-        const bool isSecond = ring[i + 1].neighbour() == carrying[c];
-        if (isFirst || isSecond)
-        {
-          toPoint =
-            toPoint + point.weights[c] * this->Mesh.toNeighbour(corner, isFirst ? i : i + 1);
-        }
-        hasAll =
-          hasAll && (isFirst || isSecond || carrying[c] == corner || !(point.weights[c] > 0.0));
+        // The centre itself is at the origin.
+        const Vector3 place = triangle[k] == centre
+          ? Vector3{}
+          : this->Mesh.toNeighbour(centre, triangle[k] == ring[i].neighbour() ? i : i + 1);
+        toPoint = toPoint + (weights[k] - (triangle[k] == corner ? 1.0 : 0.0)) * place;
       }
-      least = hasAll ? std::min(least, norm(toPoint)) : least;
+      least = std::min(least, norm(toPoint));
     }
     return least;
   }
