@@ -17,7 +17,6 @@
 #include "algorithm/DealtField.h"
 #include "algorithm/DealtRequest.h"
 #include "algorithm/DistributedSolver.h"
-#include "base/MachineMemory.h"
 #include "base/NumberText.h"
 #include "base/ThreadTeam.h"
 #include "filter/ProgressReporter.h"
@@ -40,8 +39,6 @@
 #include "request/CostAndBarriers.h"
 #include "request/SolveSurface.h"
 
-#include <algorithm>
-#include <array>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -304,11 +301,9 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   const geodesic::bridge::SolveSurface surface = internal.Lined.update(ranks,
     { internal.Surface, input, seedLines, barrierLines, barriers, cost, !method.crossesFaces });
   std::vector<geodesic::Seed> seeds = this->GatherSeeds(run, seedLines.size());
-  internal.IsIntrinsic = this->NeedsIntrinsic(ranks, seeds);
-  if (this->Method == FAST_MARCHING)
-  {
-    this->NoticeText = internal.Thin.text(internal.IsIntrinsic, internal.HasCost);
-  }
+  internal.IsIntrinsic = this->Method == FAST_MARCHING &&
+    internal.Thin.needOthers(ranks, seeds, internal.HasCost,
+      internal.Lined.mesh()->numberOfVertices(), this->GetMemoryLimitInBytes());
   if (this->Signed)
   {
     internal.Sides.update(ranks, internal.Lined, seeds);
@@ -387,30 +382,6 @@ bool vtkSurfaceGeodesicDistance::Gathers(const geodesic::distributed::RankGroup&
 }
 
 //------------------------------------------------------------------------------
-bool vtkSurfaceGeodesicDistance::NeedsIntrinsic(
-  geodesic::distributed::RankGroup& ranks, const std::vector<geodesic::Seed>& seeds) const
-{
-  const Internals& internal = *this->Internal;
-  const bool arePoints = std::all_of(seeds.begin(), seeds.end(),
-    [](const geodesic::Seed& seed) { return seed.kind == geodesic::Seed::Kind::Point; });
-  if (this->Method != FAST_MARCHING || !internal.Thin.count().needOthers() || internal.HasCost ||
-    ranks.isAny(!arePoints))
-  {
-    return false;
-  }
-  // The first of several ranks gets all of the surface. What it takes there, see
-  // IntrinsicMarchingSolver.
-  constexpr double bytesOfVertex = 2000.0;
-  const double bytes =
-    ranks.sum(static_cast<double>(internal.Lined.mesh()->numberOfVertices())) * bytesOfVertex;
-  const std::size_t limit = this->GetMemoryLimitInBytes();
-  std::array room{ limit > 0 ? static_cast<double>(limit)
-                             : 0.75 * static_cast<double>(geodesic::machineMemory()) };
-  ranks.takeLeast(room);
-  return bytes <= room[0];
-}
-
-//------------------------------------------------------------------------------
 void vtkSurfaceGeodesicDistance::SolveDealt(const Run& run, std::vector<geodesic::Seed> seeds,
   const geodesic::SolveOptions& options,
   const std::vector<std::vector<geodesic::SurfacePoint>>& destinations)
@@ -481,6 +452,10 @@ void vtkSurfaceGeodesicDistance::ReportWork(const Run& run,
   this->BytesExchanged = static_cast<vtkIdType>(work.bytes);
   this->MostPointsOnARank =
     static_cast<vtkIdType>(ranks.largest(static_cast<double>(numberOfPoints)));
+  if (this->Method == FAST_MARCHING)
+  {
+    this->NoticeText = internal.Thin.text(ranks.isAny(solved.isIntrinsic()), internal.HasCost);
+  }
   this->NoteSettling(ranks, solved);
 }
 

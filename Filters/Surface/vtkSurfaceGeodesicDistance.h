@@ -331,10 +331,6 @@ private:
   std::vector<geodesic::distributed::GlobalPoint> GatherDestinations(const Run& run);
   /** Throws if UnreachedValue can be a distance. */
   void CheckUnreachedValue() const;
-  /** Whether fast marching goes over intrinsic triangles: where many triangles are thin, from
-   * points, without costs, and if the memory is enough. Collective. */
-  bool NeedsIntrinsic(
-    geodesic::distributed::RankGroup& ranks, const std::vector<geodesic::Seed>& seeds) const;
   /** Whether the method needs the surface on the first rank, and may bring it there. */
   bool Gathers(const geodesic::distributed::RankGroup& ranks) const;
   /** Solves on triangles that are dealt to other ranks. Collective, on several ranks. */

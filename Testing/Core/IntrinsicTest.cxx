@@ -101,6 +101,21 @@ std::vector<double> intrinsicDistances(const std::shared_ptr<const TriangleMesh>
   return distances<IntrinsicMarchingSolver>(mesh, seeds, intrinsicOptions(options));
 }
 
+/** How many vertices a march from point 0 takes from its queue. */
+std::size_t updatesOn(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+  std::size_t updates = 0;
+  SolveOptions options = intrinsicOptions();
+  options.onProgress = [&](std::size_t count)
+  {
+    updates = count;
+    return true;
+  };
+  IntrinsicMarchingSolver solver(mesh);
+  solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
+  return updates;
+}
+
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double largest = 0.0;
@@ -143,16 +158,7 @@ TEST(Intrinsic, HasNoNewVerticesWhereTheyWouldBeTooMany)
     const IntrinsicTriangles intrinsic(*mesh, {});
     EXPECT_EQ(intrinsic.numberOfVertices(), mesh->numberOfVertices());
     EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-9);
-    std::size_t updates = 0;
-    SolveOptions options = intrinsicOptions();
-    options.onProgress = [&](std::size_t count)
-    {
-      updates = count;
-      return true;
-    };
-    IntrinsicMarchingSolver solver(mesh);
-    solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
-    EXPECT_LT(updates, 4u * mesh->numberOfVertices());
+    EXPECT_LT(updatesOn(mesh), 4u * mesh->numberOfVertices());
   }
 }
 
@@ -244,16 +250,7 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
 {
   const RoundedTube tube(4, 20, 30.0, 1);
   const auto mesh = meshOf(tube.surface());
-  std::size_t updates = 0;
-  SolveOptions options = intrinsicOptions();
-  options.onProgress = [&](std::size_t count)
-  {
-    updates = count;
-    return true;
-  };
-  IntrinsicMarchingSolver solver(mesh);
-  solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
-  EXPECT_LT(updates, 4u * mesh->numberOfVertices());
+  EXPECT_LT(updatesOn(mesh), 4u * mesh->numberOfVertices());
 }
 
 // No distance is more than along an edge of the mesh, though the front does not follow these.
@@ -447,6 +444,10 @@ TEST(Intrinsic, OtherRequestsAreOnFacesOrAnError)
   EXPECT_EQ(distances<IntrinsicMarchingSolver>(mesh, seeds, options),
     distances<FastMarchingSolver>(mesh, seeds, options));
   EXPECT_FALSE(IntrinsicMarchingSolver::canMarchIntrinsically(seeds, options));
+  IntrinsicMarchingSolver solver(mesh);
+  EXPECT_FALSE(solver.solve(seeds, options).isIntrinsic());
+  EXPECT_TRUE(solver.solve(seeds, intrinsicOptions()).isIntrinsic());
+  EXPECT_FALSE(solver.solve(seeds).isIntrinsic());
   EXPECT_NE(errorOf([&] { intrinsicDistances(mesh, seeds, options); }), "");
 }
 

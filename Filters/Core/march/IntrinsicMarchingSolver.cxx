@@ -8,15 +8,16 @@
 #include "mesh/IntrinsicTriangles.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/MarchControl.h"
+#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -68,59 +69,67 @@ public:
     : FastMarchingSolver(intrinsic)
     , Faces(faces)
     , ClosedFaces(faces, barriers.closedTriangles)
+    , Starts(faces.numberOfVertices() + 1)
   {
-    this->Removed.reserve(removedEdges.size());
-    for (const auto& ends : removedEdges)
+    for (const auto& [a, b] : removedEdges)
     {
-      this->Removed.push_back({ ends, norm(faces.position(ends[1]) - faces.position(ends[0])) });
+      ++this->Starts[a + 1];
+      ++this->Starts[b + 1];
+    }
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    this->Removed.resize(this->Starts.back());
+    std::vector<Index> places(this->Starts.begin(), this->Starts.end() - 1);
+    for (const auto& [a, b] : removedEdges)
+    {
+      const double length = edgeLength(faces, a, b);
+      this->Removed[places[a]++] = { b, length };
+      this->Removed[places[b]++] = { a, length };
     }
   }
 
 protected:
   bool march(const Request& request, StopLimit& limit, DistanceField& field) override
   {
-    // The second march counts its steps on from those of the first.
-    std::size_t before = 0;
-    std::size_t steps = 0;
-    SolveOptions options = request.options;
-    if (options.onProgress)
-    {
-      options.onProgress = [&](std::size_t taken)
-      {
-        steps = before + taken;
-        return request.options.onProgress(steps);
-      };
-    }
-    const Request counted{ request.front, request.closed, options, request.partition,
+    OptionsOfMarches marches(request.options);
+    const Request first{ request.front, request.closed, marches.get(), request.partition,
       request.hasCost, request.keepsSurface, request.seeds };
-    if (!FastMarchingSolver::march(counted, limit, field))
+    if (!FastMarchingSolver::march(first, limit, field))
     {
       return false;
     }
-    before = steps;
+    marches.beginNext();
     std::vector<Index> from;
-    for (const RemovedEdge& edge : this->Removed)
-    {
-      const auto [a, b] = edge.ends;
-      const double difference = field.distance(b) - field.distance(a);
-      if (std::abs(difference) > edge.length)
-      {
-        from.push_back(difference > 0.0 ? a : b);
-      }
-    }
+    std::copy_if(field.reached().begin(), field.reached().end(), std::back_inserter(from),
+      [&](Index vertex) { return this->isNearAlongRemoved(vertex, field); });
     return lowerAlongEdges(
-      this->Faces, this->ClosedFaces, options, from, request.partition, limit, field);
+      this->Faces, this->ClosedFaces, marches.get(), from, request.partition, limit, field);
   }
 
 private:
-  const TriangleMesh& Faces;
-  ClosedTriangles ClosedFaces;
-  /** An edge of the mesh that the intrinsic triangles do not have. */
+  /** An edge of the mesh that the intrinsic triangles do not have, at one of its ends. */
   struct RemovedEdge
   {
-    std::array<Index, 2> ends;
+    Index otherEnd;
     double length;
   };
+
+  /** Whether a vertex is nearer than an edge that is not there makes one of its neighbours. */
+  bool isNearAlongRemoved(Index vertex, const DistanceField& field) const
+  {
+    if (vertex >= this->Faces.numberOfVertices())
+    {
+      return false;
+    }
+    const double own = field.distance(vertex);
+    return std::any_of(this->Removed.begin() + this->Starts[vertex],
+      this->Removed.begin() + this->Starts[vertex + 1], [&](const RemovedEdge& edge)
+      { return own + edge.length < field.distance(edge.otherEnd); });
+  }
+
+  const TriangleMesh& Faces;
+  ClosedTriangles ClosedFaces;
+  /** Where in Removed the edges of each vertex begin. */
+  std::vector<Index> Starts;
   std::vector<RemovedEdge> Removed;
 };
 
@@ -327,6 +336,7 @@ const DistanceField& IntrinsicMarchingSolver::solveIntrinsically(
   }
   field.noteRaisedGain(found.raisedGain());
   field.setLeavesOutElsewhere(found.leavesOutElsewhere());
+  field.setIntrinsic();
   field.finish(DistanceField::Unreached, found.stopReason());
   return field;
 }

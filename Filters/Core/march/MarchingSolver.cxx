@@ -9,6 +9,7 @@
 #include "march/StopReach.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/CostedStart.h"
+#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/StopLimit.h"
 
@@ -233,18 +234,8 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   {
     return this->marchFrom(starts, cost, request, nullptr, limit, field);
   }
-  // Each march counts its steps on from those of the one before.
-  std::size_t before = 0;
-  std::size_t steps = 0;
-  SolveOptions options = request.options;
-  if (options.onProgress)
-  {
-    options.onProgress = [&](std::size_t taken)
-    {
-      steps = before + taken;
-      return request.options.onProgress(steps);
-    };
-  }
+  OptionsOfMarches marches(request.options);
+  const SolveOptions& options = marches.get();
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(this->mesh(), options, field);
@@ -276,7 +267,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     const double raisedGain = field.raisedGain();
     field.reset();
     field.noteRaisedGain(raisedGain);
-    before = steps;
+    marches.beginNext();
     const Request second{ request.front, request.closed, options, request.partition,
       request.hasCost };
     finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
@@ -284,7 +275,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
     if (Cost::isUnit && areDense && finished)
     {
-      before = steps;
+      marches.beginNext();
       finished = lowerAlongEdges(this->mesh(), request.closed, options, this->LabelsWithin.atEnds(),
         request.partition, limit, field);
     }

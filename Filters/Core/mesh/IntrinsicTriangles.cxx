@@ -19,11 +19,6 @@ namespace geodesic
 namespace
 {
 
-double lengthOnMesh(const TriangleMesh& mesh, Index a, Index b)
-{
-  return norm(mesh.position(std::max(a, b)) - mesh.position(std::min(a, b)));
-}
-
 /** The places of vertices in the order of their positions: the same whatever the order of the
  * input. */
 std::vector<Index> ranksOf(std::span<const Vector3> positions)
@@ -97,7 +92,7 @@ void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
     Interruption::checkAt(h);
     const Index a = this->cornerOf(following(h));
     const Index b = this->cornerOf(preceding(h));
-    const double length = lengthOnMesh(this->Mesh, a, b);
+    const double length = edgeLength(this->Mesh, a, b);
     this->Lengths[h] = length;
     const double counted = length > 0.0 ? length : std::numeric_limits<double>::infinity();
     this->LeastEdges[a] = std::min(this->LeastEdges[a], counted);
@@ -326,7 +321,7 @@ void IntrinsicTriangles::note(const Step& step)
 double IntrinsicTriangles::length(Index a, Index b) const
 {
   const double* const changed = this->Changed.find(a, b);
-  return changed ? *changed : lengthOnMesh(this->Mesh, a, b);
+  return changed ? *changed : edgeLength(this->Mesh, a, b);
 }
 
 std::vector<std::array<Index, 2>> IntrinsicTriangles::removedEdges() const
@@ -339,7 +334,7 @@ std::vector<std::array<Index, 2>> IntrinsicTriangles::removedEdges() const
       constexpr double rounding = 1.0 + 1e-12;
       const bool isOfMesh = higher < this->Mesh.numberOfVertices();
       if (isOfMesh &&
-        (length == Removed || length > rounding * lengthOnMesh(this->Mesh, lower, higher)) &&
+        (length == Removed || length > rounding * edgeLength(this->Mesh, lower, higher)) &&
         this->isMeshEdge(lower, higher))
       {
         edges.push_back({ lower, higher });

@@ -12,6 +12,7 @@
 #include "mesh/SurfacePoint.h"
 #include "mesh/VertexRings.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -264,6 +265,12 @@ private:
   double MeanLongestEdge = 0.0;
   double LongestEdgeLength = 0.0;
 };
+
+/** The length of an edge, the same from both ends to the last digit. */
+inline double edgeLength(const TriangleMesh& mesh, Index a, Index b)
+{
+  return norm(mesh.position(std::max(a, b)) - mesh.position(std::min(a, b)));
+}
 
 }
 

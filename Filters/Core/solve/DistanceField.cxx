@@ -48,6 +48,7 @@ void DistanceField::reset()
   this->LargestDistance = 0.0;
   this->Reason = StopReason::Exhausted;
   this->RaisedGain = 0.0;
+  this->IsIntrinsic = false;
 }
 
 void DistanceField::noteReached(std::span<const std::span<const Index>> lists)

@@ -63,6 +63,8 @@ public:
   /** Whether vertices that lie elsewhere than towards the targets were left out, see
    * SolveOptions::onlyTowardsTargets. */
   bool leavesOutElsewhere() const { return this->LeavesOutElsewhere; }
+  /** Whether these are distances over intrinsic triangles, see SolveOptions::isIntrinsic. */
+  bool isIntrinsic() const { return this->IsIntrinsic; }
   /** Above 0 where the front settled only roughly (see MarchControl): a distance counted no longer
    * if it was lower by less than this part. Distances are less exact then, by more than this part,
    * and depend on the order of vertices. On several pieces this is that of the own one. */
@@ -80,6 +82,7 @@ public:
   void noteReached(std::span<const std::span<const Index>> lists);
   /** Notes what MarchControl::raisedGain() says; the largest counts until reset(). */
   void noteRaisedGain(double gain) { this->RaisedGain = std::max(this->RaisedGain, gain); }
+  void setIntrinsic() { this->IsIntrinsic = true; }
   void setLeavesOutElsewhere(bool leavesOut) { this->LeavesOutElsewhere = leavesOut; }
   /** Sets a vertex's distance, for the first time or again, and adds the vertex to reached(). */
   void setDistance(Index vertex, double distance)
@@ -147,6 +150,7 @@ private:
   double LargestDistance = 0.0;
   StopReason Reason = StopReason::Exhausted;
   bool LeavesOutElsewhere = false;
+  bool IsIntrinsic = false;
   double RaisedGain = 0.0;
 };
 

@@ -14,12 +14,6 @@
 namespace geodesic
 {
 
-/** The length of an edge, the same from both ends to the last digit. */
-inline double edgeLength(const TriangleMesh& mesh, Index a, Index b)
-{
-  return norm(mesh.position(std::max(a, b)) - mesh.position(std::min(a, b)));
-}
-
 /** A point beside an edge, laid in the plane: @p lower, the lower one of the edge's two vertices,
  * in the origin, the other one on the positive x axis, and the point above the axis.
  * @param length of the edge, above 0 */

@@ -5,8 +5,11 @@
 
 #include "mesh/ThinTriangles.h"
 #include "ranks/RankGroup.h"
+#include "solve/Seed.h"
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace geodesic::bridge
@@ -32,6 +35,13 @@ public:
 
   /** The count of all ranks. */
   const ThinTriangles& count() const { return this->OfAll; }
+  /** Whether fast marching is to go over intrinsic triangles: where many triangles are thin, from
+   * points, and if the memory is enough. Collective.
+   * @param hasCost   on any rank
+   * @param vertices  on this rank
+   * @param limit     the most memory in bytes; 0: three quarters of the machine's */
+  bool needOthers(RankGroup& ranks, std::span<const Seed> seeds, bool hasCost, Index vertices,
+    std::size_t limit) const;
   /** What the user should know; empty if there is nothing.
    * @param isIntrinsic  whether fast marching goes over intrinsic triangles instead
    * @param hasCost      with costs no other method serves */

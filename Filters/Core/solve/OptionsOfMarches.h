@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_OptionsOfMarches_h
+#define geodesic_OptionsOfMarches_h
+
+#include "solve/SolveOptions.h"
+
+#include <cstddef>
+
+namespace geodesic
+{
+
+/** The options of a run for several marches, one after the other: each counts its steps on from
+ * those of the one before. */
+class OptionsOfMarches
+{
+public:
+  /** @param options of the run; must outlive this object */
+  explicit OptionsOfMarches(const SolveOptions& options)
+    : Own(options)
+  {
+    if (options.onProgress)
+    {
+      this->Own.onProgress = [this, &report = options.onProgress](std::size_t taken)
+      {
+        this->Steps = this->Before + taken;
+        return report(this->Steps);
+      };
+    }
+  }
+  OptionsOfMarches(const OptionsOfMarches&) = delete;
+  OptionsOfMarches& operator=(const OptionsOfMarches&) = delete;
+
+  const SolveOptions& get() const { return this->Own; }
+  /** To be called between two marches. */
+  void beginNext() { this->Before = this->Steps; }
+
+private:
+  SolveOptions Own;
+  std::size_t Before = 0;
+  std::size_t Steps = 0;
+};
+
+}
+
+#endif
