@@ -19,7 +19,7 @@ namespace geodesic
  * circles; these triangles have hardly any. Distances are then lowered along the edges of the mesh.
  *
  * Intrinsic triangles end at barriers, so other barriers need others; those of the last run are
- * kept. They take about ten times as long as a march and up to 2 kB a vertex.
+ * kept. They take as long as 5 to 20 marches and up to 2 kB a vertex.
  */
 class IntrinsicMarchingSolver final : public DistanceSolver
 {
