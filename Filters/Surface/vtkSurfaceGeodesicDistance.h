@@ -241,7 +241,8 @@ public:
    * Whether a method that needs the surface in one piece (Exact, VirtualSources, Bounded) may bring
    * it to the first of several ranks, which then solves alone: the triangles within MaximumDistance
    * of the box round the seeds, or all. Without it such a request is an error. Of no effect on one
-   * rank and with other methods. Default: off.
+   * rank and with other methods; FAST_MARCHING brings a surface of many thin triangles there by
+   * itself. Default: off.
    */
   vtkSetMacro(GatherForExact, bool);
   vtkGetMacro(GatherForExact, bool);
@@ -262,8 +263,9 @@ public:
   vtkGetMacro(ThinTriangles, vtkIdType);
   /**
    * What to know about the last run's distances, in full sentences: that a hundredth or more of the
-   * triangles are thin, or that the front settled only roughly, which is a warning too; and what to
-   * do about it. Empty if there is nothing.
+   * triangles are thin, and whether the front went over intrinsic triangles instead, or that the
+   * front settled only roughly, which is a warning too; and what to do about it. Empty if there is
+   * nothing.
    */
   const char* GetNoticeText();
 

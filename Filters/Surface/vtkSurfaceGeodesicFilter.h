@@ -168,9 +168,9 @@ public:
    * with its backend Sequential, and no more than 0 gives. 0: all processors; ranks on one machine
    * share them. A number from 1 to 1024: so many. Threads share searches that do not depend on each
    * other: the segments and starts of paths, the landmarks of a matrix, samples far apart.
-   * Distances by FastMarching from one point on a whole surface are computed on one thread for each
-   * 65,536 points at most; with -1 also on no more than there are idle processors, and on one where
-   * many triangles are thin. What they find does not depend on their number (distances to 1e-9).
+   * Distances by FastMarching on a whole surface are computed on one thread for each 65,536 points
+   * at most; with -1 also on no more than there are idle processors, and on one where they go over
+   * many thin triangles. What they find does not depend on their number (distances to 1e-9).
    * The structure of a new surface is built by all processors unless this is 1 or more. Other
    * numbers are an error when the filter runs. Default: -1.
    */
