@@ -122,8 +122,8 @@ private:
     }
     const double own = field.distance(vertex);
     return std::any_of(this->Removed.begin() + this->Starts[vertex],
-      this->Removed.begin() + this->Starts[vertex + 1], [&](const RemovedEdge& edge)
-      { return own + edge.length < field.distance(edge.otherEnd); });
+      this->Removed.begin() + this->Starts[vertex + 1],
+      [&](const RemovedEdge& edge) { return own + edge.length < field.distance(edge.otherEnd); });
   }
 
   const TriangleMesh& Faces;

@@ -108,9 +108,9 @@ struct SolveOptions
   /**
    * The most threads that share one march of fast marching; 64 at most are used. Marches that may
    * stop early, at a maximum distance or targets, or are on pieces of a surface, are on one thread;
-   * so are those with costs that differ by orders of magnitude, all other methods, and all marches without
-   * vector extensions (see Platform.h). The field is the same on any number, to 1e-9, but on
-   * several threads not to the last bit from run to run.
+   * so are those with costs that differ by orders of magnitude, all other methods, and all marches
+   * without vector extensions (see Platform.h). The field is the same on any number, to 1e-9, but
+   * on several threads not to the last bit from run to run.
    */
   std::size_t threads = 1;
   /** Whether fast marching goes over intrinsic triangles, see IntrinsicMarchingSolver: where many
