@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <queue>
 
@@ -14,8 +12,6 @@ namespace geodesic
 namespace
 {
 
-/** A point of an edge counts as the edge's end if it is nearer to it than this fraction. */
-constexpr double VertexFraction = 1e-9;
 /** The part of what is left that a step across a face gains at least. Round a vertex where fields
  * of varying cost bend, steps that gain ever less went round for millions of points; then the path
  * goes on along an edge. A path of ten million edges gains more at each edge. */
@@ -45,39 +41,18 @@ double costAt(const WeightedMesh& surface, const PathPoint& point)
   return cost;
 }
 
-/** The flat source of phi on an edge, of the length c: at (x, -depth) from the edge's first end if
- * it is beside the edge's line, otherwise on that line, at x - depth or x + depth. */
-struct FlatSource
+/** The vertex that carries a point and is no end of an edge. @return NoIndex if there is none.
+ * @pre the point shares a face with the edge */
+Index carrierBeside(const PathPoint& point, Index a, Index b)
 {
-  /** @param a, b  phi at the ends, less than @p c apart
-   * @param inverse  1 / c */
-  FlatSource(double a, double b, double c, double inverse)
-    : x(0.5 * (c + (a - b) * (a + b) * inverse))
-    , depth(
-        0.5 * inverse * std::sqrt((a + b + c) * std::abs(a + b - c) * (c + a - b) * (c - a + b)))
-    , isBeside(a + b - c > 0.0)
+  Index beside = NoIndex;
+  for (int i = 0; i < 3; ++i)
   {
+    const Index corner = point.corners[i];
+    beside = point.weights[i] > 0.0 && corner != a && corner != b ? corner : beside;
   }
-
-  /** The place q on the edge's line at which phi(q) + |p q| is least, without regard to the ends.
-   * @param foot, height  of p: its place and its distance on the edge's line */
-  double leastAt(double foot, double height) const
-  {
-    return this->isBeside ? (this->x * height + foot * this->depth) / (height + this->depth)
-                          : std::clamp(foot, this->x - this->depth, this->x + this->depth);
-  }
-  /** phi at a place of the edge's line. */
-  double phi(double place) const
-  {
-    const double away = place - this->x;
-    return this->isBeside ? std::sqrt(away * away + this->depth * this->depth)
-                          : std::sqrt(std::max(0.0, (away - this->depth) * (away + this->depth)));
-  }
-
-  double x;
-  double depth;
-  bool isBeside;
-};
+  return beside;
+}
 
 }
 
@@ -139,12 +114,6 @@ void PathTracer::aimAt(Index seed)
   this->AimCarriers = seed == NoIndex ? Carriers{} : this->Seeds[seed].carriers();
 }
 
-bool PathTracer::leadsToAim(Index vertex) const
-{
-  return this->Field.isReached(vertex) &&
-    (this->Aim == NoIndex || this->Field.nearestSeed(vertex) == this->Aim);
-}
-
 std::optional<SurfacePath> PathTracer::traceToAim(
   const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const
 {
@@ -153,12 +122,12 @@ std::optional<SurfacePath> PathTracer::traceToAim(
   double leftBefore = DistanceField::Unreached;
   while (true)
   {
-    const PathPoint here = path.back();
+    const Place here = this->placeAt(path.back());
     const auto last = this->stepToSeed(here, order);
-    std::optional<Step> step;
+    std::optional<PathStep> step;
     if (!last && order == PathOrder::Edges)
     {
-      step = this->stepAhead(path, left);
+      step = this->stepAhead(here, path, left);
     }
     // Along edges of different costs the straight line to a seed beside may be a detour.
     const bool mayBeDetour = order == PathOrder::Vertices && this->Surface.hasCosts();
@@ -184,7 +153,7 @@ std::optional<SurfacePath> PathTracer::traceToAim(
       continue;
     }
     const std::vector<Index> descent =
-      isVertex(here) ? this->descentAlongEdges(here.carriers()[0]) : std::vector<Index>{};
+      here.carriers.size() == 1 ? this->descentAlongEdges(here.carriers[0]) : std::vector<Index>{};
     if (descent.empty())
     {
       return std::nullopt;
@@ -194,8 +163,9 @@ std::optional<SurfacePath> PathTracer::traceToAim(
       path.push_back(PathPoint::atVertex(vertex));
     }
     const bool isLower =
-      this->Field.distance(descent.back()) < this->Field.distance(here.carriers()[0]);
-    if (const auto end = isLower ? std::nullopt : this->stepToSeed(path.back(), order))
+      this->Field.distance(descent.back()) < this->Field.distance(here.carriers[0]);
+    if (const auto end =
+          isLower ? std::nullopt : this->stepToSeed(this->placeAt(path.back()), order))
     {
       // Other steps from there could lead back.
       path.push_back(end->point);
@@ -204,16 +174,15 @@ std::optional<SurfacePath> PathTracer::traceToAim(
   }
 }
 
-std::optional<PathTracer::Step> PathTracer::stepToSeed(
-  const PathPoint& point, PathOrder order) const
+std::optional<PathStep> PathTracer::stepToSeed(const Place& from, PathOrder order) const
 {
-  if (this->Aim != NoIndex && !mayShareFace(point.carriers(), this->AimCarriers))
+  if (this->Aim != NoIndex && !mayShareFace(from.carriers, this->AimCarriers))
   {
     // No face has room for both, which is told sooner than the faces are found.
     return std::nullopt;
   }
   const TriangleMesh& mesh = this->Surface.mesh();
-  std::optional<Step> best;
+  std::optional<PathStep> best;
   const auto tryEnd = [&](Index seed, const Triangle& face)
   {
     if (seed != NoIndex && liesIn(this->Seeds[seed], face))
@@ -221,15 +190,15 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(
       const PathPoint& end = this->Seeds[seed];
       const double cost = order == PathOrder::Edges
         ? this->Surface.costOf(face)
-        : 0.5 * (costAt(this->Surface, point) + costAt(this->Surface, end));
-      const double total = cost * norm(end.position(mesh) - point.position(mesh));
+        : 0.5 * (costAt(this->Surface, from.point) + costAt(this->Surface, end));
+      const double total = cost * norm(end.position(mesh) - from.position);
       if (!best || total < best->total)
       {
-        best = Step{ end, 0.0, total };
+        best = PathStep{ end, 0.0, total };
       }
     }
   };
-  visitFaces(this->Surface, point,
+  visitFaces(this->Surface, from.point,
     [&](const Triangle& face)
     {
       if (this->Aim != NoIndex)
@@ -245,87 +214,148 @@ std::optional<PathTracer::Step> PathTracer::stepToSeed(
   return best;
 }
 
-std::optional<PathTracer::Step> PathTracer::stepAhead(const SurfacePath& path, double left) const
+std::optional<PathStep> PathTracer::stepAhead(
+  const Place& from, const SurfacePath& path, double left) const
 {
-  const PathPoint& here = path.back();
-  const Place from{ here.carriers(), here.position(this->Surface.mesh()) };
-  std::optional<Step> best;
-  if (path.size() == 1 || from.carriers.size() != 2)
+  BestStep best(from.position);
+  switch (from.carriers.size())
   {
-    visitFaces(this->Surface, here, [&](const Triangle& face) { this->tryFace(from, face, best); });
-    return best;
+    case 1:
+      this->tryRoundVertex(from.carriers[0], best);
+      break;
+    case 2:
+      this->tryBesideEdge(from.carriers, path, left, best);
+      break;
+    default:
+      visitFaces(
+        this->Surface, from.point, [&](const Triangle& face) { this->tryFace(face, best); });
+  }
+  return best.step();
+}
+
+void PathTracer::tryRoundVertex(Index vertex, BestStep& best) const
+{
+  const std::span<const RingEntry> ring = this->Surface.ring(vertex);
+  this->Surface.countSteps(ring.size());
+  if (ring.empty())
+  {
+    return;
+  }
+  StepCorner next = this->cornerAt(ring.front().neighbour());
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+  {
+    const StepCorner corner = next;
+    next = this->cornerAt(ring[i + 1].neighbour());
+    if (!this->Surface.isOpen(vertex, i))
+    {
+      continue;
+    }
+    const double cost = this->Surface.costOf({ vertex, corner.vertex, next.vertex });
+    if (!best.tryEdge(corner, next, cost))
+    {
+      best.tryVertex(corner, cost);
+      best.tryVertex(next, cost);
+    }
+  }
+}
+
+void PathTracer::tryBesideEdge(
+  const Carriers& ends, const SurfacePath& path, double left, BestStep& best) const
+{
+  const Index centre = centreOf(this->Surface, ends);
+  const StepCorner a = this->cornerAt(centre);
+  const StepCorner b = this->cornerAt(ends[ends[0] == centre ? 1 : 0]);
+  const auto tryBeyond = [&](Index apex)
+  {
+    const double cost = this->Surface.costOf({ a.vertex, apex, b.vertex });
+    const StepCorner c = this->cornerAt(apex);
+    const bool isOnA = best.tryEdge(a, c, cost);
+    const bool isOnB = best.tryEdge(b, c, cost);
+    if (!isOnA)
+    {
+      best.tryVertex(a, cost);
+    }
+    if (!isOnB)
+    {
+      best.tryVertex(b, cost);
+    }
+    if (!isOnA && !isOnB)
+    {
+      best.tryVertex(c, cost);
+    }
+  };
+  if (path.size() == 1)
+  {
+    visitApexes(this->Surface, a.vertex, b.vertex, tryBeyond);
+    return;
   }
   // The last step was the best one across its face, so that two steps across it, there and back,
   // leave no less.
-  const auto isBehind = [&last = path[path.size() - 2]](const Triangle& face)
-  { return liesIn(last, face); };
-  visitFaces(this->Surface, here,
-    [&](const Triangle& face)
+  const Index last = carrierBeside(path[path.size() - 2], a.vertex, b.vertex);
+  const auto isBehind = [&](Index apex) { return last == NoIndex || last == apex; };
+  visitApexes(this->Surface, a.vertex, b.vertex,
+    [&](Index apex)
     {
-      if (!isBehind(face))
+      if (!isBehind(apex))
       {
-        this->tryFace(from, face, best);
+        tryBeyond(apex);
       }
     });
-  if (best && best->total - left <= MostBeyond * (best->total - best->left))
+  if (best.hasStep() && best.total() - left <= MostBeyond * (best.total() - best.left()))
   {
-    return best;
+    return;
   }
   // Where it comes back across a face, a third step there would be one of very many, to and fro
   // between the sides of a needle.
-  const auto isCrossedTwice = [&](const Triangle& face)
-  { return path.size() > 2 && liesIn(path[path.size() - 3], face); };
-  visitFaces(this->Surface, here,
-    [&](const Triangle& face)
+  const auto isCrossedTwice = [&](Index apex) {
+    return path.size() > 2 && liesIn(path[path.size() - 3], { a.vertex, apex, b.vertex });
+  };
+  visitApexes(this->Surface, a.vertex, b.vertex,
+    [&](Index apex)
     {
-      if (isBehind(face) && !isCrossedTwice(face))
+      if (isBehind(apex) && !isCrossedTwice(apex))
       {
-        this->tryFace(from, face, best);
+        tryBeyond(apex);
       }
     });
-  return best;
 }
 
-void PathTracer::tryFace(const Place& from, const Triangle& face, std::optional<Step>& best) const
+void PathTracer::tryFace(const Triangle& face, BestStep& best) const
 {
   const double cost = this->Surface.costOf(face);
-  const std::array<Corner, 3> corners{ this->cornerAt(face[0]), this->cornerAt(face[1]),
+  const std::array<StepCorner, 3> corners{ this->cornerAt(face[0]), this->cornerAt(face[1]),
     this->cornerAt(face[2]) };
   std::array<bool, 3> isBelow{};
-  const auto tryOpposite = [&](int c, int a, int b)
+  for (int i = 0; i < 3; ++i)
   {
-    if (from.carriers.contains(face[c]) &&
-      this->tryEdge(from.position, corners[a], corners[b], cost, best))
+    const int next = (i + 1) % 3;
+    if (best.tryEdge(corners[i], corners[next], cost))
     {
-      isBelow[a] = true;
-      isBelow[b] = true;
+      isBelow[i] = true;
+      isBelow[next] = true;
     }
-  };
-  tryOpposite(0, 1, 2);
-  tryOpposite(1, 2, 0);
-  tryOpposite(2, 0, 1);
-  for (int c = 0; c < 3; ++c)
+  }
+  for (int i = 0; i < 3; ++i)
   {
-    if (!isBelow[c] && (from.carriers.size() > 1 || from.carriers[0] != face[c]))
+    if (!isBelow[i])
     {
-      tryVertex(from.position, corners[c], cost, best);
+      best.tryVertex(corners[i], cost);
     }
   }
 }
 
-std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& point) const
+std::optional<PathStep> PathTracer::stepAlongEdges(const Place& from) const
 {
-  std::optional<Step> best;
-  const Carriers carriers = point.carriers();
-  const Vector3 position = point.position(this->Surface.mesh());
+  BestStep best(from.position);
+  const Carriers& carriers = from.carriers;
   const auto tryEnd = [&](Index vertex)
   {
     const bool isLower =
       carriers.size() > 1 || this->Field.distance(vertex) < this->Field.distance(carriers[0]);
     if (isLower)
     {
-      const double cost = 0.5 * (costAt(this->Surface, point) + this->Surface.costOf(vertex));
-      tryVertex(position, this->cornerAt(vertex), cost, best);
+      const double cost = 0.5 * (costAt(this->Surface, from.point) + this->Surface.costOf(vertex));
+      best.tryVertex(this->cornerAt(vertex), cost);
     }
   };
   if (carriers.size() == 1)
@@ -342,10 +372,10 @@ std::optional<PathTracer::Step> PathTracer::stepAlongEdges(const PathPoint& poin
   }
   else
   {
-    visitFaces(this->Surface, point,
+    visitFaces(this->Surface, from.point,
       [&](const Triangle& face) { std::for_each(face.begin(), face.end(), tryEnd); });
   }
-  return best;
+  return best.step();
 }
 
 std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
@@ -366,7 +396,7 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
     queue.pop();
     const bool isLower = this->Field.distance(here) < this->Field.distance(vertex);
     if (here != vertex &&
-      (isLower || this->stepToSeed(PathPoint::atVertex(here), PathOrder::Vertices)))
+      (isLower || this->stepToSeed(this->placeAt(PathPoint::atVertex(here)), PathOrder::Vertices)))
     {
       std::vector<Index> descent;
       for (Index v = here; v != vertex; v = visits[v].previous)
@@ -395,58 +425,6 @@ std::vector<Index> PathTracer::descentAlongEdges(Index vertex) const
     }
   }
   return {};
-}
-
-bool PathTracer::tryEdge(const Vector3& position, const Corner& a, const Corner& b, double cost,
-  std::optional<Step>& best) const
-{
-  if (!a.leadsToAim || !b.leadsToAim ||
-    (this->Aim == NoIndex &&
-      this->Field.nearestSeed(a.vertex) != this->Field.nearestSeed(b.vertex)))
-  {
-    return false;
-  }
-  const double fromA = a.left / cost;
-  const double fromB = b.left / cost;
-  const Vector3 edge = b.position - a.position;
-  const double square = dot(edge, edge);
-  if (!((fromA - fromB) * (fromA - fromB) < square))
-  {
-    return false;
-  }
-  const double length = std::sqrt(square);
-  const double inverse = 1.0 / length;
-  const Vector3 toPoint = position - a.position;
-  const double foot = dot(toPoint, edge) * inverse;
-  const double height = norm(cross(toPoint, edge)) * inverse;
-  const FlatSource source(fromA, fromB, length, inverse);
-  const double place = source.leastAt(foot, height);
-  const double fraction = place * inverse;
-  if (!(fraction > VertexFraction && fraction < 1.0 - VertexFraction))
-  {
-    return false;
-  }
-  const double left = source.phi(place);
-  const double total = left + std::sqrt((foot - place) * (foot - place) + height * height);
-  if (!best || cost * total < best->total)
-  {
-    best = Step{ PathPoint::onEdge(a.vertex, b.vertex, fraction), cost * left, cost * total };
-  }
-  return true;
-}
-
-void PathTracer::tryVertex(
-  const Vector3& position, const Corner& corner, double cost, std::optional<Step>& best)
-{
-  if (!corner.leadsToAim || (best && !(corner.left < best->total)))
-  {
-    return;
-  }
-  const double total = corner.left + cost * norm(position - corner.position);
-  if (!best || total < best->total)
-  {
-    best = Step{ PathPoint::atVertex(corner.vertex), corner.left, total };
-  }
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef geodesic_PathTracer_h
 #define geodesic_PathTracer_h
 
+#include "path/BestStep.h"
 #include "path/PathEnds.h"
 #include "path/PathPoint.h"
 #include "path/WeightedMesh.h"
@@ -70,51 +71,35 @@ public:
     const PathPoint& start, Index seed, PathOrder order, const MayEnd& mayEnd = {});
 
 private:
-  /** The next point of a path, and the distance to the seed through it. */
-  struct Step
-  {
-    PathPoint point;
-    /** Distance from the point to the seed. */
-    double left;
-    /** The same from where the step begins. */
-    double total;
-  };
   /** Where a step begins. */
   struct Place
   {
+    PathPoint point;
     Carriers carriers;
     Vector3 position;
-  };
-  /** What a step needs of a vertex to which it may lead. */
-  struct Corner
-  {
-    Index vertex;
-    /** See leadsToAim(). */
-    bool leadsToAim;
-    /** Distance from the vertex to the seed. */
-    double left;
-    const Vector3& position;
   };
 
   /** Sets Aim and AimCarriers. */
   void aimAt(Index seed);
   std::optional<SurfacePath> traceToAim(
     const PathPoint& start, PathOrder order, const MayEnd& mayEnd) const;
-  /** Whether the vertex has a distance, and its nearest seed is Aim or Aim is any. */
-  bool leadsToAim(Index vertex) const;
   /** The straight step to the nearest seed that shares an open face with the point; nothing if none
    * does. */
-  std::optional<Step> stepToSeed(const PathPoint& point, PathOrder order) const;
+  std::optional<PathStep> stepToSeed(const Place& from, PathOrder order) const;
   /** The step from the end of a path to the point with the least total on the edges of the faces
    * round it. It goes back across the face of the last step only where no other one will do, and
    * not a second time.
    * @param left  by the last step */
-  std::optional<Step> stepAhead(const SurfacePath& path, double left) const;
-  /** Replaces @p best by the step across a face if that has a lower total. */
-  void tryFace(const Place& from, const Triangle& face, std::optional<Step>& best) const;
+  std::optional<PathStep> stepAhead(const Place& from, const SurfacePath& path, double left) const;
+  /** As stepAhead(), from a vertex, and from a point of an edge. */
+  void tryRoundVertex(Index vertex, BestStep& best) const;
+  void tryBesideEdge(
+    const Carriers& ends, const SurfacePath& path, double left, BestStep& best) const;
+  /** Tries the steps from a point inside a face. */
+  void tryFace(const Triangle& face, BestStep& best) const;
   /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.
    */
-  std::optional<Step> stepAlongEdges(const PathPoint& point) const;
+  std::optional<PathStep> stepAlongEdges(const Place& from) const;
   /**
    * The path from a vertex that has no neighbour of a lower distance. There are such vertices where
    * the front came through the middle of an edge, or where neighbours lie at the same place.
@@ -122,22 +107,17 @@ private:
    * with a seed, without @p vertex itself; empty if there is none
    */
   std::vector<Index> descentAlongEdges(Index vertex) const;
-  Corner cornerAt(Index vertex) const
+  Place placeAt(const PathPoint& point) const
   {
-    return { vertex, this->leadsToAim(vertex), this->Field.distance(vertex),
-      this->Surface.mesh().position(vertex) };
+    return { point, point.carriers(), point.position(this->Surface.mesh()) };
   }
-  /**
-   * Replaces @p best by the step from a position to the best point inside an edge, if that has a
-   * lower total.
-   * @param cost of a unit of length of the step
-   * @return whether there is such a point: steps to the edge's ends have no lower total then
-   */
-  bool tryEdge(const Vector3& position, const Corner& a, const Corner& b, double cost,
-    std::optional<Step>& best) const;
-  /** The same for the step to a vertex. */
-  static void tryVertex(
-    const Vector3& position, const Corner& corner, double cost, std::optional<Step>& best);
+  StepCorner cornerAt(Index vertex) const
+  {
+    const Index seed = this->Field.nearestSeed(vertex);
+    const bool leadsToAim = this->Aim == NoIndex || seed == this->Aim;
+    return { vertex, leadsToAim ? seed : NoIndex, this->Field.distance(vertex),
+      &this->Surface.mesh().position(vertex) };
+  }
 
   const WeightedMesh& Surface;
   const DistanceField& Field;

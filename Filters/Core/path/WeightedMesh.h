@@ -91,11 +91,10 @@ inline Index centreOf(const WeightedMesh& surface, const Carriers& carriers)
                                          [&](Index a, Index b) { return sizeOf(a) < sizeOf(b); });
 }
 
-/** Calls @p visit with each open face on both sides of an edge. @param centre one of its ends, the
- * one whose ring is looked through */
+/** Calls @p visit with the third corner of each open face on both sides of an edge. @param centre
+ * one of its ends, the one whose ring is looked through */
 template <class Visit>
-inline void visitFacesOfEdge(
-  const WeightedMesh& surface, Index centre, Index other, const Visit& visit)
+inline void visitApexes(const WeightedMesh& surface, Index centre, Index other, const Visit& visit)
 {
   const std::span<const RingEntry> ring = surface.ring(centre);
   surface.countSteps(ring.size());
@@ -107,12 +106,12 @@ inline void visitFacesOfEdge(
     }
     if (i > 0 && surface.isOpen(centre, i - 1))
     {
-      visit(Triangle{ centre, ring[i - 1].neighbour(), other });
+      visit(ring[i - 1].neighbour());
     }
     // The last entry of a ring opens no triangle.
     if (surface.isOpen(centre, i))
     {
-      visit(Triangle{ centre, other, ring[i + 1].neighbour() });
+      visit(ring[i + 1].neighbour());
     }
   }
 }
@@ -125,7 +124,11 @@ inline void visitFaces(const WeightedMesh& surface, const PathPoint& point, Visi
   const Index centre = centreOf(surface, carriers);
   if (carriers.size() == 2)
   {
-    visitFacesOfEdge(surface, centre, carriers[carriers[0] == centre ? 1 : 0], visit);
+    const Index other = carriers[carriers[0] == centre ? 1 : 0];
+    visitApexes(surface, centre, other,
+      [&](Index apex) {
+        visit(Triangle{ centre, apex, other });
+      });
     return;
   }
   const std::span<const RingEntry> ring = surface.ring(centre);
