@@ -248,9 +248,11 @@ TEST(Intrinsic, IsNearTheTruthOnNeedles)
 
 TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
 {
-  const RoundedTube tube(4, 20, 30.0, 1);
-  const auto mesh = meshOf(tube.surface());
-  EXPECT_LT(updatesOn(mesh), 4u * mesh->numberOfVertices());
+  for (const RoundedTube& tube : { RoundedTube(4, 20, 30.0, 1), RoundedTube(16, 20, 100.0, 1) })
+  {
+    const auto mesh = meshOf(tube.surface());
+    EXPECT_LT(updatesOn(mesh), 4u * mesh->numberOfVertices());
+  }
 }
 
 // No distance is more than along an edge of the mesh, though the front does not follow these.

@@ -32,6 +32,31 @@ inline double meanOf(std::span<const float> numbers)
   return ((sums[0] + sums[1]) + (sums[2] + sums[3])) / count;
 }
 
+/** How far positive numbers are spread: their mean by their harmonic mean. 1 if all are equal, or
+ * if there are none; what is not positive is left out. */
+inline double spreadOf(std::span<const float> numbers)
+{
+  constexpr std::size_t lanes = 4;
+  std::array<double, lanes> counts{};
+  std::array<double, lanes> sums{};
+  std::array<double, lanes> sumsOfInverses{};
+  for (std::size_t i = 0; i < numbers.size(); i += lanes)
+  {
+    for (std::size_t s = 0; s < std::min(lanes, numbers.size() - i); ++s)
+    {
+      const double number = numbers[i + s];
+      const bool isPositive = number > 0.0;
+      counts[s] += isPositive ? 1.0 : 0.0;
+      sums[s] += isPositive ? number : 0.0;
+      sumsOfInverses[s] += isPositive ? 1.0 / number : 0.0;
+    }
+  }
+  const auto total = [](const std::array<double, lanes>& of)
+  { return (of[0] + of[1]) + (of[2] + of[3]); };
+  const double count = total(counts);
+  return count > 0.0 ? total(sums) * total(sumsOfInverses) / (count * count) : 1.0;
+}
+
 /** The largest of numbers that are not negative; 0 if there are none. */
 inline float largestOf(std::span<const float> numbers)
 {

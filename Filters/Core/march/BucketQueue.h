@@ -91,6 +91,13 @@ public:
     this->bucket(static_cast<std::uint64_t>(bucket)).push_back(item);
   }
 
+  /** Whether an item that waits with the key @p before is taken sooner if it is pushed once more
+   * with @p key. */
+  bool comesSooner(double key, double before) const
+  {
+    return this->IsByValue ? key < before : this->bucketOf(key) < this->bucketOf(before);
+  }
+
   /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const
   {

@@ -65,6 +65,12 @@ public:
   std::size_t numberOfGroups() const { return this->Groups.size(); }
   FrontGroup& group(std::size_t number) { return this->Groups[number]; }
 
+  /** See BucketQueue::comesSooner(). */
+  bool comesSooner(double key, double before) const
+  {
+    return this->anyQueue().comesSooner(key, before);
+  }
+
   /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const { return this->anyQueue().bucketOf(key); }
   /** The bucket behind those that a march up to a key goes through. These are the buckets before

@@ -65,13 +65,9 @@ public:
   GEODESIC_INLINED void prefetch(Index taken) const { this->prefetchRing(taken); }
   PoppedValue pop(Index vertex)
   {
-    if constexpr (!Cost::isUnit)
+    if (this->mayBeQueuedAgain() && !this->state(vertex).isQueued())
     {
-      // By value a vertex may be in the queue several times.
-      if (!this->state(vertex).isQueued())
-      {
-        return { NoIndex, nullptr, 0.0 };
-      }
+      return { NoIndex, nullptr, 0.0 };
     }
     this->state(vertex).setQueued(false);
     return { vertex, &this->Only, this->value(this->Only, vertex) };

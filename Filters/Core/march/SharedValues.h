@@ -25,6 +25,7 @@ public:
     : SharedFieldValues<Cost>(context, label.value, share, reached)
     , Only(label, 0, context.cost.smallest())
     , Group(context.queues.group(0))
+    , QueuesAgain(queuesAgain(context))
   {
   }
 
@@ -70,6 +71,7 @@ public:
     {
       // A processor can't predict whether the value counts, so there is no branch on it.
       const Pair held = select(Pair{ value } < Pair{ ceiling }, Pair{ value }, Pair{ old });
+      this->queueAgain(vertex, held[0], old);
       this->setDistance(vertex, this->Only.distance(held[0]));
       return { held[0], held[0], true };
     }
@@ -103,8 +105,12 @@ public:
     const double value = this->key(vertex);
     if (!this->isNotice(item))
     {
-      this->notePopped({ vertex, 0 }, value);
       VertexState state = this->state(vertex);
+      if (this->QueuesAgain && !state.isQueued())
+      {
+        return { NoIndex, nullptr, 0.0 };
+      }
+      this->notePopped({ vertex, 0 }, value);
       state.setQueued(false);
       this->setState(vertex, state);
     }
@@ -134,6 +140,10 @@ private:
   void set(Index vertex, VertexState state, double value)
   {
     this->noteIfFirst(vertex);
+    if (state.isQueued())
+    {
+      this->queueAgain(vertex, value, this->key(vertex));
+    }
     this->setDistance(vertex, this->Only.distance(value));
     if (!state.isQueued())
     {
@@ -143,8 +153,18 @@ private:
     }
   }
 
+  /** As FieldValues::queueAgain(). */
+  GEODESIC_INLINED void queueAgain(Index vertex, double value, double before)
+  {
+    if (this->QueuesAgain && this->Context.queues.comesSooner(value, before)) [[unlikely]]
+    {
+      this->Group.best.push(vertex, value);
+    }
+  }
+
   SourceFront Only;
   FrontGroup& Group;
+  bool QueuesAgain;
 };
 
 }

@@ -367,6 +367,7 @@ void TriangleMesh::measureEdges()
 {
   const std::span<const float> longestSides = this->Rings.longestSides();
   this->MeanLongestEdge = meanOf(longestSides);
+  this->SpreadOfEdges = spreadOf(longestSides);
   this->LongestEdgeLength = largestOf(longestSides);
 }
 

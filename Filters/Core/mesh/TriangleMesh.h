@@ -181,6 +181,9 @@ public:
 
   /** Mean of longestEdgeAround() over all vertices; 0 for a mesh without vertices. */
   double meanLongestEdge() const { return this->MeanLongestEdge; }
+  /** How far the lengths longestEdgeAround() are spread: their mean by their harmonic mean; 1 if
+   * all are equal. */
+  double spreadOfEdges() const { return this->SpreadOfEdges; }
   /** Length of the longest side of any triangle, rounded up to a float. */
   double longestEdgeLength() const { return this->LongestEdgeLength; }
   /** Length of the longest side of the triangles round a vertex, rounded up to a float. */
@@ -263,6 +266,7 @@ private:
   std::size_t NumberOfSources = 0;
   std::shared_ptr<LazyMotionTable> Motion;
   double MeanLongestEdge = 0.0;
+  double SpreadOfEdges = 1.0;
   double LongestEdgeLength = 0.0;
 };
 
