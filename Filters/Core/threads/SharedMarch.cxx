@@ -17,8 +17,10 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /** A round in which all threads together make no more updates takes longer to agree on than to
  * compute. */
 constexpr std::size_t FewUpdates = 64;
-/** The least step of the limit from round to round, in mean edges. */
-constexpr double StepInEdges = 3.0;
+/** The least step of the limit from round to round, in mean edges: the second one where threads
+ * take turns on a processor, so that they hear of each other between rounds only. */
+constexpr double StepInEdges = 8.0;
+constexpr double StepInTurns = 3.0;
 /** Ranges are cut anew where a queue takes longer than the mean by this part of it and by so many
  * vertices of usual pace. */
 constexpr double PartOfExcess = 1.0 / 12.0;
@@ -46,8 +48,8 @@ std::size_t reportAfter(std::size_t updates, const SolveOptions& options)
   return interval > 0 ? (updates / interval + 1) * interval
                       : std::numeric_limits<std::size_t>::max();
 }
-/** The most updates of the first thread while it goes on alone, so that it can be cancelled. */
-constexpr std::size_t MostAlone = 20000;
+/** The most updates of a thread in a round, so that it can be cancelled and ranges be cut. */
+constexpr std::size_t MostOfRound = 20000;
 /** About how many samples of all queues say where ranges are cut. */
 constexpr std::size_t SamplesOfAll = 256;
 
@@ -88,8 +90,14 @@ SharedMarch::SharedMarch(
   , Labels(labels)
   , Options(options)
   , RunAtOnce(SpinBarrier::runAtOnce(threads))
+  , Bells(threads)
   , Together(threads)
 {
+  this->Boxes.reserve(threads);
+  for (std::size_t receiver = 0; receiver < threads; ++receiver)
+  {
+    this->Boxes.emplace_back(threads);
+  }
   for (std::vector<Report>& reports : this->Reports)
   {
     reports.resize(threads);
@@ -152,16 +160,61 @@ std::size_t SharedMarch::Share::ownerOf(Index vertex) const
 
 void SharedMarch::Share::send(const LabelAtVertex& place, double key, bool isAlong)
 {
-  Mail& mail = this->report().mail[this->ownerOf(place.vertex)];
-  mail.values.push_back({ place, key, isAlong });
-  mail.least = std::min(mail.least, key);
+  this->send(this->ownerOf(place.vertex),
+    { place, key, isAlong ? Content::ValueAlong : Content::ValueAcross });
+}
+
+void SharedMarch::Share::send(std::size_t receiver, const Letter& letter)
+{
+  ++this->report().sent;
+  if (!this->March.Boxes[receiver][this->Number].put(letter))
+  {
+    this->report().mail[receiver].letters.push_back(letter);
+    return;
+  }
+  std::atomic<bool>& bell = this->March.Bells[receiver].isRung;
+  if (!bell.load(std::memory_order_relaxed))
+  {
+    bell.store(true, std::memory_order_relaxed);
+  }
+}
+
+void SharedMarch::Share::take(const Letter& letter, ThreadFront& front)
+{
+  if (letter.content == Content::Notice)
+  {
+    front.updateRound(letter.place);
+  }
+  else
+  {
+    front.lower(letter.place, letter.key, letter.content == Content::ValueAlong);
+  }
+}
+
+void SharedMarch::Share::takeLetters(ThreadFront& front)
+{
+  this->March.Bells[this->Number].isRung.store(false, std::memory_order_relaxed);
+  for (Box& box : this->March.Boxes[this->Number])
+  {
+    box.takeAll([&](const Letter& letter) { take(letter, front); });
+  }
+}
+
+void SharedMarch::Share::exchange(ThreadFront& front)
+{
+  this->sendNotices(front);
+  if (this->March.Bells[this->Number].isRung.load(std::memory_order_relaxed))
+  {
+    this->takeLetters(front);
+  }
 }
 
 bool SharedMarch::Share::march(ThreadFront& front)
 {
   // Where all points are one place, no step would lead on.
   const double edge = front.meanLongestEdge();
-  const double leastStep = edge > 0.0 ? StepInEdges * edge : Infinity;
+  const double stepInEdges = this->March.RunAtOnce ? StepInEdges : StepInTurns;
+  const double leastStep = edge > 0.0 ? stepInEdges * edge : Infinity;
   double step = 0.5 * leastStep;
   double end = -Infinity;
   this->report().next = front.next();
@@ -260,25 +313,19 @@ SharedMarch::Summary SharedMarch::Share::meet()
   report.sent = 0;
   for (Mail& mail : report.mail)
   {
-    mail.values.clear();
-    mail.notices.clear();
-    mail.least = Infinity;
+    mail.letters.clear();
   }
   return summary;
 }
 
 void SharedMarch::Share::takeMail(ThreadFront& front)
 {
+  this->takeLetters(front);
   for (const Report& report : this->lastReports())
   {
-    const Mail& mail = report.mail[this->Number];
-    for (const auto& [place, key, isAlong] : mail.values)
+    for (const Letter& letter : report.mail[this->Number].letters)
     {
-      front.lower(place, key, isAlong);
-    }
-    for (const LabelAtVertex& place : mail.notices)
-    {
-      front.updateRound(place);
+      take(letter, front);
     }
   }
 }
@@ -401,10 +448,12 @@ void SharedMarch::Share::advance(ThreadFront& front, double end)
   report.pace = this->Pace;
   this->sendNotices(front);
   report.next = front.next();
-  for (const Mail& mail : report.mail)
+  const auto count = [&](const Letter& letter) { report.next = std::min(report.next, letter.key); };
+  for (std::size_t receiver = 0; receiver < report.mail.size(); ++receiver)
   {
-    report.next = std::min(report.next, mail.least);
-    report.sent += mail.values.size() + mail.notices.size();
+    this->March.Boxes[receiver][this->Number].visitLeft(count);
+    std::for_each(
+      report.mail[receiver].letters.begin(), report.mail[receiver].letters.end(), count);
   }
 }
 
@@ -414,7 +463,7 @@ void SharedMarch::Share::goOnAlone(ThreadFront& front, double end)
   front.advance(end);
   while (front.waiting() > 0 &&
     front.waiting() < 2 * shortFront(this->Ends.size(), this->March.Options) &&
-    front.numberOfUpdates() - before < MostAlone)
+    front.numberOfUpdates() - before < MostOfRound)
   {
     end = std::max(end, front.next()) + StepInEdges * front.meanLongestEdge();
     front.advance(end);
@@ -424,8 +473,14 @@ void SharedMarch::Share::goOnAlone(ThreadFront& front, double end)
 void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
 {
   const std::size_t waiting = front.waiting();
+  const std::size_t most = front.numberOfUpdates() + MostOfRound;
   const auto start = std::chrono::steady_clock::now();
-  front.advance(end);
+  front.advanceWhile(end,
+    [&]
+    {
+      this->exchange(front);
+      return front.numberOfUpdates() < most;
+    });
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (waiting >= LeastTimed)
   {
@@ -435,12 +490,15 @@ void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
     this->Pace += PartOfRound * (pace - this->Pace);
   }
   front.advanceWhile(end + MostAhead * front.meanLongestEdge(),
-    [&] { return this->March.Together.othersAreComing(); });
+    [&]
+    {
+      this->exchange(front);
+      return this->March.Together.othersAreComing();
+    });
 }
 
 void SharedMarch::Share::sendNotices(ThreadFront& front)
 {
-  Report& report = this->report();
   front.visitAtBorder(
     [&](const LabelAtVertex& place, double key)
     {
@@ -451,9 +509,7 @@ void SharedMarch::Share::sendNotices(ThreadFront& front)
         if (owner > this->Number && (receivers >> owner & 1u) == 0)
         {
           receivers |= std::uint64_t{ 1 } << owner;
-          Mail& mail = report.mail[owner];
-          mail.notices.push_back(place);
-          mail.least = std::min(mail.least, key);
+          this->send(owner, { place, key, Content::Notice });
         }
       }
     });

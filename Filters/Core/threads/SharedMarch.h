@@ -6,10 +6,13 @@
 #include "base/Index.h"
 #include "base/SpinBarrier.h"
 #include "solve/SolveOptions.h"
+#include "threads/Mailbox.h"
 #include "threads/ThreadFront.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -41,14 +44,18 @@ struct ThreadWork
  *
  * A thread writes the values of its own vertices only. It reads those of all vertices, also while
  * their owners write them: a value only falls, and one that was read too early makes an update too
- * large, never wrong. Between rounds a thread sends to another
+ * large, never wrong. A thread sends to another
  *
  * - *values* for vertices of that thread;
  * - *notices*: vertices of its own that it took from its queue and that have neighbours of that
  *   thread, if that has a higher number. The other one updates round them again, now that it sees
- *   all values of the round. So where both took one of two neighbours in the same round, their last
- *   values meet in an update; in different rounds the later one sees the value of the other;
+ *   their values. So where both took one of two neighbours at the same time, their last values meet
+ *   in an update; at other times the later one sees the value of the other;
  * - *gifts*: what waits for vertices, where the ranges were cut anew.
+ *
+ * Values and notices go to mailboxes, which threads look into after every few vertices, and what
+ * finds no room there is taken at the end of the round. So where a border runs along the way of the
+ * front, on which values go to and fro, it need not wait for rounds.
  *
  * With several labels each value is of one label at a vertex, and all this holds for each label.
  *
@@ -97,26 +104,36 @@ public:
   void fail();
 
 private:
-  struct Value
+  enum class Content : std::uint8_t
+  {
+    ValueAlong,
+    ValueAcross,
+    Notice
+  };
+  struct Letter
   {
     LabelAtVertex place;
     double key;
-    bool isAlong;
+    Content content;
   };
+  using Box = Mailbox<Letter, 128>;
+  /** What one thread sends to another at the end of a round. */
   struct Mail
   {
-    std::vector<Value> values;
-    std::vector<LabelAtVertex> notices;
-    /** The least key of the values and notices. */
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<Letter> letters;
     std::vector<Index> gifts;
+  };
+  /** Rings where there are letters for a thread. On cache lines of its own. */
+  struct alignas(128) Bell
+  {
+    std::atomic<bool> isRung = false;
   };
   /** The pace of a thread of which nothing is known yet; only relations count. */
   static constexpr double UsualPace = 1e-6;
   /** What a thread says after a round. Each on cache lines of its own. */
   struct alignas(128) Report
   {
-    /** The least key that waits in its queue, or in its mail. */
+    /** The least key that waits in its queue, or in letters of its own. */
     double next = std::numeric_limits<double>::infinity();
     /** In all rounds, and in this one. */
     std::size_t updates = 0;
@@ -128,7 +145,7 @@ private:
     std::size_t values = 0;
     /** How many seconds a round takes this thread for each of them, about. */
     double pace = UsualPace;
-    /** How many values, notices and gifts it sends. */
+    /** How many letters and gifts it sends. */
     std::size_t sent = 0;
     bool isCancelled = false;
     /** For each thread what is sent to it. */
@@ -170,8 +187,15 @@ public:
     /** Waits for the reports of all threads, and begins the next one. Where another thread failed
      * the run is cancelled. */
     Summary meet();
+    void send(std::size_t receiver, const Letter& letter);
+    /** Takes a letter. */
+    static void take(const Letter& letter, ThreadFront& front);
+    /** Takes what is in the mailboxes. */
+    void takeLetters(ThreadFront& front);
     /** Takes what was sent in the round before. */
     void takeMail(ThreadFront& front);
+    /** Sends notices, and takes what others have sent meanwhile. */
+    void exchange(ThreadFront& front);
     /** Whether the first thread owns all vertices. */
     bool isOfOne() const { return this->Ends[0] == this->Ends.back(); }
     /** Changes who owns what if that is due. @return false where another thread failed */
@@ -238,6 +262,9 @@ private:
   bool RunAtOnce;
   /** For even and odd rounds, by thread. */
   std::array<std::vector<Report>, 2> Reports;
+  /** By receiver and sender. */
+  std::vector<std::vector<Box>> Boxes;
+  std::vector<Bell> Bells;
   SpinBarrier Together;
   ThreadWork Work;
   bool WasCancelled = false;
