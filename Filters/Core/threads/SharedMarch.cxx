@@ -18,7 +18,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
  * compute. */
 constexpr std::size_t FewUpdates = 64;
 /** The least step of the limit from round to round, in mean edges: the second one where threads
- * take turns on a processor, so that they hear of each other between rounds only. */
+ * take turns on a processor, so that they hear of each other between turns only. */
 constexpr double StepInEdges = 8.0;
 constexpr double StepInTurns = 3.0;
 /** Ranges are cut anew where a queue takes longer than the mean by this part of it and by so many
@@ -431,13 +431,9 @@ void SharedMarch::Share::advance(ThreadFront& front, double end)
   {
     this->goOnAlone(front, end);
   }
-  else if (this->March.RunAtOnce)
-  {
-    this->goOnTimed(front, end);
-  }
   else
   {
-    front.advance(end);
+    this->goOnTogether(front, end);
   }
   Report& report = this->report();
   report.updates = front.numberOfUpdates();
@@ -470,7 +466,7 @@ void SharedMarch::Share::goOnAlone(ThreadFront& front, double end)
   }
 }
 
-void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
+void SharedMarch::Share::goOnTogether(ThreadFront& front, double end)
 {
   const std::size_t waiting = front.waiting();
   const std::size_t most = front.numberOfUpdates() + MostOfRound;
@@ -481,6 +477,10 @@ void SharedMarch::Share::goOnTimed(ThreadFront& front, double end)
       this->exchange(front);
       return front.numberOfUpdates() < most;
     });
+  if (!this->March.RunAtOnce)
+  {
+    return;
+  }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (waiting >= LeastTimed)
   {

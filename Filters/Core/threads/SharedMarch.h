@@ -213,9 +213,9 @@ public:
     bool handOver(ThreadFront& front);
     /** Marches up to a value, and says what this thread then has to say. */
     void advance(ThreadFront& front, double end);
-    /** Does so where all threads run at the same time: learns how long it takes, and goes on while
-     * it would wait for others. */
-    void goOnTimed(ThreadFront& front, double end);
+    /** Does so while others march too. Where all run at the same time, learns how long it takes,
+     * and goes on while it would wait for others. */
+    void goOnTogether(ThreadFront& front, double end);
     /** Marches up to a value, and on until the front is to be shared. */
     void goOnAlone(ThreadFront& front, double end);
     void sendNotices(ThreadFront& front);
