@@ -23,7 +23,8 @@ double trianglesAt(const TriangleMesh& mesh, Index vertex)
 
 }
 
-std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition)
+std::vector<Index> hubVertices(
+  const TriangleMesh& mesh, std::span<const Index> among, Partition& partition)
 {
   std::map<Index, double> counts;
   std::vector<StartValue> own;
@@ -36,7 +37,7 @@ std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition)
   {
     counts[other.vertex] += other.value;
   }
-  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  for (const Index vertex : among)
   {
     if (mesh.ring(vertex).size() > MostTrianglesElsewhere)
     {

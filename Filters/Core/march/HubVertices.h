@@ -6,6 +6,7 @@
 #include "base/Index.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace geodesic
@@ -18,8 +19,10 @@ class TriangleMesh;
  * many sheets meet. Each value that goes on from there costs as much as a small field. */
 constexpr std::size_t MostTrianglesElsewhere = 1000;
 
-/** The hubs, by their triangles in all pieces, in ascending order. Collective. Time O(n). */
-std::vector<Index> hubVertices(const TriangleMesh& mesh, Partition& partition);
+/** The hubs among some vertices, by their triangles in all pieces, in ascending order, and maybe
+ * others. Collective. Time linear in their number. */
+std::vector<Index> hubVertices(
+  const TriangleMesh& mesh, std::span<const Index> among, Partition& partition);
 
 }
 

@@ -493,7 +493,7 @@ void SharedMarch::Share::goOnTogether(ThreadFront& front, double end)
     [&]
     {
       this->exchange(front);
-      return this->March.Together.othersAreComing();
+      return this->March.Together.othersAreComing() && front.numberOfUpdates() < most;
     });
 }
 
