@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -86,4 +87,33 @@ TEST(Mailbox, LosesNothingBetweenThreads)
   std::vector<int> all(Letters);
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(taken, all);
+}
+
+// A march ends on the word of the writer that nothing is left.
+TEST(Mailbox, TheWriterSeesWhatIsLeftBesideTheReader)
+{
+  constexpr int Letters = 20000;
+  Box box;
+  std::atomic<int> last = 0;
+  std::jthread reader(
+    [&]
+    {
+      while (last < Letters)
+      {
+        box.takeAll([&](int letter) { last = letter; });
+        std::this_thread::yield();
+      }
+    });
+  int least = 0;
+  for (int letter = 1; letter <= Letters; letter += box.put(letter) ? 1 : 0)
+  {
+    const int takenBefore = last;
+    const std::vector<int> left = leftIn(box);
+    const int takenAfter = last;
+    least = left.empty() ? letter : left.front();
+    // The reader notes a letter before the box is told that it was taken.
+    EXPECT_GT(least, takenBefore - 8);
+    EXPECT_LE(least, takenAfter + 1);
+    EXPECT_TRUE(left.empty() || left.back() == letter - 1);
+  }
 }

@@ -94,7 +94,6 @@ std::function<bool(std::size_t)> expectMoreThan(std::size_t& last)
 class EndlessFront final : public ThreadFront
 {
 public:
-  void advance(double) override { ++this->Advances; }
   void advanceWhile(double, const std::function<bool()>&) override { ++this->Advances; }
   void visitAtBorder(const std::function<void(const LabelAtVertex&, double)>&) override {}
   double next() const override { return 1.0; }

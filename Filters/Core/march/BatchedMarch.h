@@ -41,7 +41,8 @@ public:
   {
     this->advanceWhile(end, taken, [] { return true; });
   }
-  /** The same, as long as @p mayGoOn returns true, which is asked before each batch. */
+  /** The same, as long as @p mayGoOn returns true, which is asked before each batch. It may put
+   * items into the queues. */
   template <class MayGoOn>
   void advanceWhile(std::uint64_t end, std::vector<Index>* taken, const MayGoOn& mayGoOn)
   {

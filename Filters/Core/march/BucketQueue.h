@@ -132,7 +132,9 @@ public:
   /**
    * Goes back to the bucket of a key, so that keys from there on have their places again, if the
    * key is below the last one taken. Does nothing if that would need more than MostBuckets buckets.
-   * Time O(1), or linear in the number of buckets if there are too few so far.
+   * Where more than a thousand items wait in the current bucket, their order changes. Time linear
+   * in the number of buckets gone back, and of items taken since the last time; or of all buckets
+   * if there are too few.
    */
   void goBackTo(double key)
   {
@@ -142,7 +144,7 @@ public:
       return;
     }
     this->dropTaken();
-    if (this->isEmpty())
+    if (this->isEmpty() || this->isFree(target))
     {
       this->goTo(target);
       return;
@@ -193,7 +195,8 @@ public:
       visit(entry.item);
     }
   }
-  /** Removes the items that wait and for which isRemoved(item) holds, in the order of buckets. */
+  /** Removes the items that wait and for which isRemoved(item) holds, in the order of buckets. What
+   * waits in the current bucket may change its order. */
   template <class Test>
   void remove(const Test& isRemoved)
   {
@@ -308,12 +311,29 @@ private:
     this->LastNumber = static_cast<double>(number + this->LastIndex);
   }
 
+  /** Whether there is room for the buckets from an earlier one up to the current one: no item waits
+   * in those whose places they take. */
+  bool isFree(std::uint64_t earlier) const
+  {
+    bool isFree = this->Current - earlier <= this->LastIndex;
+    for (std::uint64_t number = earlier; isFree && number < this->Current; ++number)
+    {
+      isFree = this->Buckets[this->indexOf(number)].empty();
+    }
+    return isFree;
+  }
+
   std::ptrdiff_t taken() const { return static_cast<std::ptrdiff_t>(this->Next); }
-  /** Drops those items of the current bucket that were taken. */
+  /** Drops those items of the current bucket that were taken. Where many others are left, the last
+   * ones take their places; few keep their order, in which fewer updates are made twice. */
   void dropTaken()
   {
+    constexpr std::size_t few = 1024;
     std::vector<Index>& current = this->bucket(this->Current);
-    current.erase(current.begin(), current.begin() + this->taken());
+    const std::size_t left = current.size() - this->Next;
+    const std::size_t moved = left <= few ? left : std::min(this->Next, left);
+    std::copy_n(current.end() - static_cast<std::ptrdiff_t>(moved), moved, current.begin());
+    current.resize(left);
     this->Next = 0;
   }
 

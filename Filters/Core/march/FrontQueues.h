@@ -150,7 +150,12 @@ public:
   {
     group.best.goBackTo(key);
     group.secondary.goBackTo(key);
-    this->startSlice(std::min(this->SliceStart, this->bucketOf(key)));
+    // Within the slice the queue is found to be back when its group's turn goes on, or the next
+    // one.
+    if (this->bucketOf(key) < this->SliceStart)
+    {
+      this->startSlice(this->bucketOf(key));
+    }
   }
 
 private:

@@ -248,8 +248,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     if (areDense)
     {
       const double farthest = farthestOf(field, request.partition);
-      const std::vector<Index> hubs =
-        hubVertices(this->mesh(), field.reached(), request.partition);
+      const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
       this->LabelsWithin.take(field,
         labelReaches(
           this->mesh(), request.front, request.options.cost, farthest, request.partition),

@@ -36,10 +36,6 @@ public:
   {
   }
 
-  void advance(double limit) override
-  {
-    this->March.advance(this->Queues.endOfMarch(limit), nullptr);
-  }
   void advanceWhile(double limit, const std::function<bool()>& mayGoOn) override
   {
     this->March.advanceWhile(this->Queues.endOfMarch(limit), nullptr, mayGoOn);

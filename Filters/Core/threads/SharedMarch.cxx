@@ -455,14 +455,14 @@ void SharedMarch::Share::advance(ThreadFront& front, double end)
 
 void SharedMarch::Share::goOnAlone(ThreadFront& front, double end)
 {
-  const std::size_t before = front.numberOfUpdates();
-  front.advance(end);
+  const std::size_t most = front.numberOfUpdates() + MostOfRound;
+  const auto mayGoOn = [&] { return front.numberOfUpdates() < most; };
+  front.advanceWhile(end, mayGoOn);
   while (front.waiting() > 0 &&
-    front.waiting() < 2 * shortFront(this->Ends.size(), this->March.Options) &&
-    front.numberOfUpdates() - before < MostOfRound)
+    front.waiting() < 2 * shortFront(this->Ends.size(), this->March.Options) && mayGoOn())
   {
     end = std::max(end, front.next()) + StepInEdges * front.meanLongestEdge();
-    front.advance(end);
+    front.advanceWhile(end, mayGoOn);
   }
 }
 

@@ -53,9 +53,10 @@ struct ThreadWork
  *   in an update; at other times the later one sees the value of the other;
  * - *gifts*: what waits for vertices, where the ranges were cut anew.
  *
- * Values and notices go to mailboxes, which threads look into after every few vertices, and what
- * finds no room there is taken at the end of the round. So where a border runs along the way of the
- * front, on which values go to and fro, it need not wait for rounds.
+ * Values and notices go to mailboxes. Threads that march together look into theirs after every few
+ * vertices, and all do so at the end of the round, when they also take what found no room there. So
+ * where a border runs along the way of the front, on which values go to and fro, it need not wait
+ * for rounds.
  *
  * With several labels each value is of one label at a vertex, and all this holds for each label.
  *
@@ -123,7 +124,8 @@ private:
     std::vector<Letter> letters;
     std::vector<Index> gifts;
   };
-  /** Rings where there are letters for a thread. On cache lines of its own. */
+  /** Rings where there are letters for a thread, of which it may still overlook some until the
+   * round ends. On cache lines of its own. */
   struct alignas(128) Bell
   {
     std::atomic<bool> isRung = false;
@@ -192,7 +194,7 @@ public:
     static void take(const Letter& letter, ThreadFront& front);
     /** Takes what is in the mailboxes. */
     void takeLetters(ThreadFront& front);
-    /** Takes what was sent in the round before. */
+    /** Takes what was sent in the round before, and maybe since. */
     void takeMail(ThreadFront& front);
     /** Sends notices, and takes what others have sent meanwhile. */
     void exchange(ThreadFront& front);

@@ -27,9 +27,8 @@ class ThreadFront
 public:
   virtual ~ThreadFront() = default;
 
-  /** Takes items from this thread's queue as MarchingFront::advance() does. */
-  virtual void advance(double limit) = 0;
-  /** The same, as long as @p mayGoOn returns true, which is asked again after a few items. */
+  /** Takes items from this thread's queue as MarchingFront::advance() does, as long as @p mayGoOn
+   * returns true, which is asked again after a few items and may put others into the queue. */
   virtual void advanceWhile(double limit, const std::function<bool()>& mayGoOn) = 0;
   /** Calls visit(place, key) for each value that was taken since the last call, of this thread's
    * vertices that have neighbours of other threads; for some others too, and for some several
