@@ -99,7 +99,7 @@ test_threads()
 {
   cmake --preset core-tsan
   cmake --build --preset core-tsan --target ThreadTests
-  run_in_parts build/core-tsan/bin/ThreadTests --gtest_filter='*Thread*:SharedJobs.*:SharedSecondaryValues.*:*.ASearchGoesOver*'
+  run_in_parts build/core-tsan/bin/ThreadTests --gtest_filter='*Thread*:Mailbox.*:SharedJobs.*:SharedSecondaryValues.*:*.ASearchGoesOver*'
 }
 
 check_labels()

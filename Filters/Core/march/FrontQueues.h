@@ -158,6 +158,17 @@ public:
     }
   }
 
+  /** The same if the key is more than a few buckets behind where the march has come to. Else items
+   * with that key are taken from the present bucket, together with others. */
+  void goBackIfFar(FrontGroup& group, double key)
+  {
+    constexpr std::uint64_t few = 2;
+    if (this->bucketOf(key) + few < this->Bucket)
+    {
+      this->goBackTo(group, key);
+    }
+  }
+
 private:
   static constexpr std::uint64_t None = std::numeric_limits<std::uint64_t>::max();
 

@@ -146,7 +146,7 @@ protected:
   /** Puts an item into a queue of a group, and goes back to its key if need be. */
   void putBack(FrontGroup& group, BucketQueue& queue, Index item, double key)
   {
-    this->Context.queues.goBackTo(group, key);
+    this->Context.queues.goBackIfFar(group, key);
     queue.push(item, key);
   }
 

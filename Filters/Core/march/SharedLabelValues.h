@@ -213,7 +213,7 @@ public:
   void lower(const LabelAtVertex& place, double key)
   {
     const SourceFront& label = this->Fronts[place.label];
-    this->Context.queues.goBackTo(this->groupOf(label), key);
+    this->Context.queues.goBackIfFar(this->groupOf(label), key);
     this->template propose<way>(label, place.vertex, key + this->FirstDistance - label.seedValue);
   }
   void updateRound(const LabelAtVertex& place)

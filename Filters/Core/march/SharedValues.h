@@ -122,7 +122,7 @@ public:
   template <Way way>
   void lower(const LabelAtVertex& place, double key)
   {
-    this->Context.queues.goBackTo(this->Group, key);
+    this->Context.queues.goBackIfFar(this->Group, key);
     this->template propose<way>(this->Only, place.vertex, key);
   }
   void updateRound(const LabelAtVertex& place)

@@ -33,6 +33,9 @@ constexpr double PartOfRound = 0.125;
 /** How far a thread goes on while it would wait for others, in mean edges. What it does too early
  * it does in vain. */
 constexpr double MostAhead = 1.5;
+/** How often a thread that is asked whether it goes on, after a dozen vertices each time, looks
+ * into its mailboxes: more often, it would take up many letters one by one. */
+constexpr std::size_t CallsOfExchange = 4;
 /** A front is short where fewer vertices wait for each thread. */
 constexpr std::size_t MostOfShort = 8;
 /** With several labels what waits is much to do where as many items wait for each thread. */
@@ -202,6 +205,10 @@ void SharedMarch::Share::takeLetters(ThreadFront& front)
 
 void SharedMarch::Share::exchange(ThreadFront& front)
 {
+  if (++this->Calls % CallsOfExchange != 0)
+  {
+    return;
+  }
   this->sendNotices(front);
   if (this->March.Bells[this->Number].isRung.load(std::memory_order_relaxed))
   {

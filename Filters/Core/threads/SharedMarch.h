@@ -196,7 +196,7 @@ public:
     void takeLetters(ThreadFront& front);
     /** Takes what was sent in the round before, and maybe since. */
     void takeMail(ThreadFront& front);
-    /** Sends notices, and takes what others have sent meanwhile. */
+    /** Sends notices, and takes what others have sent meanwhile, once in several calls. */
     void exchange(ThreadFront& front);
     /** Whether the first thread owns all vertices. */
     bool isOfOne() const { return this->Ends[0] == this->Ends.back(); }
@@ -237,6 +237,8 @@ public:
     Index First = 0;
     Index Count = 0;
     std::size_t ValuesOfOthers = 0;
+    /** How often exchange() was called. */
+    std::size_t Calls = 0;
     double Pace = UsualPace;
     std::vector<std::pair<Index, std::size_t>> Samples;
   };
