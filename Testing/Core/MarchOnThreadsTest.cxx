@@ -197,7 +197,7 @@ TEST(MarchOnThreads, HeedsCostsAndBarriers)
 
 TEST(MarchOnThreads, HasTheFieldOfOneThreadInRandomCases)
 {
-  for (unsigned number = 0; number < 400; ++number)
+  for (unsigned number = 0; number < 200; ++number)
   {
     const RandomCase random = randomCase(number, { .mostSeeds = number % 2 == 0 ? 1u : 5u });
     FastMarchingSolver one(random.mesh);
