@@ -34,6 +34,11 @@ namespace
  */
 constexpr double BucketWidthInHeights = 0.46;
 
+/** One start for so many vertices is dense: fronts go some ten buckets until they meet. */
+constexpr std::size_t VerticesOfDenseStart = 256;
+/** So many vertices, with all that a march reads, are in the caches of a core anyway. */
+constexpr std::size_t MostInCaches = 8 * FrontQueues::VerticesOfDenseGroup;
+
 }
 
 FastMarchingSolver::FastMarchingSolver(
@@ -68,10 +73,18 @@ bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const Ver
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
-std::size_t FastMarchingSolver::numberOfGroups(const Request& request) const
+bool FastMarchingSolver::isDense(std::span<const StartValue> starts, const Request& request) const
 {
-  const std::size_t groups =
-    (this->mesh().numberOfVertices() + FrontQueues::ItemsOfTurn - 1) / FrontQueues::ItemsOfTurn;
+  const std::size_t vertices = this->mesh().numberOfVertices();
+  return request.front.labels.size() == 1 && request.options.targets.empty() &&
+    vertices > MostInCaches && starts.size() * VerticesOfDenseStart > vertices;
+}
+
+std::size_t FastMarchingSolver::numberOfGroups(
+  const Request& request, const LabelBounds* bounds) const
+{
+  const std::size_t size = bounds ? FrontQueues::VerticesOfDenseGroup : FrontQueues::ItemsOfTurn;
+  const std::size_t groups = (this->mesh().numberOfVertices() + size - 1) / size;
   return request.options.targets.empty()
     ? std::clamp(request.front.labels.size(), std::size_t{ 1 }, std::max(groups, std::size_t{ 1 }))
     : 1;
@@ -121,7 +134,16 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
     return this->marchAtCost(starts, cost, again, bounds, limit, field);
   }
   const std::vector<Label>& labels = request.front.labels;
-  this->startQueues(this->Queues, cost, this->numberOfGroups(request));
+  if (this->isDense(starts, request))
+  {
+    const std::size_t vertices = this->mesh().numberOfVertices();
+    this->startQueues(this->Queues, cost, 1 + vertices / FrontQueues::VerticesOfDenseGroup);
+    this->Queues.groupByVertex(vertices);
+  }
+  else
+  {
+    this->startQueues(this->Queues, cost, this->numberOfGroups(request, bounds));
+  }
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };

@@ -111,10 +111,15 @@ private:
   /**
    * The number of groups of fronts, see FrontQueues. A group gets about as many vertices as it
    * takes in a turn, so that its part of the mesh stays in the processor's caches; smaller groups
-   * would do more work for nothing where they meet. With targets there is one group: all fronts
-   * stop as soon as the targets are reached, so none may go ahead of the others.
+   * would do more work for nothing where they meet, unless fronts are dense and soon meet anyway.
+   * With targets there is one group: all fronts stop as soon as the targets are reached, so none
+   * may go ahead of the others.
+   * @param bounds  those of dense labels; null if there are none
    */
-  std::size_t numberOfGroups(const Request& request) const;
+  std::size_t numberOfGroups(const Request& request, const LabelBounds* bounds) const;
+  /** Whether the fronts of a march are of one label, and start all over the surface, so that groups
+   * are to be those of vertices. */
+  bool isDense(std::span<const StartValue> starts, const Request& request) const;
   /** Empties queues for a march. @param groups  see FrontQueues::start() */
   template <class Cost>
   void startQueues(FrontQueues& queues, const Cost& cost, std::size_t groups) const;

@@ -196,7 +196,7 @@ protected:
     {
       this->Field.setDistance(vertex, value + label.seedValue);
       this->state(vertex).queueFor(label.labelBits);
-      this->queue(label, this->groupOf(label).best, vertex, value);
+      this->queue(label, this->groupOf(label, vertex).best, vertex, value);
     }
   }
 
@@ -215,7 +215,13 @@ protected:
     this->state(first.vertex).setFinal(first.isFinal);
   }
 
+  /** The group of a label's values. */
   FrontGroup& groupOf(const SourceFront& label) { return this->Context.queues.group(label.group); }
+  /** The group of a label's best value at a vertex. */
+  FrontGroup& groupOf(const SourceFront& label, Index vertex)
+  {
+    return this->Context.queues.group(label.group + this->Context.queues.groupOfVertex(vertex));
+  }
 
   /** Whether a vertex may be in the queue several times. */
   bool mayBeQueuedAgain() const { return this->QueuesAgain; }
@@ -234,7 +240,7 @@ private:
       this->Context.queues.comesSooner(
         distance - this->First, this->Distances[vertex] - this->First)) [[unlikely]]
     {
-      this->queue(label, this->groupOf(label).best, vertex, distance - label.seedValue);
+      this->queue(label, this->groupOf(label, vertex).best, vertex, distance - label.seedValue);
     }
   }
 

@@ -31,7 +31,8 @@ struct FrontGroup
  * of buckets, then the next one. Many fronts together use more memory than the processor's caches
  * hold; the fronts of a group, which start near each other, do not. Where the fronts of two groups
  * meet, one goes too far, by a slice at most. That is work for nothing but does no harm, as the
- * march is label correcting. If buckets hold many items, as where costs are low, it would be much
+ * march is label correcting. The fronts of one label that start all over the surface are in groups
+ * of the vertices where they wait. If buckets hold many items, as where costs are low, it would be much
  * work. So a turn also ends after a number of items, and the other groups then go on as far as this
  * one did.
  */
@@ -43,6 +44,10 @@ public:
   static constexpr std::uint64_t Slice = 20;
   /** Number of items after which a turn ends. */
   static constexpr std::size_t ItemsOfTurn = 1 << 15;
+  /** Vertices whose numbers differ in their lowest so many bits only are one group of dense fronts:
+   * their values, rings and positions are in a core's own cache together. */
+  static constexpr int BitsOfDenseGroup = 13;
+  static constexpr std::size_t VerticesOfDenseGroup = std::size_t{ 1 } << BitsOfDenseGroup;
 
   /**
    * Empties the queues.
@@ -59,7 +64,23 @@ public:
       group.best.start(width, span, order);
       group.secondary.start(width, span, order);
     }
+    this->BitsOfGroup = std::numeric_limits<Index>::digits;
     this->startSlice(0);
+  }
+
+  /** After start(): makes the groups those of vertices instead of those of fronts, if there is one
+   * for each VerticesOfDenseGroup of them. */
+  void groupByVertex(std::size_t numberOfVertices)
+  {
+    if (this->Groups.size() * VerticesOfDenseGroup >= numberOfVertices)
+    {
+      this->BitsOfGroup = BitsOfDenseGroup;
+    }
+  }
+  /** The group of what waits at a vertex; 0 unless groups are those of vertices. */
+  Index groupOfVertex(Index vertex) const
+  {
+    return static_cast<Index>(std::uint64_t{ vertex } >> this->BitsOfGroup);
   }
 
   std::size_t numberOfGroups() const { return this->Groups.size(); }
@@ -232,6 +253,8 @@ private:
   }
 
   std::vector<FrontGroup> Groups;
+  /** By so many bits a vertex's number is shifted to its group. */
+  int BitsOfGroup = std::numeric_limits<Index>::digits;
   /** The queue from which items are taken. */
   BucketQueue* Current = nullptr;
   /** The first bucket of the slice, and the first one behind it. */

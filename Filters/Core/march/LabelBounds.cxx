@@ -108,6 +108,15 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   }
 }
 
+bool LabelBounds::areAllInside(Partition& partition) const
+{
+  const bool areInside = std::all_of(this->Starts.begin(), this->Starts.end(),
+    [&](const StartValue& start) { return this->isInside(start.vertex); });
+  const double isAnyPassed = areInside ? 0.0 : 1.0;
+  const std::vector<double> all = partition.gather({ &isAnyPassed, 1 });
+  return *std::max_element(all.begin(), all.end()) == 0.0;
+}
+
 void LabelBounds::addStart(const StartValue& start)
 {
   Index& place = this->PlaceOfStart[start.vertex];
@@ -161,10 +170,11 @@ bool LabelBounds::haveManyStarts(const TriangleMesh& mesh, Partition& partition)
   return difference > 0.0;
 }
 
-std::vector<StartValue> LabelBounds::within(
-  const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts) const
+std::span<const StartValue> LabelBounds::within(
+  const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts)
 {
-  std::vector<StartValue> within;
+  std::vector<StartValue>& within = this->Within;
+  within.clear();
   within.reserve(starts.size());
   std::vector<StartValue> closed;
   for (const StartValue& start : starts)

@@ -50,6 +50,9 @@ public:
     std::span<const StartValue> starts, Partition& partition);
   /** For each vertex with starts the least one, as a distance of label 0. */
   std::span<const StartValue> starts() const { return this->Starts; }
+  /** Whether no front passes any vertex that has a start, as where all vertices are seeds.
+   * Collective. */
+  bool areAllInside(Partition& partition) const;
 
   /**
    * Takes over the field of the first march, and sets the bounds.
@@ -93,8 +96,8 @@ public:
    * label; this holds where another label has a start that counts. Idle are those from which no
    * update counts.
    */
-  std::vector<StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
-    std::span<const StartValue> starts) const;
+  std::span<const StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
+    std::span<const StartValue> starts);
 
   /** Whether the nearest label of a vertex may end before a neighbour. @param farthest  the value
    * that the label may have there */
@@ -134,6 +137,8 @@ private:
   }
 
   std::vector<StartValue> Starts;
+  /** What within() returned last. */
+  std::vector<StartValue> Within;
   /** For each vertex the place of its start in Starts, or NoIndex. */
   std::vector<Index> PlaceOfStart;
   /** Empty if there are few starts. */

@@ -203,17 +203,14 @@ GEODESIC_INLINED void prefetchLater(
   }
 }
 
-}
-
-std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& front,
-  std::span<const double> cost, Partition& partition)
+/** Calls visit(label, place, normals) for each label that starts on this piece, with the edge and
+ * the cost there and the normals of findNormalsAt(). */
+template <class Visit>
+void visitPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<const double> cost,
+  const Partition& partition, const Visit& visit)
 {
   const std::span<const float> sides =
     partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
-  // For each label its number, edge, cost, the number of normals, and these.
-  std::vector<double> own;
-  constexpr std::size_t size = 4;
-  own.reserve((size + 3) * front.labels.size());
   std::vector<Vector3> normals;
   for (auto start = front.starts.begin(); start != front.starts.end();)
   {
@@ -231,14 +228,29 @@ std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& f
     {
       findNormalsAt(mesh, of.origin, isShared(mesh, of.origin, partition), normals);
     }
-    own.insert(own.end(),
-      { static_cast<double>(label), place.edge, place.cost, static_cast<double>(normals.size()) });
-    for (const Vector3& normal : normals)
-    {
-      own.insert(own.end(), { normal.x, normal.y, normal.z });
-    }
+    visit(label, place, normals);
   }
-  std::vector<LabelPlace> places(front.labels.size());
+}
+
+/** Puts together what all pieces know of the places. Collective. */
+void gatherPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<const double> cost,
+  Partition& partition, std::vector<LabelPlace>& places)
+{
+  // For each label its number, edge, cost, the number of normals, and these.
+  std::vector<double> own;
+  constexpr std::size_t size = 4;
+  own.reserve((size + 3) * front.labels.size());
+  visitPlaces(mesh, front, cost, partition,
+    [&](Index label, const LabelPlace& place, const std::vector<Vector3>& normals)
+    {
+      own.insert(own.end(),
+        { static_cast<double>(label), place.edge, place.cost,
+          static_cast<double>(normals.size()) });
+      for (const Vector3& normal : normals)
+      {
+        own.insert(own.end(), { normal.x, normal.y, normal.z });
+      }
+    });
   std::vector<std::pair<std::size_t, Vector3>> normalOfLabel;
   const std::vector<double> all = partition.gather(own);
   for (std::size_t i = 0; i < all.size();)
@@ -254,11 +266,9 @@ std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& f
     }
   }
   // Each piece has its labels in order.
-  if (partition.isDivided())
-  {
-    std::stable_sort(normalOfLabel.begin(), normalOfLabel.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
+  std::stable_sort(normalOfLabel.begin(), normalOfLabel.end(),
+    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Vector3> normals;
   for (std::size_t i = 0; i < normalOfLabel.size();)
   {
     const std::size_t label = normalOfLabel[i].first;
@@ -267,6 +277,30 @@ std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& f
       normals.push_back(normalOfLabel[i].second);
     }
     places[label].normal = roundedDirection(alignedSum(normals));
+  }
+}
+
+}
+
+std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, Partition& partition)
+{
+  std::vector<LabelPlace> places(front.labels.size());
+  if (partition.isDivided())
+  {
+    gatherPlaces(mesh, front, cost, partition, places);
+  }
+  else
+  {
+    visitPlaces(mesh, front, cost, partition,
+      [&](Index label, const LabelPlace& place, const std::vector<Vector3>& normals)
+      {
+        places[label] = place;
+        if (!normals.empty())
+        {
+          places[label].normal = roundedDirection(normals[0]);
+        }
+      });
   }
   for (std::size_t number = 0; number < places.size(); ++number)
   {

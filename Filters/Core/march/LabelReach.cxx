@@ -30,6 +30,8 @@ constexpr double MostError = 0.1;
 /** The search for other labels goes as far as this many times the distance sideways at which the
  * error is the largest one. */
 constexpr double SearchRadius = 2.0;
+/** The side of the cubes of the search: a ball touches 3.4 such cubes in the mean. */
+constexpr double CubeInRadii = 2.0;
 /** Only labels at which the surface has nearly the same direction stand for each other. */
 constexpr double LeastCosine = 0.7;
 /** A label closer than this many edges to another one, of no larger value, ends where it starts. */
@@ -113,8 +115,8 @@ public:
     : Places(places)
     , Reach(reach)
     , Radius(SearchRadius * std::sqrt(2.0 * MostError * reach))
-    , Cube(this->Radius * meanEdge(places, numbers))
-    , Grid(numbers, this->Cube, [&](Index number) { return places[number].position; })
+    , MostRadius(this->Radius * meanEdge(places, numbers))
+    , Grid(numbers, CubeInRadii * this->MostRadius, [&](Index number) { return places[number].position; })
     , States(places.size(), State::Open)
   {
     for (const Index number : numbers)
@@ -213,7 +215,7 @@ private:
   void lookAround(Index number)
   {
     const LabelPlace& place = this->Places[number];
-    const double radius = std::min(this->Radius * place.edge, this->Cube);
+    const double radius = std::min(this->Radius * place.edge, this->MostRadius);
     const double reach = this->Reach * place.edge;
     const double error = MostError * place.edge;
     const Vector3 axis =
@@ -281,9 +283,9 @@ private:
 
   const std::vector<LabelPlace>& Places;
   double Reach;
-  /** Of the search, in edges. */
+  /** Of the search, in edges; and its largest length. */
   double Radius;
-  double Cube;
+  double MostRadius;
   PlaceGrid Grid;
   /** By the number of the label. */
   std::vector<State> States;

@@ -155,7 +155,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
 {
   this->Threads.resize(threads);
   FrontQueues& queues = this->Threads[0].queues;
-  this->startQueues(queues, cost, this->numberOfGroups(request));
+  this->startQueues(queues, cost, this->numberOfGroups(request, bounds));
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, queues, this->States };
@@ -259,7 +259,7 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         auto& [queues, reached] = this->Threads[thread];
         if (thread > 0)
         {
-          this->startQueues(queues, cost, this->numberOfGroups(request));
+          this->startQueues(queues, cost, alone.queues.numberOfGroups());
         }
         StopLimit limit(this->mesh(), options, field);
         MarchControl control(options, limit, SharedMarch::MostUpdates);

@@ -127,6 +127,48 @@ void takeSeedsOfNeighbours(
 }
 
 /**
+ * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the smallest
+ * seed number. Collective.
+ */
+void takeStarts(std::span<const Label> labels, std::span<const StartValue> starts,
+  Partition& partition, DistanceField& field)
+{
+  constexpr double rounding = 1.0 + 1e-10;
+  const auto take = [&](const StartValue& start)
+  {
+    const Label& label = labels[start.label];
+    const double distance = start.value + label.value;
+    const double known =
+      field.isReached(start.vertex) ? field.distance(start.vertex) : DistanceField::Unreached;
+    if (distance < known)
+    {
+      field.setDistance(start.vertex, distance);
+    }
+    if (distance * rounding < known)
+    {
+      field.setNearestSeed(start.vertex, label.seed);
+    }
+    else if (distance <= known * rounding)
+    {
+      field.setNearestSeed(
+        start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
+    }
+  };
+  std::for_each(starts.begin(), starts.end(), take);
+  if (partition.isDivided())
+  {
+    const auto vertices = partition.sharedVertices();
+    const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
+    std::vector<StartValue> shared;
+    std::copy_if(starts.begin(), starts.end(), std::back_inserter(shared),
+      [&](const StartValue& start) { return areShared.contains(start.vertex); });
+    const std::vector<StartValue> others = partition.exchange(shared);
+    std::for_each(others.begin(), others.end(), take);
+  }
+  field.orderReached();
+}
+
+/**
  * Gives vertices that no label reached within the bounds the distance in the first march and a seed
  * of a neighbour. Collective.
  * @param areDense  gives vertices that distance also where it is less: a label that others bounded
@@ -237,6 +279,13 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   OptionsOfMarches marches(request.options);
   const SolveOptions& options = marches.get();
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
+  if (areDense && this->LabelsWithin.areAllInside(request.partition))
+  {
+    takeStarts(labels, starts, request.partition, field);
+    learnTargets(limit, request.partition);
+    this->LabelsWithin.clear();
+    return true;
+  }
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());

@@ -38,13 +38,13 @@ public:
     for (const Index number : numbers)
     {
       keys.push_back(keyOf(this->cubeOf(placeOf(number))));
-      ++this->Starts[this->bucketOf(keys.back()) + 1];
+      ++this->Starts[this->bucketOf(keys.back())];
     }
+    // First the ends of the buckets, which then are filled from behind.
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    std::vector<Index> next(this->Starts.begin(), this->Starts.end() - 1);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t i = numbers.size(); i-- > 0;)
     {
-      this->Members[next[this->bucketOf(keys[i])]++] = { keys[i], numbers[i] };
+      this->Members[--this->Starts[this->bucketOf(keys[i])]] = { keys[i], numbers[i] };
     }
   }
 
