@@ -19,7 +19,9 @@ namespace
 {
 
 /** Inside vertices are only looked for if at least one vertex in so many has a start. */
-constexpr std::size_t VerticesOfStart = 8;
+constexpr std::size_t VerticesOfStart = 32;
+/** Where a label has at most so many starts, they are looked through for those round each of them. */
+constexpr std::size_t MostOfSmallLabel = 8;
 /** Starts of labels lie anywhere: what is read of them is fetched by so many starts ahead. */
 constexpr std::size_t Soon = 8;
 
@@ -34,6 +36,27 @@ bool allRound(const TriangleMesh& mesh, Index vertex, const Test& test)
     isAll = test(ring[i].neighbour(), i);
   }
   return isAll;
+}
+
+/** Whether a final value at a vertex can't lower one at the neighbour of a ring entry, that is more
+ * by @p rise, along the edge. */
+bool isNoWay(const TriangleMesh& mesh, Index vertex, std::size_t entry, double rise)
+{
+  if (!(rise > 0.0))
+  {
+    return true;
+  }
+  const Vector3 edge = mesh.toNeighbour(vertex, entry);
+  return rise * rise <= dot(edge, edge);
+}
+
+/** The starts of the label of the one at place @p first, from there on. */
+std::span<const StartValue> ofSameLabel(std::span<const StartValue> starts, std::size_t first)
+{
+  const auto begin = starts.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = std::find_if(begin, starts.end(),
+    [&](const StartValue& start) { return start.label != begin->label; });
+  return { begin, end };
 }
 
 }
@@ -80,17 +103,18 @@ void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
   this->AreInside.resize(mesh.numberOfVertices());
   for (StartValue& start : this->Starts)
   {
+    if (const std::size_t next = &start - this->Starts.data() + Soon;
+        next + Soon < this->Starts.size())
+    {
+      mesh.prefetchRingStart(this->Starts[next + Soon].vertex);
+      mesh.rings().prefetch(this->Starts[next].vertex);
+    }
     // A final value falls by a way along an edge alone.
     start.isIdle = allRound(mesh, start.vertex,
       [&](Index vertex, std::size_t entry)
       {
         const double rise = finalValue(vertex) - start.value;
-        if (!(rise > 0.0))
-        {
-          return rise > -DistanceField::Unreached;
-        }
-        const Vector3 edge = mesh.toNeighbour(start.vertex, entry);
-        return rise * rise <= dot(edge, edge);
+        return rise > -DistanceField::Unreached && isNoWay(mesh, start.vertex, entry, rise);
       });
     const bool isInside = start.isFinal &&
       allRound(mesh, start.vertex,
@@ -177,8 +201,13 @@ std::span<const StartValue> LabelBounds::within(
   within.clear();
   within.reserve(starts.size());
   std::vector<StartValue> closed;
+  std::span<const StartValue> ofLabel;
   for (const StartValue& start : starts)
   {
+    if (ofLabel.empty() || ofLabel[0].label != start.label)
+    {
+      ofLabel = ofSameLabel(starts, &start - starts.data());
+    }
     if (const std::size_t next = &start - starts.data() + Soon; next + Soon < starts.size())
     {
       mesh.prefetchRingStart(starts[next + Soon].vertex);
@@ -193,8 +222,18 @@ std::span<const StartValue> LabelBounds::within(
     {
       within.push_back(start);
       within.back().isIdle = !this->AreInside.empty() &&
-        allRound(
-          mesh, start.vertex, [&](Index vertex, std::size_t) { return this->isInside(vertex); });
+        allRound(mesh, start.vertex,
+          [&](Index vertex, std::size_t entry)
+          {
+            return this->isInside(vertex) ||
+              (ofLabel.size() <= MostOfSmallLabel &&
+                std::any_of(ofLabel.begin(), ofLabel.end(),
+                  [&](const StartValue& other)
+                  {
+                    return other.vertex == vertex && other.isFinal &&
+                      isNoWay(mesh, start.vertex, entry, other.value - start.value);
+                  }));
+          });
     }
     else if (start.isFinal)
     {

@@ -104,6 +104,12 @@ void checkSeed(
 std::vector<Index> cornersRound(
   const TriangleMesh& mesh, const ClosedTriangles& closed, const Carriers& carriers)
 {
+  if (carriers.size() == 3 && closed.isEmpty())
+  {
+    std::vector<Index> corners(carriers.begin(), carriers.end());
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
   std::vector<Index> corners;
   const Index centre = *std::min_element(carriers.begin(), carriers.end(),
     [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
