@@ -50,7 +50,9 @@ public:
     std::array<Index, BatchSize> roomOfNext;
     while (mayGoOn() && this->Queues.hasBefore(end))
     {
-      const std::span<const Index> batch = this->Queues.take(room);
+      const std::span<const Index> batch = this->Queues.take(
+        room, [&](Index item) { return this->FrontValues.isWaiting(item); },
+        [&](Index item, std::span<const Index> others) { return this->areApart(item, others); });
       if (!this->Control.mayGoOn(this->FrontValues.numberOfValues(), batch.size()))
       {
         break;
@@ -72,6 +74,21 @@ private:
    * While they are treated, the rings of the next batch are fetched, and the starts of the rings of
    * the batch after that. */
   static constexpr std::size_t BatchSize = 12;
+
+  /** Whether the vertex of an item is no neighbour of those of some others. */
+  bool areApart(Index item, std::span<const Index> others) const
+  {
+    const Index vertex = this->FrontValues.vertexOf(item);
+    return std::none_of(others.begin(), others.end(),
+      [&](Index other)
+      {
+        const Index centre = this->FrontValues.vertexOf(other);
+        const std::span<const RingEntry> ring = this->Mesh.ring(centre);
+        return centre == vertex ||
+          std::any_of(ring.begin(), ring.end(),
+            [&](const RingEntry& entry) { return entry.neighbour() == vertex; });
+      });
+  }
 
   const TriangleMesh& Mesh;
   Values& FrontValues;

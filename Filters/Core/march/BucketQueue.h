@@ -4,6 +4,7 @@
 #define geodesic_BucketQueue_h
 
 #include "base/Index.h"
+#include "march/KeyHeap.h"
 
 #include <algorithm>
 #include <bit>
@@ -80,8 +81,7 @@ public:
     ++this->Count;
     if (this->IsByValue)
     {
-      this->Heap.push_back({ key, item });
-      std::push_heap(this->Heap.begin(), this->Heap.end());
+      this->Heap.push(item, key);
       return;
     }
     const double number = key * this->PerWidth;
@@ -190,7 +190,7 @@ public:
       const bool isCurrent = number == this->indexOf(this->Current);
       std::for_each(bucket.begin() + (isCurrent ? this->taken() : 0), bucket.end(), visit);
     }
-    for (const Entry& entry : this->Heap)
+    for (const KeyHeap::Entry& entry : this->Heap.entries())
     {
       visit(entry.item);
     }
@@ -205,9 +205,7 @@ public:
     {
       this->Count -= std::erase_if(bucket, isRemoved);
     }
-    this->Count -=
-      std::erase_if(this->Heap, [&](const Entry& entry) { return isRemoved(entry.item); });
-    std::make_heap(this->Heap.begin(), this->Heap.end());
+    this->Count -= this->Heap.remove(isRemoved);
   }
 
   /** The number of the first bucket in which an item waits. @pre !isEmpty() */
@@ -215,7 +213,7 @@ public:
   {
     if (this->IsByValue)
     {
-      return this->bucketOf(this->Heap.front().key);
+      return this->bucketOf(this->Heap.first().key);
     }
     std::uint64_t number = this->Current;
     std::size_t taken = this->Next;
@@ -232,21 +230,33 @@ public:
   /**
    * Takes items from the current bucket.
    * @param room  for the items; as many are taken as fit, or all of the bucket; by value, a few
-   * @return the part of @p room that holds them, at least one
+   * @param isWaiting  tells whether an item was not taken since it was pushed last; by value,
+   *                   others are left out
+   * @param areApart   tells whether an item gains nothing by some others; by value, an item that
+   *                   may gain is not taken with them
+   * @return the part of @p room that holds them, at least one if any is waiting
    * @pre hasBefore() was true
    */
-  std::span<const Index> take(std::span<Index> room)
+  template <class IsWaiting, class AreApart>
+  std::span<const Index> take(
+    std::span<Index> room, const IsWaiting& isWaiting, const AreApart& areApart)
   {
     if (this->IsByValue)
     {
       std::size_t taken = 0;
-      for (; taken < std::min(room.size(), MostByValue) && !this->Heap.empty(); ++taken)
+      while (taken < std::min(room.size(), MostByValue) && !this->Heap.isEmpty())
       {
-        std::pop_heap(this->Heap.begin(), this->Heap.end());
-        room[taken] = this->Heap.back().item;
-        this->Heap.pop_back();
+        const Index item = this->Heap.first().item;
+        const bool counts = isWaiting(item);
+        if (counts && !areApart(item, room.first(taken)))
+        {
+          break;
+        }
+        this->Heap.pop();
+        --this->Count;
+        room[taken] = item;
+        taken += counts ? 1 : 0;
       }
-      this->Count -= taken;
       return room.first(taken);
     }
     const std::size_t taken = std::min(room.size(), this->sizeOfBucket());
@@ -254,6 +264,13 @@ public:
     this->Next += taken;
     this->Count -= taken;
     return room.first(taken);
+  }
+
+  /** The same, of all items. */
+  std::span<const Index> take(std::span<Index> room)
+  {
+    return this->take(
+      room, [](Index) { return true; }, [](Index, std::span<const Index>) { return true; });
   }
 
   /**
@@ -289,21 +306,13 @@ public:
     {
       items += bucket.capacity();
     }
-    return items * sizeof(Index) + this->Heap.capacity() * sizeof(Entry);
+    return items * sizeof(Index) + this->Heap.bytes();
   }
 
 private:
   /** How many items are taken at a time by value: of more, later ones would often gain by the first
    * ones. */
-  static constexpr std::size_t MostByValue = 2;
-
-  struct Entry
-  {
-    double key;
-    Index item;
-    /** Whether this one comes later; the first one is the largest of a heap. */
-    friend bool operator<(const Entry& a, const Entry& b) { return a.key > b.key; }
-  };
+  static constexpr std::size_t MostByValue = 4;
 
   void goTo(std::uint64_t number)
   {
@@ -353,7 +362,7 @@ private:
   /** How many items wait. */
   std::size_t Count = 0;
   /** What waits if items come by value. */
-  std::vector<Entry> Heap;
+  KeyHeap Heap;
   bool IsByValue = false;
 };
 

@@ -124,7 +124,7 @@ public:
     const Masks isOnce = (end - 1) | (end & ~again);
     batch.along.set(batch.along.all() & isOnce & isOpenEdge);
     this->Along.clear();
-    visitRows(
+    visitRows(batch.Count,
       [&](std::size_t first, std::size_t base)
       {
         this->Along.add(batch.along.some(first),
@@ -149,8 +149,10 @@ public:
       (batch.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
     const Masks second = (batch.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
     const Masks isStraight = batch.isStraight.all();
-    this->listCrossings(FrontShape::Round, first & ~isStraight, second & ~isStraight);
-    this->listCrossings(FrontShape::Straight, first & isStraight, second & isStraight);
+    this->listCrossings(
+      FrontShape::Round, batch.Count, first & ~isStraight, second & ~isStraight);
+    this->listCrossings(
+      FrontShape::Straight, batch.Count, first & isStraight, second & isStraight);
   }
 
 private:
@@ -162,19 +164,22 @@ private:
     return batch.isOpen.all() & (batch.end.all() - 1);
   }
 
-  /** Calls @p work for each four rows whose masks are in one number (see BatchMasks::Some), with
+  /** Calls @p work for each four of the first @p rows rows whose masks are in one number (see BatchMasks::Some), with
    * the number of the first row and of its first slot. */
   template <class Work>
-  GEODESIC_INLINED static void visitRows(const Work& work)
+  GEODESIC_INLINED static void visitRows(std::size_t rows, const Work& work)
   {
-    for (std::size_t first = 0; first < UpdateBatch::Most; first += BatchMasks::SizeOfSome)
+    for (std::size_t first = 0; first < rows; first += BatchMasks::SizeOfSome)
     {
       work(first, first * UpdateBatch::Size);
     }
   }
 
-  /** Makes the list for a shape. @param first, second  as in UpdateBatch, for rows of the shape */
-  GEODESIC_INLINED void listCrossings(FrontShape shape, const Masks& first, const Masks& second)
+  /** Makes the list for a shape.
+   * @param rows           how many are in use
+   * @param first, second  as in UpdateBatch, for rows of the shape */
+  GEODESIC_INLINED void listCrossings(
+    FrontShape shape, std::size_t rows, const Masks& first, const Masks& second)
   {
     CrossingList& crossings = this->across(shape);
     crossings.clear();
@@ -186,7 +191,7 @@ private:
     {
       return;
     }
-    visitRows(
+    visitRows(rows,
       [&](std::size_t row, std::size_t base)
       {
         crossings.add(toFirst.some(row),

@@ -126,9 +126,10 @@ public:
   }
 
   /** See BucketQueue::take(). @pre hasBefore() was true */
-  std::span<const Index> take(std::span<Index> room)
+  template <class... Tests>
+  std::span<const Index> take(std::span<Index> room, const Tests&... tests)
   {
-    const std::span<const Index> taken = this->Current->take(room);
+    const std::span<const Index> taken = this->Current->take(room, tests...);
     this->Taken += taken.size();
     return taken;
   }

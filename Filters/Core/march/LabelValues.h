@@ -211,6 +211,14 @@ public:
     prefetchToRead(&this->state(vertex));
   }
 
+  /** Whether the value of an item is queued: it may have been taken since the item was. */
+  bool isWaiting(Index taken) const
+  {
+    return taken < this->NumberOfVertices
+      ? this->state(taken).isQueued()
+      : this->Sets.secondary(taken - this->NumberOfVertices).state.isQueued();
+  }
+
   /** The value of an item that was taken from a queue, which then is not queued any more. */
   PoppedValue pop(Index taken)
   {

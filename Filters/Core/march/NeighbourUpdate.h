@@ -53,6 +53,7 @@ namespace geodesic
  * @tparam Cost    cost of a triangle: UnitCost or VertexCost
  * @tparam Values  the values of the march: OneLabelValues or LabelValues. It has
  *                 - vertexOf(Index): the vertex of an item of the queue;
+ *                 - isWaiting(Index): whether the value of an item is still queued;
  *                 - pop(Index) -> PoppedValue: the value of an item that was taken from the queue;
  *                 - prefetch(Index): to be called some time before pop();
  *                 - reader(SourceFront): an object whose look<Real>(const Indices<Real>&) reads
@@ -294,7 +295,7 @@ private:
    * updates gave to one of them. */
   void closeRows()
   {
-    for (std::size_t number = 0; number < UpdateBatch::Most; ++number)
+    for (std::size_t number = 0; number < this->Batch.Count; ++number)
     {
       double* const known = &this->ceilings()[number * UpdateBatch::Size];
       double& again = known[this->Batch.Rows[number].last];

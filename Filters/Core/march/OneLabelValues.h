@@ -63,6 +63,7 @@ public:
   std::size_t numberOfValues() const { return this->context().field.reached().size(); }
   Index vertexOf(Index taken) const { return taken; }
   GEODESIC_INLINED void prefetch(Index taken) const { this->prefetchRing(taken); }
+  bool isWaiting(Index vertex) const { return this->state(vertex).isQueued(); }
   PoppedValue pop(Index vertex)
   {
     if (this->mayBeQueuedAgain() && !this->state(vertex).isQueued())

@@ -189,6 +189,8 @@ public:
     this->prefetchRing(vertex);
     prefetchToRead(&this->Context.states[vertex]);
   }
+  /** In the order of buckets, that of threads, all items are handed out. */
+  bool isWaiting(Index) const { return true; }
   PoppedValue pop(Index item)
   {
     this->noteBorder();

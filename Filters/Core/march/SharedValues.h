@@ -98,6 +98,8 @@ public:
 
   Index vertexOf(Index item) const { return item & ~SharedValues::Notice; }
   GEODESIC_INLINED void prefetch(Index item) const { this->prefetchRing(this->vertexOf(item)); }
+  /** In the order of buckets, that of threads, all items are handed out. */
+  bool isWaiting(Index) const { return true; }
   PoppedValue pop(Index item)
   {
     this->noteBorder();
