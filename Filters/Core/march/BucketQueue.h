@@ -234,7 +234,7 @@ public:
    *                   others are left out
    * @param areApart   tells whether an item gains nothing by some others; by value, an item that
    *                   may gain is not taken with them
-   * @return the part of @p room that holds them, at least one if any is waiting
+   * @return the part of @p room that holds them; none if, by value, none of the bucket is waiting
    * @pre hasBefore() was true
    */
   template <class IsWaiting, class AreApart>
@@ -244,7 +244,8 @@ public:
     if (this->IsByValue)
     {
       std::size_t taken = 0;
-      while (taken < std::min(room.size(), MostByValue) && !this->Heap.isEmpty())
+      const double end = this->keyOf(this->nextBucket() + 1);
+      do
       {
         const Index item = this->Heap.first().item;
         const bool counts = isWaiting(item);
@@ -256,7 +257,8 @@ public:
         --this->Count;
         room[taken] = item;
         taken += counts ? 1 : 0;
-      }
+      } while (taken < std::min(room.size(), MostByValue) && !this->Heap.isEmpty() &&
+        this->Heap.first().key < end);
       return room.first(taken);
     }
     const std::size_t taken = std::min(room.size(), this->sizeOfBucket());

@@ -267,10 +267,14 @@ void PathTracer::tryBesideEdge(
   const StepCorner b = this->cornerAt(ends[ends[0] == centre ? 1 : 0]);
   const auto tryBeyond = [&](Index apex)
   {
+    // The next step looks through the ring of one of the three: those of a and b were fetched when
+    // they were the apex.
+    this->Surface.mesh().prefetchRingStart(apex);
     const double cost = this->Surface.costOf({ a.vertex, apex, b.vertex });
     const StepCorner c = this->cornerAt(apex);
     const bool isOnA = best.tryEdge(a, c, cost);
     const bool isOnB = best.tryEdge(b, c, cost);
+    this->Surface.mesh().rings().prefetch(apex);
     if (!isOnA)
     {
       best.tryVertex(a, cost);
