@@ -3,12 +3,16 @@
 // The queues of a march: what comes first, and whose turn it is.
 
 #include "march/FrontQueues.h"
+#include "march/KeyHeap.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <random>
+#include <set>
+#include <span>
 #include <vector>
 
 using namespace geodesic;
@@ -191,4 +195,81 @@ TEST(FrontQueues, ByValueTheLeastKeyComesFirst)
   EXPECT_EQ(queues.nextKey(), 3.0);
   EXPECT_EQ(emptied(queues), (Items{ 4 }));
   EXPECT_EQ(queues.nextKey(), std::numeric_limits<double>::infinity());
+}
+
+// An item may be there several times, and counts once; what may gain by others comes after them.
+TEST(FrontQueues, ByValueOnlyWhatWaitsAndGainsNothingIsTakenTogether)
+{
+  FrontQueues queues;
+  queues.start(10.0, Span, 1, QueueOrder::ByValue);
+  FrontGroup& group = queues.group(0);
+  group.best.push(1, 0.7);
+  group.best.push(2, 0.3);
+  group.best.push(1, 0.1);
+  group.best.push(3, 0.2);
+  group.best.push(4, 0.8);
+  std::array<Index, 8> room;
+  Items taken;
+  const auto isWaiting = [&](Index item)
+  { return std::find(taken.begin(), taken.end(), item) == taken.end(); };
+  const auto areApart = [](Index item, std::span<const Index> others)
+  { return item != 2 || others.empty(); };
+  const auto take = [&]
+  {
+    EXPECT_TRUE(queues.hasBefore(Always));
+    const std::span<const Index> some = queues.take(room, isWaiting, areApart);
+    taken.insert(taken.end(), some.begin(), some.end());
+    return Items(some.begin(), some.end());
+  };
+  EXPECT_EQ(take(), (Items{ 1, 3 }));
+  EXPECT_EQ(take(), (Items{ 2, 4 }));
+  EXPECT_FALSE(queues.hasBefore(Always));
+}
+
+TEST(FrontQueues, GroupsOfVerticesNeedOneForEachPart)
+{
+  constexpr std::size_t size = FrontQueues::VerticesOfDenseGroup;
+  FrontQueues queues;
+  queues.start(1.0, Span, 3);
+  queues.groupByVertex(3 * size + 1);
+  EXPECT_EQ(queues.groupOfVertex(2 * size), 0u);
+  queues.groupByVertex(3 * size);
+  EXPECT_EQ(queues.groupOfVertex(2 * size - 1), 1u);
+  EXPECT_EQ(queues.groupOfVertex(2 * size), 2u);
+  // A later march has groups of fronts again.
+  queues.start(1.0, Span, 3);
+  EXPECT_EQ(queues.groupOfVertex(2 * size), 0u);
+}
+
+TEST(KeyHeap, HasTheLeastKeyFirst)
+{
+  std::mt19937 random(5);
+  KeyHeap heap;
+  std::multiset<double> keys;
+  for (int step = 0; step < 20000; ++step)
+  {
+    // It grows at first and shrinks at last.
+    if (heap.isEmpty() || static_cast<int>(random() % 20000) > step)
+    {
+      const double key = random() % 1000;
+      heap.push(static_cast<Index>(key), key);
+      keys.insert(key);
+    }
+    else
+    {
+      heap.pop();
+      keys.erase(keys.begin());
+    }
+    if (step == 10000)
+    {
+      const auto isOdd = [](double key) { return static_cast<Index>(key) % 2 == 1; };
+      EXPECT_EQ(heap.remove(isOdd), std::erase_if(keys, isOdd));
+    }
+    ASSERT_EQ(heap.isEmpty(), keys.empty());
+    if (!heap.isEmpty())
+    {
+      ASSERT_EQ(heap.first().key, *keys.begin());
+      ASSERT_EQ(heap.first().item, static_cast<Index>(*keys.begin()));
+    }
+  }
 }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -198,6 +199,82 @@ TEST(ManySeeds, EveryPointIsItsOwn)
       ASSERT_EQ(field.distance(vertex), 0.0);
       ASSERT_EQ(field.nearestSeed(vertex), s);
     }
+  }
+}
+
+TEST(ManySeeds, OfTwoAtEachPointTheFirstIsTheNearest)
+{
+  const Surface grid = hillyGrid(30);
+  const auto mesh = meshOf(grid);
+  auto seeds = seedsAt(*mesh, randomPoints(grid, grid.points.size()));
+  const auto count = static_cast<Index>(seeds.size());
+  const auto again = seedsAt(*mesh, rowOf(count, 0));
+  seeds.insert(seeds.end(), again.begin(), again.end());
+  for (Seed& seed : seeds)
+  {
+    seed.value = 5.0;
+  }
+  FastMarchingSolver solver(mesh);
+  EXPECT_EQ(stepsOf(solver, seeds), 0u);
+  const DistanceField& field = solver.solve(seeds);
+  std::vector<std::uint8_t> isNearest(count);
+  for (Index vertex = 0; vertex < count; ++vertex)
+  {
+    ASSERT_EQ(field.distance(vertex), 5.0);
+    ASSERT_LT(field.nearestSeed(vertex), count);
+    isNearest[field.nearestSeed(vertex)] = 1;
+  }
+  EXPECT_EQ(std::count(isNearest.begin(), isNearest.end(), 1), count);
+  // The next run begins anew.
+  EXPECT_GT(solver.solve(std::vector<Seed>{ seeds[0] }).largestDistance(), 30.0);
+}
+
+// Nothing goes on from triangles that hang together with no other: their corners have start values.
+TEST(ManySeeds, InTrianglesApartNoVertexWaits)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Surface surface;
+  std::vector<Seed> seeds;
+  for (Index t = 0; t < 1000; ++t)
+  {
+    surface.triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      surface.points.push_back({ 2.0 * t + uniform(random), uniform(random), uniform(random) });
+    }
+  }
+  const auto mesh = meshOf(surface);
+  for (Index t = 0; t < 1000; t += 2)
+  {
+    seeds.push_back(Seed::atPoint({ t, { 0.2, 0.3, 0.5 } }));
+  }
+  FastMarchingSolver solver(mesh);
+  EXPECT_EQ(stepsOf(solver, seeds), 0u);
+  const DistanceField& field = solver.solve(seeds);
+  EXPECT_EQ(field.reached().size(), 3 * seeds.size());
+  for (Index s = 0; s < seeds.size(); ++s)
+  {
+    for (const Index corner : mesh->triangle(seeds[s].points[0].triangle))
+    {
+      EXPECT_NEAR(field.distance(corner),
+        norm(mesh->position(corner) - mesh->positionOf(seeds[s].points[0])), 1e-12);
+      EXPECT_EQ(field.nearestSeed(corner), s);
+    }
+  }
+}
+
+// On large meshes vertices wait in groups by their place.
+TEST(ManySeeds, OnALargeMeshBothTiersAgree)
+{
+  const Surface grid = hillyGrid(280);
+  const auto mesh = meshOf(grid);
+  const auto seeds = seedsAt(*mesh, randomPoints(grid, 1000));
+  const auto fast = distances<FastMarchingSolver>(mesh, seeds);
+  const auto reference = distances<ReferenceSolver>(mesh, seeds);
+  for (std::size_t i = 0; i < fast.size(); ++i)
+  {
+    ASSERT_NEAR(fast[i], reference[i], 1e-9 * 20.0);
   }
 }
 
