@@ -149,10 +149,8 @@ public:
       (batch.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
     const Masks second = (batch.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
     const Masks isStraight = batch.isStraight.all();
-    this->listCrossings(
-      FrontShape::Round, batch.Count, first & ~isStraight, second & ~isStraight);
-    this->listCrossings(
-      FrontShape::Straight, batch.Count, first & isStraight, second & isStraight);
+    this->listCrossings(FrontShape::Round, batch.Count, first & ~isStraight, second & ~isStraight);
+    this->listCrossings(FrontShape::Straight, batch.Count, first & isStraight, second & isStraight);
   }
 
 private:
@@ -164,8 +162,8 @@ private:
     return batch.isOpen.all() & (batch.end.all() - 1);
   }
 
-  /** Calls @p work for each four of the first @p rows rows whose masks are in one number (see BatchMasks::Some), with
-   * the number of the first row and of its first slot. */
+  /** Calls @p work for each four of the first @p rows rows whose masks are in one number (see
+   * BatchMasks::Some), with the number of the first row and of its first slot. */
   template <class Work>
   GEODESIC_INLINED static void visitRows(std::size_t rows, const Work& work)
   {

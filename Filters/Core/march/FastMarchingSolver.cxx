@@ -106,6 +106,25 @@ template void FastMarchingSolver::startQueues(FrontQueues&, const UnitCost&, std
 template void FastMarchingSolver::startQueues(FrontQueues&, const VertexCost&, std::size_t) const;
 
 template <class Cost>
+void FastMarchingSolver::startQueues(FrontQueues& queues, const Cost& cost,
+  std::span<const StartValue> starts, const Request& request, const LabelBounds* bounds) const
+{
+  if (!this->isDense(starts, request))
+  {
+    this->startQueues(queues, cost, this->numberOfGroups(request, bounds));
+    return;
+  }
+  const std::size_t vertices = this->mesh().numberOfVertices();
+  this->startQueues(queues, cost, 1 + vertices / FrontQueues::VerticesOfDenseGroup);
+  queues.groupByVertex(vertices);
+}
+
+template void FastMarchingSolver::startQueues(FrontQueues&, const UnitCost&,
+  std::span<const StartValue>, const Request&, const LabelBounds*) const;
+template void FastMarchingSolver::startQueues(FrontQueues&, const VertexCost&,
+  std::span<const StartValue>, const Request&, const LabelBounds*) const;
+
+template <class Cost>
 bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
   const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field)
 {
@@ -134,16 +153,7 @@ bool FastMarchingSolver::marchAtCost(std::span<const StartValue> starts, const C
     return this->marchAtCost(starts, cost, again, bounds, limit, field);
   }
   const std::vector<Label>& labels = request.front.labels;
-  if (this->isDense(starts, request))
-  {
-    const std::size_t vertices = this->mesh().numberOfVertices();
-    this->startQueues(this->Queues, cost, 1 + vertices / FrontQueues::VerticesOfDenseGroup);
-    this->Queues.groupByVertex(vertices);
-  }
-  else
-  {
-    this->startQueues(this->Queues, cost, this->numberOfGroups(request, bounds));
-  }
+  this->startQueues(this->Queues, cost, starts, request, bounds);
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, this->Queues, this->States };

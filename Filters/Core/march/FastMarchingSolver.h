@@ -123,6 +123,10 @@ private:
   /** Empties queues for a march. @param groups  see FrontQueues::start() */
   template <class Cost>
   void startQueues(FrontQueues& queues, const Cost& cost, std::size_t groups) const;
+  /** The same with the groups that suit the march. @param bounds  as above */
+  template <class Cost>
+  void startQueues(FrontQueues& queues, const Cost& cost, std::span<const StartValue> starts,
+    const Request& request, const LabelBounds* bounds) const;
 
   /** On how many threads a march in the order of buckets goes on. */
   std::size_t threadsFor(

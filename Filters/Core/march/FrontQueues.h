@@ -32,9 +32,9 @@ struct FrontGroup
  * hold; the fronts of a group, which start near each other, do not. Where the fronts of two groups
  * meet, one goes too far, by a slice at most. That is work for nothing but does no harm, as the
  * march is label correcting. The fronts of one label that start all over the surface are in groups
- * of the vertices where they wait. If buckets hold many items, as where costs are low, it would be much
- * work. So a turn also ends after a number of items, and the other groups then go on as far as this
- * one did.
+ * of the vertices where they wait. If buckets hold many items, as where costs are low, it would be
+ * much work. So a turn also ends after a number of items, and the other groups then go on as far as
+ * this one did.
  */
 class FrontQueues
 {
@@ -77,6 +77,8 @@ public:
       this->BitsOfGroup = BitsOfDenseGroup;
     }
   }
+  /** Makes groups those of vertices if they are so in other queues, with as many groups. */
+  void groupAs(const FrontQueues& others) { this->BitsOfGroup = others.BitsOfGroup; }
   /** The group of what waits at a vertex; 0 unless groups are those of vertices. */
   Index groupOfVertex(Index vertex) const
   {

@@ -54,8 +54,8 @@ public:
   template <class Test>
   std::size_t remove(const Test& isRemoved)
   {
-    const std::size_t removed = std::erase_if(
-      this->Entries, [&](const Entry& entry) { return isRemoved(entry.item); });
+    const std::size_t removed =
+      std::erase_if(this->Entries, [&](const Entry& entry) { return isRemoved(entry.item); });
     // An order by key is a heap.
     std::sort(this->Entries.begin(), this->Entries.end(),
       [](const Entry& a, const Entry& b) { return a.key < b.key; });

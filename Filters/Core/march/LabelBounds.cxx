@@ -20,7 +20,8 @@ namespace
 
 /** Inside vertices are only looked for if at least one vertex in so many has a start. */
 constexpr std::size_t VerticesOfStart = 32;
-/** Where a label has at most so many starts, they are looked through for those round each of them. */
+/** Where a label has at most so many starts, they are looked through for those round each of them.
+ */
 constexpr std::size_t MostOfSmallLabel = 8;
 /** Starts of labels lie anywhere: what is read of them is fetched by so many starts ahead. */
 constexpr std::size_t Soon = 8;
@@ -54,8 +55,8 @@ bool isNoWay(const TriangleMesh& mesh, Index vertex, std::size_t entry, double r
 std::span<const StartValue> ofSameLabel(std::span<const StartValue> starts, std::size_t first)
 {
   const auto begin = starts.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto end = std::find_if(begin, starts.end(),
-    [&](const StartValue& start) { return start.label != begin->label; });
+  const auto end = std::find_if(
+    begin, starts.end(), [&](const StartValue& start) { return start.label != begin->label; });
   return { begin, end };
 }
 

@@ -96,8 +96,8 @@ public:
    * label; this holds where another label has a start that counts. Idle are those from which no
    * update counts.
    */
-  std::span<const StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
-    std::span<const StartValue> starts);
+  std::span<const StartValue> within(
+    const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts);
 
   /** Whether the nearest label of a vertex may end before a neighbour. @param farthest  the value
    * that the label may have there */

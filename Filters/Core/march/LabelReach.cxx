@@ -116,7 +116,8 @@ public:
     , Reach(reach)
     , Radius(SearchRadius * std::sqrt(2.0 * MostError * reach))
     , MostRadius(this->Radius * meanEdge(places, numbers))
-    , Grid(numbers, CubeInRadii * this->MostRadius, [&](Index number) { return places[number].position; })
+    , Grid(numbers, CubeInRadii * this->MostRadius,
+        [&](Index number) { return places[number].position; })
     , States(places.size(), State::Open)
   {
     for (const Index number : numbers)

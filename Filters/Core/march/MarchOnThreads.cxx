@@ -155,7 +155,7 @@ std::optional<bool> FastMarchingSolver::marchOnThreads(std::size_t threads,
 {
   this->Threads.resize(threads);
   FrontQueues& queues = this->Threads[0].queues;
-  this->startQueues(queues, cost, this->numberOfGroups(request, bounds));
+  this->startQueues(queues, cost, starts, request, bounds);
   MarchControl control(request.options, limit);
   const MarchContext<Cost> context{ this->mesh(), *this->bounds(), cost, request.options, limit,
     control, field, queues, this->States };
@@ -260,6 +260,7 @@ std::optional<bool> FastMarchingSolver::goOnOnThreads(SharedMarch& march,
         if (thread > 0)
         {
           this->startQueues(queues, cost, alone.queues.numberOfGroups());
+          queues.groupAs(alone.queues);
         }
         StopLimit limit(this->mesh(), options, field);
         MarchControl control(options, limit, SharedMarch::MostUpdates);

@@ -127,8 +127,8 @@ void takeSeedsOfNeighbours(
 }
 
 /**
- * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the smallest
- * seed number. Collective.
+ * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the
+ * smallest seed number. Collective.
  */
 void takeStarts(std::span<const Label> labels, std::span<const StartValue> starts,
   Partition& partition, DistanceField& field)
@@ -150,8 +150,7 @@ void takeStarts(std::span<const Label> labels, std::span<const StartValue> start
     }
     else if (distance <= known * rounding)
     {
-      field.setNearestSeed(
-        start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
+      field.setNearestSeed(start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
     }
   };
   std::for_each(starts.begin(), starts.end(), take);

@@ -65,8 +65,8 @@ public:
   void lower(Index vertex, Index label, double value) override
   {
     const SourceFront& front = this->FrontValues.enter(label, vertex);
-    this->Queues.goBackTo(
-      this->Queues.group(front.group + this->Queues.groupOfVertex(vertex)), front.distance(value) - this->FirstDistance);
+    this->Queues.goBackTo(this->Queues.group(front.group + this->Queues.groupOfVertex(vertex)),
+      front.distance(value) - this->FirstDistance);
     // A final value is the same on all pieces, and has fallen there only along an edge.
     this->FrontValues.template propose<Way::Along>(front, vertex, value);
   }

@@ -24,7 +24,6 @@ public:
     std::vector<Index>& reached)
     : SharedFieldValues<Cost>(context, label.value, share, reached)
     , Only(label, 0, context.cost.smallest())
-    , Group(context.queues.group(0))
     , QueuesAgain(queuesAgain(context))
   {
   }
@@ -124,20 +123,26 @@ public:
   template <Way way>
   void lower(const LabelAtVertex& place, double key)
   {
-    this->Context.queues.goBackIfFar(this->Group, key);
+    this->Context.queues.goBackIfFar(this->groupOf(place.vertex), key);
     this->template propose<way>(this->Only, place.vertex, key);
   }
   void updateRound(const LabelAtVertex& place)
   {
-    this->putBack(
-      this->Group, this->Group.best, place.vertex | SharedValues::Notice, this->key(place.vertex));
+    FrontGroup& group = this->groupOf(place.vertex);
+    this->putBack(group, group.best, place.vertex | SharedValues::Notice, this->key(place.vertex));
   }
   void take(Index vertex)
   {
-    this->putBack(this->Group, this->Group.best, vertex, this->key(vertex));
+    FrontGroup& group = this->groupOf(vertex);
+    this->putBack(group, group.best, vertex, this->key(vertex));
   }
 
 private:
+  FrontGroup& groupOf(Index vertex) const
+  {
+    return this->Context.queues.group(this->Context.queues.groupOfVertex(vertex));
+  }
+
   /** Stores a value of a vertex that this thread owns, and queues the vertex. */
   void set(Index vertex, VertexState state, double value)
   {
@@ -151,7 +156,7 @@ private:
     {
       state.setQueued(true);
       this->setState(vertex, state);
-      this->Group.best.push(vertex, value);
+      this->groupOf(vertex).best.push(vertex, value);
     }
   }
 
@@ -160,12 +165,11 @@ private:
   {
     if (this->QueuesAgain && this->Context.queues.comesSooner(value, before)) [[unlikely]]
     {
-      this->Group.best.push(vertex, value);
+      this->groupOf(vertex).best.push(vertex, value);
     }
   }
 
   SourceFront Only;
-  FrontGroup& Group;
   bool QueuesAgain;
 };
 
