@@ -231,9 +231,9 @@ TEST(FrontQueues, GroupsOfVerticesNeedOneForEachPart)
   constexpr std::size_t size = FrontQueues::VerticesOfDenseGroup;
   FrontQueues queues;
   queues.start(1.0, Span, 3);
-  queues.groupByVertex(3 * size + 1);
+  EXPECT_FALSE(queues.groupByVertex(3 * size + 1));
   EXPECT_EQ(queues.groupOfVertex(2 * size), 0u);
-  queues.groupByVertex(3 * size);
+  EXPECT_TRUE(queues.groupByVertex(3 * size));
   EXPECT_EQ(queues.groupOfVertex(2 * size - 1), 1u);
   EXPECT_EQ(queues.groupOfVertex(2 * size), 2u);
   // A later march has groups of fronts again.

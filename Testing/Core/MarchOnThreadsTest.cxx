@@ -21,10 +21,12 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace geodesic;
@@ -225,6 +227,26 @@ TEST(MarchOnThreads, ThreadsTakeShares)
     EXPECT_LT(work.longestChain, 0.6 * work.updates);
     EXPECT_GT(work.sent, 0);
   }
+}
+
+// What crosses a border is taken within a round. When it waited for the next one there were 80
+// rounds. Beside busy programs there are up to 60.
+TEST(MarchOnThreads, LettersSaveRounds)
+{
+  if (std::thread::hardware_concurrency() < 2)
+  {
+    GTEST_SKIP() << "One processor: threads take turns.";
+  }
+  const auto mesh = meshOf(icosphere(6));
+  FastMarchingSolver solver(mesh);
+  auto least = std::numeric_limits<std::size_t>::max();
+  for (int run = 0; run < 10; ++run)
+  {
+    solver.solve(std::vector<Seed>{ seedAt(*mesh, 5) }, onThreads(2));
+    least = std::min<std::size_t>(least, solver.threadWork().rounds);
+  }
+  EXPECT_GT(least, 0u);
+  EXPECT_LT(least, 50u);
 }
 
 TEST(MarchOnThreads, MayBeMoreThanThereAreProcessors)

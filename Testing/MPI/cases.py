@@ -43,6 +43,8 @@ FIELDS = {
     "groups": ("large", dict(SeedPositions=points_on("large", 150), ComputeNearestSeed=1)),
     "cost": ("bunny", dict(SeedPositions=points_on("bunny", 1), CostArray=["POINTS", "Cost"])),
     "costs": ("torus", dict(SeedPositions=points_on("torus", 9), CostArray=["POINTS", "Cost"], ComputeNearestSeed=1)),
+    "spread cost": ("torus", dict(SeedPositions=points_on("torus", 1), CostArray=["POINTS", "SpreadCost"])),
+    "spread costs": ("torus", dict(SeedPositions=points_on("torus", 60), CostArray=["POINTS", "SpreadCost"])),
     "speed": ("torus", dict(SeedPositions=points_on("torus", 2), CostArray=["POINTS", "Cost"], CostMode="Speed",
                             Method="Dijkstra")),
     "wall": ("torus", dict(SeedPositions=[1.4, 0, 0], BarrierArray=["POINTS", "Wall"])),

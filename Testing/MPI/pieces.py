@@ -248,6 +248,8 @@ def part(surface, cut, rank, ranks, with_ids=False, with_cost=True):
     add(data.GetPointData(), "PointNumber", used)
     if with_cost:
         add(data.GetPointData(), "Cost", 1.5 + np.sin(5 * along))
+        # By orders of magnitude, so that a march is in the order of values.
+        add(data.GetPointData(), "SpreadCost", np.exp(4 * np.sin(12.9898 * used)))
     add(data.GetPointData(), "BadCost", np.where(used == len(points) // 2, -1.0, 1.0))
     add(data.GetPointData(), "Region", np.where(np.abs(along - 0.1) < 0.05, 2.0, used % 997 == 5))
     add(data.GetPointData(), "Wall", (np.abs(along + 0.02) < 0.02) & (where[:, 1] > points[:, 1].mean()))

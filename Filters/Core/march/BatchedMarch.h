@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -53,7 +54,10 @@ public:
       const std::span<const Index> batch = this->Queues.take(
         room, [&](Index item) { return this->FrontValues.isWaiting(item); },
         [&](Index item, std::span<const Index> others) { return this->areApart(item, others); });
-      if (!this->Control.mayGoOn(this->FrontValues.numberOfValues(), batch.size()))
+      // By value, what was left out is a step as well: a round that takes anything has done
+      // something.
+      const std::size_t steps = std::max(batch.size(), std::size_t{ 1 });
+      if (!this->Control.mayGoOn(this->FrontValues.numberOfValues(), steps))
       {
         break;
       }
@@ -82,11 +86,17 @@ private:
     return std::none_of(others.begin(), others.end(),
       [&](Index other)
       {
-        const Index centre = this->FrontValues.vertexOf(other);
+        // The shorter ring tells it: the other one may be a hub's.
+        Index centre = this->FrontValues.vertexOf(other);
+        Index end = vertex;
+        if (this->Mesh.ring(end).size() < this->Mesh.ring(centre).size())
+        {
+          std::swap(centre, end);
+        }
         const std::span<const RingEntry> ring = this->Mesh.ring(centre);
-        return centre == vertex ||
+        return centre == end ||
           std::any_of(ring.begin(), ring.end(),
-            [&](const RingEntry& entry) { return entry.neighbour() == vertex; });
+            [&](const RingEntry& entry) { return entry.neighbour() == end; });
       });
   }
 

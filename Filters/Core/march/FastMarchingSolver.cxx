@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -76,8 +77,18 @@ bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const Ver
 bool FastMarchingSolver::isDense(std::span<const StartValue> starts, const Request& request) const
 {
   const std::size_t vertices = this->mesh().numberOfVertices();
-  return request.front.labels.size() == 1 && request.options.targets.empty() &&
-    vertices > MostInCaches && starts.size() * VerticesOfDenseStart > vertices;
+  if (request.front.labels.size() > 1 || !request.options.targets.empty() ||
+    vertices <= MostInCaches || starts.size() * VerticesOfDenseStart <= vertices)
+  {
+    return false;
+  }
+  std::vector<std::uint8_t> haveStart(1 + vertices / FrontQueues::VerticesOfDenseGroup);
+  for (const StartValue& start : starts)
+  {
+    haveStart[start.vertex / FrontQueues::VerticesOfDenseGroup] = 1;
+  }
+  const auto count = std::count(haveStart.begin(), haveStart.end(), 1);
+  return 2 * static_cast<std::size_t>(count) > haveStart.size();
 }
 
 std::size_t FastMarchingSolver::numberOfGroups(
@@ -116,7 +127,10 @@ void FastMarchingSolver::startQueues(FrontQueues& queues, const Cost& cost,
   }
   const std::size_t vertices = this->mesh().numberOfVertices();
   this->startQueues(queues, cost, 1 + vertices / FrontQueues::VerticesOfDenseGroup);
-  queues.groupByVertex(vertices);
+  if (!queues.groupByVertex(vertices))
+  {
+    this->startQueues(queues, cost, 1);
+  }
 }
 
 template void FastMarchingSolver::startQueues(FrontQueues&, const UnitCost&,

@@ -68,14 +68,16 @@ public:
     this->startSlice(0);
   }
 
-  /** After start(): makes the groups those of vertices instead of those of fronts, if there is one
-   * for each VerticesOfDenseGroup of them. */
-  void groupByVertex(std::size_t numberOfVertices)
+  /** After start(): makes the groups those of vertices instead of those of fronts.
+   * @return false, with nothing done, if there is not one for each VerticesOfDenseGroup of them */
+  bool groupByVertex(std::size_t numberOfVertices)
   {
-    if (this->Groups.size() * VerticesOfDenseGroup >= numberOfVertices)
+    if (this->Groups.size() * VerticesOfDenseGroup < numberOfVertices)
     {
-      this->BitsOfGroup = BitsOfDenseGroup;
+      return false;
     }
+    this->BitsOfGroup = BitsOfDenseGroup;
+    return true;
   }
   /** Makes groups those of vertices if they are so in other queues, with as many groups. */
   void groupAs(const FrontQueues& others) { this->BitsOfGroup = others.BitsOfGroup; }
