@@ -45,7 +45,8 @@ public:
   /** Number of items after which a turn ends. */
   static constexpr std::size_t ItemsOfTurn = 1 << 15;
   /** Vertices whose numbers differ in their lowest so many bits only are one group of dense fronts:
-   * their values, rings and positions are in a core's own cache together. */
+   * their values, rings and positions are in a core's own cache together. With 10,000 seeds on an
+   * icosphere of 160,000 points a quarter less time (worst_cases.md). */
   static constexpr int BitsOfDenseGroup = 13;
   static constexpr std::size_t VerticesOfDenseGroup = std::size_t{ 1 } << BitsOfDenseGroup;
 

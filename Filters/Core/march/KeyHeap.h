@@ -16,7 +16,9 @@ namespace geodesic
  * Items with keys, of which the first is the one of the least key. It is a heap in which an entry
  * has four others below it: they share a line of the processor's caches, and an entry passes half
  * as many lines as in a binary heap. D. B. Johnson, Priority queues with update and finding minimum
- * spanning trees, Information Processing Letters 4 (1975). An item takes time O(log n).
+ * spanning trees, Information Processing Letters 4 (1975). An item takes time O(log n). Marches by
+ * value take 5 to 25 % less time than with std::push_heap() (rows of random costs in
+ * worst_cases.md).
  */
 class KeyHeap
 {

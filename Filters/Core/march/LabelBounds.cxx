@@ -202,12 +202,12 @@ std::span<const StartValue> LabelBounds::within(
   within.clear();
   within.reserve(starts.size());
   std::vector<StartValue> closed;
-  std::span<const StartValue> ofLabel;
+  std::span<const StartValue> sameLabel;
   for (const StartValue& start : starts)
   {
-    if (ofLabel.empty() || ofLabel[0].label != start.label)
+    if (sameLabel.empty() || sameLabel[0].label != start.label)
     {
-      ofLabel = ofSameLabel(starts, &start - starts.data());
+      sameLabel = ofSameLabel(starts, &start - starts.data());
     }
     if (const std::size_t next = &start - starts.data() + Soon; next + Soon < starts.size())
     {
@@ -227,8 +227,8 @@ std::span<const StartValue> LabelBounds::within(
           [&](Index vertex, std::size_t entry)
           {
             return this->isInside(vertex) ||
-              (ofLabel.size() <= MostOfSmallLabel &&
-                std::any_of(ofLabel.begin(), ofLabel.end(),
+              (sameLabel.size() <= MostOfSmallLabel &&
+                std::any_of(sameLabel.begin(), sameLabel.end(),
                   [&](const StartValue& other)
                   {
                     return other.vertex == vertex && other.isFinal &&

@@ -128,10 +128,10 @@ void takeSeedsOfNeighbours(
 
 /**
  * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the
- * smallest seed number. Collective.
+ * smallest seed number. Pieces that share a vertex have the same starts there.
  */
-void takeStarts(std::span<const Label> labels, std::span<const StartValue> starts,
-  Partition& partition, DistanceField& field)
+void takeStarts(
+  std::span<const Label> labels, std::span<const StartValue> starts, DistanceField& field)
 {
   constexpr double rounding = 1.0 + 1e-10;
   const auto take = [&](const StartValue& start)
@@ -154,16 +154,6 @@ void takeStarts(std::span<const Label> labels, std::span<const StartValue> start
     }
   };
   std::for_each(starts.begin(), starts.end(), take);
-  if (partition.isDivided())
-  {
-    const auto vertices = partition.sharedVertices();
-    const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
-    std::vector<StartValue> shared;
-    std::copy_if(starts.begin(), starts.end(), std::back_inserter(shared),
-      [&](const StartValue& start) { return areShared.contains(start.vertex); });
-    const std::vector<StartValue> others = partition.exchange(shared);
-    std::for_each(others.begin(), others.end(), take);
-  }
   field.orderReached();
 }
 
@@ -280,7 +270,7 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
   if (areDense && this->LabelsWithin.areAllInside(request.partition))
   {
-    takeStarts(labels, starts, request.partition, field);
+    takeStarts(labels, starts, field);
     learnTargets(limit, request.partition);
     this->LabelsWithin.clear();
     return true;
