@@ -281,9 +281,9 @@ void starts(const CaseArguments& arguments)
     {
       PathFinder finder(trial.solver(), to, options, Straight);
       finder.march(from);
-      for (const SurfacePoint& start : from)
+      for (const std::size_t start : orderInMemory(trial.mesh(), from))
       {
-        finder.pathFrom(start);
+        finder.pathFrom(from[start]);
         // As a caller would between paths.
         options.onProgress(0);
       }

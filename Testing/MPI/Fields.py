@@ -17,9 +17,8 @@ PLUGIN, FOLDER, *ONLY = sys.argv[1:]
 os.makedirs(FOLDER, exist_ok=True)
 harness.load(PLUGIN)
 
-for case, (surface, options) in cases.FIELDS.items():
-    if ONLY and case not in ONLY:
-        continue
+chosen = {case: cases.FIELDS[case] for case in ONLY} or harness.some(cases.FIELDS)
+for case, (surface, options) in chosen.items():
     for cut in ("slabs", "random") if harness.RANKS > 1 else ("whole",):
         cases.check(FOLDER, f"{case}/{cut}", harness.surface(surface, cut), options)
     if harness.RANKS > 1 and "GatherForExact" not in options:

@@ -147,7 +147,7 @@ def compare(name, cut, result, reference, surface):
           f"  points {len(result['points']):4d}  held {result['held']}", flush=True)
 
 
-for name, (surface, options) in PATHS.items():
+for name, (surface, options) in harness.some(PATHS).items():
     if harness.RANKS == 1:
         check(name, "whole", harness.surface(surface, "whole"), options)
         continue

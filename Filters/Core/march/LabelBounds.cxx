@@ -213,7 +213,7 @@ std::span<const StartValue> LabelBounds::within(
     {
       mesh.prefetchRingStart(starts[next + Soon].vertex);
       mesh.rings().prefetch(starts[next].vertex);
-      prefetchToRead(&this->OfVertices[starts[next].vertex]);
+      this->prefetch(starts[next].vertex);
     }
     if (start.value > this->ofLabel(start.label))
     {

@@ -4,6 +4,7 @@
 #define geodesic_LabelBounds_h
 
 #include "base/Index.h"
+#include "base/Platform.h"
 #include "march/SourceFront.h"
 #include "solve/DistanceField.h"
 #include "solve/SeedFront.h"
@@ -78,6 +79,8 @@ public:
   /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
    */
   double ofVertex(Index vertex) const { return this->OfVertices[vertex]; }
+  /** Has the processor fetch what ofVertex() reads. */
+  GEODESIC_INLINED void prefetch(Index vertex) const { prefetchToRead(&this->OfVertices[vertex]); }
   /** The largest value of a label that counts at a vertex, without the value of its seed. */
   double of(const SourceFront& label, Index vertex) const
   {

@@ -100,11 +100,21 @@ public:
     return { this->fieldReader(label), label.labelBits };
   }
 
+  /** Has the processor fetch the bound that propose() reads of a vertex. */
+  GEODESIC_INLINED void prefetchBound(Index vertex) const
+  {
+    if (this->Bounds)
+    {
+      this->Bounds->prefetch(vertex);
+    }
+  }
+
   /** Has the processor fetch what others() reads of a vertex. */
   GEODESIC_INLINED void prefetchOther(Index vertex) const
   {
     this->Sets.prefetchInPlace(vertex);
     this->context().cost.prefetchMargin(vertex);
+    this->prefetchBound(vertex);
   }
 
   /**

@@ -62,7 +62,8 @@ namespace geodesic
  * value and queues it, if the value counts; returns what the vertex then has;
  *                 - hasOtherLabels: whether there are several labels;
  *                 - if so, others<Real>(...) -> NeighbourValues<Real> (see LabelValues), and
- *                   prefetchOther(Index), to be called some time before it;
+ *                   prefetchOther(Index), to be called some time before it, and
+ *                   prefetchBound(Index), some time before propose();
  *                 - if not, label() -> SourceFront: the only label
  */
 template <class Cost, class Values>
@@ -319,6 +320,7 @@ private:
       for (std::size_t i = 0; i < this->Candidates.along().size(); ++i)
       {
         const Slot slot = this->Candidates.along()[i];
+        this->FrontValues.prefetchBound(this->Batch.Neighbours[slot]);
         const double value = this->valueAlong(slot);
         this->Proposals[count] = { value, slot };
         count += value < this->ceilings()[slot] ? 1 : 0;

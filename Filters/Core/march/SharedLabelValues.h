@@ -90,10 +90,19 @@ public:
   };
   Reader reader(const SourceFront& label) { return Reader(*this, label); }
 
+  GEODESIC_INLINED void prefetchBound(Index vertex) const
+  {
+    if (this->Bounds)
+    {
+      this->Bounds->prefetch(vertex);
+    }
+  }
+
   GEODESIC_INLINED void prefetchOther(Index vertex) const
   {
     prefetchToRead(&this->Sets.inPlace(vertex));
     this->Context.cost.prefetchMargin(vertex);
+    this->prefetchBound(vertex);
   }
 
   template <class Real>

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,6 +47,24 @@ private:
   double Rest = 0.0;
 };
 
+}
+
+std::vector<std::size_t> orderInMemory(
+  const TriangleMesh& mesh, std::span<const SurfacePoint> points)
+{
+  std::vector<std::pair<Index, std::size_t>> keyed;
+  keyed.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Triangle& face = mesh.triangle(points[i].triangle);
+    keyed.emplace_back(*std::min_element(face.begin(), face.end()), i);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::size_t> order;
+  order.reserve(points.size());
+  std::transform(keyed.begin(), keyed.end(), std::back_inserter(order),
+    [](const auto& key) { return key.second; });
+  return order;
 }
 
 PathFinder::PathFinder(DistanceSolver& solver, std::span<const SurfacePoint> seeds,

@@ -7,6 +7,7 @@
 #include "solve/Seed.h"
 #include "solve/SolveOptions.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,9 +29,16 @@ struct PathStyle
   friend constexpr bool operator==(const PathStyle&, const PathStyle&) = default;
 };
 
+/** The numbers of some points in the order in which their vertices lie in memory. Paths from one
+ * after the other read much that is in the processor's caches, as neighbours' paths lie side by
+ * side. Time O(n log n). */
+std::vector<std::size_t> orderInMemory(
+  const TriangleMesh& mesh, std::span<const SurfacePoint> points);
+
 /**
  * Finds shortest paths from points to the nearest of some seeds: march() solves the field of the
- * seeds until it reaches the points, and pathFrom() traces a path back from one of them.
+ * seeds until it reaches the points, and pathFrom() traces a path back from one of them. Many
+ * starts are best taken in the order of orderInMemory().
  */
 class PathFinder
 {
