@@ -51,6 +51,21 @@ bool isNoWay(const TriangleMesh& mesh, Index vertex, std::size_t entry, double r
   return rise * rise <= dot(edge, edge);
 }
 
+/** Whether no update from a start changes the value of its label at the neighbour of a ring entry:
+ * the label has few starts, one of them is there and final, and no way along the edge is shorter.
+ */
+bool isSettledBy(std::span<const StartValue> sameLabel, const TriangleMesh& mesh,
+  const StartValue& start, Index neighbour, std::size_t entry)
+{
+  return sameLabel.size() <= MostOfSmallLabel &&
+    std::any_of(sameLabel.begin(), sameLabel.end(),
+      [&](const StartValue& other)
+      {
+        return other.vertex == neighbour && other.isFinal &&
+          isNoWay(mesh, start.vertex, entry, other.value - start.value);
+      });
+}
+
 /** The starts of the label of the one at place @p first, from there on. */
 std::span<const StartValue> ofSameLabel(std::span<const StartValue> starts, std::size_t first)
 {
@@ -60,6 +75,32 @@ std::span<const StartValue> ofSameLabel(std::span<const StartValue> starts, std:
   return { begin, end };
 }
 
+}
+
+bool areSettled(
+  const TriangleMesh& mesh, std::span<const StartValue> starts, Partition& partition)
+{
+  std::span<const StartValue> sameLabel;
+  const bool isSettled = std::all_of(starts.begin(), starts.end(),
+    [&](const StartValue& start)
+    {
+      if (const std::size_t next = &start - starts.data() + Soon; next + Soon < starts.size())
+      {
+        mesh.prefetchRingStart(starts[next + Soon].vertex);
+        mesh.rings().prefetch(starts[next].vertex);
+      }
+      if (sameLabel.empty() || sameLabel[0].label != start.label)
+      {
+        sameLabel = ofSameLabel(starts, &start - starts.data());
+      }
+      return start.isFinal &&
+        allRound(mesh, start.vertex,
+          [&](Index vertex, std::size_t entry)
+          { return isSettledBy(sameLabel, mesh, start, vertex, entry); });
+    });
+  const double isAnyOpen = isSettled ? 0.0 : 1.0;
+  const std::vector<double> all = partition.gather({ &isAnyOpen, 1 });
+  return *std::max_element(all.begin(), all.end()) == 0.0;
 }
 
 void LabelBounds::begin(const TriangleMesh& mesh, std::span<const Label> labels,
@@ -227,13 +268,7 @@ std::span<const StartValue> LabelBounds::within(
           [&](Index vertex, std::size_t entry)
           {
             return this->isInside(vertex) ||
-              (sameLabel.size() <= MostOfSmallLabel &&
-                std::any_of(sameLabel.begin(), sameLabel.end(),
-                  [&](const StartValue& other)
-                  {
-                    return other.vertex == vertex && other.isFinal &&
-                      isNoWay(mesh, start.vertex, entry, other.value - start.value);
-                  }));
+              isSettledBy(sameLabel, mesh, start, vertex, entry);
           });
     }
     else if (start.isFinal)

@@ -23,6 +23,13 @@ class Partition;
 class TriangleMesh;
 
 /**
+ * Whether no front goes on from its starts: each neighbour of a start has one of the same label,
+ * as in triangles that hang together with no other. It is told at once where fronts go on.
+ * Collective. @param starts  sorted by label
+ */
+bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Partition& partition);
+
+/**
  * Bounds of the values that count in a march of several labels.
  *
  * A vertex keeps the values of all labels within a margin of its least one (see labelMargin()).

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace geodesic
@@ -20,6 +21,7 @@ constexpr std::size_t MostSparseLabels = 24;
 constexpr double VerticesOfSparseLabel = 64.0;
 constexpr double EdgesBetweenSparseLabels = 8.0;
 constexpr std::size_t CloseLabelsOfSparse = 4;
+constexpr double SpacingsOfSpread = 2.0;
 
 /** The size of a surface in all its pieces. */
 struct SurfaceSize
@@ -102,6 +104,20 @@ bool labelsAreDense(
   const double distance = EdgesBetweenSparseLabels * size.meanEdge;
   const std::size_t close = distance > 0.0 ? countClose(front.labels, distance) : 0;
   return close > MostSparseLabels && close * CloseLabelsOfSparse > count;
+}
+
+bool labelsAreSpread(
+  const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition)
+{
+  const bool areRound = std::all_of(front.labels.begin(), front.labels.end(),
+    [](const Label& label) { return label.shape == FrontShape::Round; });
+  if (!areRound)
+  {
+    return false;
+  }
+  const SurfaceSize size = sizeOf(mesh, partition);
+  const double spacing = std::sqrt(size.vertices / static_cast<double>(front.labels.size()));
+  return farthest <= SpacingsOfSpread * spacing * size.meanEdge;
 }
 
 }

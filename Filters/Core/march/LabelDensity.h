@@ -22,6 +22,16 @@ struct SeedFront;
 bool labelsAreDense(
   const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition);
 
+/**
+ * Whether round labels are spread so evenly that few compete for a vertex: no vertex is farther
+ * from all of them than twice their spacing, the side of a square of as many vertices as there are
+ * for each label. If it is so, at most some twenty times as many values count as there are
+ * vertices, and random labels have 1.2 times as many, without labelReaches(). Collective.
+ * @param farthest  the largest distance of a vertex, at cost 1
+ */
+bool labelsAreSpread(
+  const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition);
+
 }
 
 #endif

@@ -265,15 +265,23 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
   {
     return this->marchFrom(starts, cost, request, nullptr, limit, field);
   }
+  const auto endAtStarts = [&]
+  {
+    takeStarts(labels, starts, field);
+    learnTargets(limit, request.partition);
+    return true;
+  };
+  if (areDense && areSettled(this->mesh(), starts, request.partition))
+  {
+    return endAtStarts();
+  }
   OptionsOfMarches marches(request.options);
   const SolveOptions& options = marches.get();
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
   if (areDense && this->LabelsWithin.areAllInside(request.partition))
   {
-    takeStarts(labels, starts, field);
-    learnTargets(limit, request.partition);
     this->LabelsWithin.clear();
-    return true;
+    return endAtStarts();
   }
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(this->mesh(), options, field);
@@ -287,9 +295,14 @@ bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost&
     {
       const double farthest = farthestOf(field, request.partition);
       const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
-      this->LabelsWithin.take(field,
-        labelReaches(
-          this->mesh(), request.front, request.options.cost, farthest, request.partition),
+      std::vector<double> reaches(labels.size(), DistanceField::Unreached);
+      if (request.hasCost ||
+        !labelsAreSpread(this->mesh(), request.front, farthest, request.partition))
+      {
+        reaches = labelReaches(
+          this->mesh(), request.front, request.options.cost, farthest, request.partition);
+      }
+      this->LabelsWithin.take(field, std::move(reaches),
         [&](Index vertex)
         {
           return std::binary_search(hubs.begin(), hubs.end(), vertex)
