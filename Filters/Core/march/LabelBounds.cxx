@@ -77,8 +77,7 @@ std::span<const StartValue> ofSameLabel(std::span<const StartValue> starts, std:
 
 }
 
-bool areSettled(
-  const TriangleMesh& mesh, std::span<const StartValue> starts, Partition& partition)
+bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Partition& partition)
 {
   std::span<const StartValue> sameLabel;
   const bool isSettled = std::all_of(starts.begin(), starts.end(),
@@ -266,10 +265,7 @@ std::span<const StartValue> LabelBounds::within(
       within.back().isIdle = !this->AreInside.empty() &&
         allRound(mesh, start.vertex,
           [&](Index vertex, std::size_t entry)
-          {
-            return this->isInside(vertex) ||
-              isSettledBy(sameLabel, mesh, start, vertex, entry);
-          });
+          { return this->isInside(vertex) || isSettledBy(sameLabel, mesh, start, vertex, entry); });
     }
     else if (start.isFinal)
     {
