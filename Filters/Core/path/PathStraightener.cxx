@@ -23,6 +23,10 @@ constexpr double LeastShortening = 1e-14;
  */
 constexpr int FirstRoundOfChords = 3;
 
+/** A row of so many faces gets room for the rest of the path at once: what grows by doubling is
+ * copied, and fresh memory is slow. */
+constexpr std::size_t LongRow = 4096;
+
 bool isShorter(double newLength, double length)
 {
   return newLength < length * (1.0 - LeastShortening);
@@ -105,6 +109,10 @@ PathStraightener::Pieces PathStraightener::tautPieces(const SurfacePath& path)
     {
       appendFace(
         this->Surface.mesh(), row.strip, faceOf(this->Surface.mesh(), path[i - 1], path[i]));
+      if (row.strip.size() == LongRow)
+      {
+        row.strip.reserve(LongRow + path.size() - i);
+      }
     }
     row.isOfEdges = row.isOfEdges && alongEdge;
     const bool isLast = i + 1 == path.size();

@@ -20,6 +20,10 @@ constexpr double LeastGain = 1e-7;
  * before. A path of a million edges gains more. */
 constexpr double LeastGainOfTwo = 1e-6;
 
+/** A path of so many points gets room for four times as many when it is full: what grows is copied,
+ * and fresh memory is slow. */
+constexpr std::size_t LongPath = 4096;
+
 /** By so much of its length a step ahead may be farther than the last step has said. */
 constexpr double MostBeyond = 0.01;
 
@@ -145,6 +149,10 @@ std::optional<SurfacePath> PathTracer::traceToAim(
     {
       leftBefore = left;
       left = std::min(left, step->left);
+      if (path.size() >= LongPath && path.size() == path.capacity()) [[unlikely]]
+      {
+        path.reserve(4 * path.size());
+      }
       path.push_back(step->point);
       if (mayEnd && mayEnd(path))
       {
