@@ -277,12 +277,21 @@ public:
 
   /**
    * Items that are likely to be taken after the next @p skip ones, without taking them: those of
-   * the current bucket, then of the one behind it. None if items come by value.
+   * the current bucket, then of the one behind it. By value the first ones of the heap; none if
+   * some are to be skipped.
    * @param room  for the items, as many as fit
    * @return the part of @p room that holds them
    */
   std::span<const Index> upcoming(std::size_t skip, std::span<Index> room) const
   {
+    if (this->IsByValue)
+    {
+      const std::span<const KeyHeap::Entry> entries = this->Heap.entries();
+      const std::size_t count = skip > 0 ? 0 : std::min(room.size(), entries.size());
+      std::transform(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(count),
+        room.begin(), [](const KeyHeap::Entry& entry) { return entry.item; });
+      return room.first(count);
+    }
     std::size_t filled = 0;
     std::size_t first = this->Next + skip;
     for (std::uint64_t number = this->Current; number <= this->Current + 1; ++number)
