@@ -3,7 +3,7 @@
 // The queues of a march: what comes first, and whose turn it is.
 
 #include "march/FrontQueues.h"
-#include "march/KeyHeap.h"
+#include "march/RadixHeap.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include <random>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 using namespace geodesic;
@@ -241,35 +242,79 @@ TEST(FrontQueues, GroupsOfVerticesNeedOneForEachPart)
   EXPECT_EQ(queues.groupOfVertex(2 * size), 0u);
 }
 
-TEST(KeyHeap, HasTheLeastKeyFirst)
+namespace
 {
+
+/** Pushes keys and takes the least ones, at random. @param keyOf  gives the key of a step, from the
+ * last one taken */
+template <class KeyOf>
+void expectTheLeastFirst(const KeyOf& keyOf)
+{
+  constexpr int steps = 40000;
   std::mt19937 random(5);
-  KeyHeap heap;
-  std::multiset<double> keys;
-  for (int step = 0; step < 20000; ++step)
+  RadixHeap heap;
+  std::set<std::pair<double, Index>> known;
+  double last = 0.0;
+  for (int step = 0; step < steps; ++step)
   {
     // It grows at first and shrinks at last.
-    if (heap.isEmpty() || static_cast<int>(random() % 20000) > step)
+    if (heap.isEmpty() || static_cast<int>(random() % steps) > step)
     {
-      const double key = random() % 1000;
-      heap.push(static_cast<Index>(key), key);
-      keys.insert(key);
+      const double key = keyOf(random, last);
+      heap.push(static_cast<Index>(step), key);
+      known.emplace(std::max(key, 0.0), static_cast<Index>(step));
     }
     else
     {
+      last = heap.first().key();
+      known.erase({ last, heap.first().item });
       heap.pop();
-      keys.erase(keys.begin());
     }
-    if (step == 10000)
+    if (step == steps / 2)
     {
-      const auto isOdd = [](double key) { return static_cast<Index>(key) % 2 == 1; };
-      EXPECT_EQ(heap.remove(isOdd), std::erase_if(keys, isOdd));
+      const auto isOdd = [](Index item) { return item % 2 == 1; };
+      EXPECT_EQ(heap.remove(isOdd),
+        std::erase_if(known, [&](const auto& entry) { return isOdd(entry.second); }));
     }
-    ASSERT_EQ(heap.isEmpty(), keys.empty());
+    ASSERT_EQ(heap.isEmpty(), known.empty());
     if (!heap.isEmpty())
     {
-      ASSERT_EQ(heap.first().key, *keys.begin());
-      ASSERT_EQ(heap.first().item, static_cast<Index>(*keys.begin()));
+      ASSERT_EQ(heap.first().key(), known.begin()->first);
+      ASSERT_TRUE(known.contains({ heap.first().key(), heap.first().item }));
     }
   }
+  std::size_t left = 0;
+  heap.visit([&](Index) { ++left; });
+  EXPECT_EQ(left, known.size());
+  heap.clear();
+  EXPECT_TRUE(heap.isEmpty());
+}
+
+}
+
+TEST(RadixHeap, HasTheLeastKeyFirst)
+{
+  std::lognormal_distribution<double> spread(0.0, 4.0);
+  // As in a march: a little more than the last one, by orders of magnitude.
+  expectTheLeastFirst([&](auto& random, double last) { return last + spread(random); });
+  expectTheLeastFirst([](auto& random, double) { return 0.001 * (random() % 1000000); });
+}
+
+TEST(RadixHeap, TakesKeysBelowThoseTaken)
+{
+  double next = 1e6;
+  expectTheLeastFirst([&](auto&, double) { return next -= 1.0; });
+  expectTheLeastFirst(
+    [](auto& random, double last) { return random() % 4 == 0 ? 0.5 * last : last + 1.0; });
+}
+
+TEST(RadixHeap, TakesEqualKeysAndEnds)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  expectTheLeastFirst([](auto& random, double) { return random() % 3; });
+  expectTheLeastFirst([](auto&, double) { return 7.0; });
+  expectTheLeastFirst(
+    [](auto& random, double) {
+      return std::array{ -1e-300, 0.0, 1e-300, 5e-324, 1e300, infinity }[random() % 6];
+    });
 }

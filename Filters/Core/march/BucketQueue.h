@@ -4,7 +4,7 @@
 #define geodesic_BucketQueue_h
 
 #include "base/Index.h"
-#include "march/KeyHeap.h"
+#include "march/RadixHeap.h"
 
 #include <algorithm>
 #include <bit>
@@ -190,10 +190,7 @@ public:
       const bool isCurrent = number == this->indexOf(this->Current);
       std::for_each(bucket.begin() + (isCurrent ? this->taken() : 0), bucket.end(), visit);
     }
-    for (const KeyHeap::Entry& entry : this->Heap.entries())
-    {
-      visit(entry.item);
-    }
+    this->Heap.visit(visit);
   }
   /** Removes the items that wait and for which isRemoved(item) holds, in the order of buckets. What
    * waits in the current bucket may change its order. */
@@ -213,7 +210,7 @@ public:
   {
     if (this->IsByValue)
     {
-      return this->bucketOf(this->Heap.first().key);
+      return this->bucketOf(this->Heap.first().key());
     }
     std::uint64_t number = this->Current;
     std::size_t taken = this->Next;
@@ -258,7 +255,7 @@ public:
         room[taken] = item;
         taken += counts ? 1 : 0;
       } while (taken < std::min(room.size(), MostByValue) && !this->Heap.isEmpty() &&
-        this->Heap.first().key < end);
+        this->Heap.first().key() < end);
       return room.first(taken);
     }
     const std::size_t taken = std::min(room.size(), this->sizeOfBucket());
@@ -277,7 +274,7 @@ public:
 
   /**
    * Items that are likely to be taken after the next @p skip ones, without taking them: those of
-   * the current bucket, then of the one behind it. By value the first ones of the heap; none if
+   * the current bucket, then of the one behind it. By value, some of those that are sorted; none if
    * some are to be skipped.
    * @param room  for the items, as many as fit
    * @return the part of @p room that holds them
@@ -286,10 +283,10 @@ public:
   {
     if (this->IsByValue)
     {
-      const std::span<const KeyHeap::Entry> entries = this->Heap.entries();
+      const std::span<const RadixHeap::Entry> entries = this->Heap.next();
       const std::size_t count = skip > 0 ? 0 : std::min(room.size(), entries.size());
-      std::transform(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(count),
-        room.begin(), [](const KeyHeap::Entry& entry) { return entry.item; });
+      std::transform(entries.rbegin(), entries.rbegin() + static_cast<std::ptrdiff_t>(count),
+        room.begin(), [](const RadixHeap::Entry& entry) { return entry.item; });
       return room.first(count);
     }
     std::size_t filled = 0;
@@ -373,7 +370,7 @@ private:
   /** How many items wait. */
   std::size_t Count = 0;
   /** What waits if items come by value. */
-  KeyHeap Heap;
+  RadixHeap Heap;
   bool IsByValue = false;
 };
 
