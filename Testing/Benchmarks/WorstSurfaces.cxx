@@ -62,63 +62,6 @@ WorstSurface strip(Index squares)
   return { planeGrid(squares, 1, squares, 1.0), 0, 2 * squares + 1 };
 }
 
-/**
- * A closed box with rounded edges and corners, as CAD programs mesh it: two triangles for each flat
- * side, needles that are as long as the box along the edges, small triangles at the corners.
- * @param perHalf  edges along half of a fillet
- */
-Surface boxWithFillets(Index perHalf)
-{
-  constexpr Vector3 core{ 1.0, 0.7, 0.4 };
-  constexpr double radius = 0.15;
-  // Points of a cube's surface with coordinates from 0 to last, of which the middle ones are far
-  // apart: each is pulled to where its normal meets the box.
-  const Index last = 2 * perHalf + 1;
-  const auto slope = [&](Index i)
-  {
-    const double steps = i <= perHalf ? static_cast<double>(i) - perHalf : i - perHalf - 1.0;
-    return std::tan(std::numbers::pi / 4.0 * steps / perHalf);
-  };
-  Surface surface;
-  std::map<std::array<Index, 3>, Index> numbers;
-  const auto pointAt = [&](const std::array<Index, 3>& at)
-  {
-    const auto [found, isNew] = numbers.emplace(at, static_cast<Index>(surface.points.size()));
-    if (isNew)
-    {
-      const Vector3 normal{ slope(at[0]), slope(at[1]), slope(at[2]) };
-      const auto side = [&](Index i) { return i <= perHalf ? -1.0 : 1.0; };
-      const Vector3 centre{ side(at[0]) * core.x, side(at[1]) * core.y, side(at[2]) * core.z };
-      surface.points.push_back(centre + radius / norm(normal) * normal);
-    }
-    return found->second;
-  };
-  for (Index axis = 0; axis < 3; ++axis)
-  {
-    for (const Index level : { Index{ 0 }, last })
-    {
-      for (Index i = 0; i < last; ++i)
-      {
-        for (Index j = 0; j < last; ++j)
-        {
-          const auto corner = [&](Index right, Index up)
-          {
-            // Seen from outside, right and up change places on opposite sides.
-            std::array<Index, 3> at{};
-            at[axis] = level;
-            at[(axis + 1) % 3] = i + (level == 0 ? up : right);
-            at[(axis + 2) % 3] = j + (level == 0 ? right : up);
-            return pointAt(at);
-          };
-          surface.triangles.push_back({ corner(0, 0), corner(1, 0), corner(1, 1) });
-          surface.triangles.push_back({ corner(0, 0), corner(1, 1), corner(0, 1) });
-        }
-      }
-    }
-  }
-  return surface;
-}
-
 /** The surface of a unit cube, its sides regular grids: all ties that symmetry makes. */
 Surface cube(Index cells)
 {

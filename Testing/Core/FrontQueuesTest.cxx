@@ -308,6 +308,43 @@ TEST(RadixHeap, TakesKeysBelowThoseTaken)
     [](auto& random, double last) { return random() % 4 == 0 ? 0.5 * last : last + 1.0; });
 }
 
+// Each of these took a time in proportion to what waits: equal keys above a front, and others
+// between them and those of the next bucket.
+TEST(RadixHeap, TakesManyEqualKeysWithoutMovingThem)
+{
+  constexpr Index many = 1000000;
+  RadixHeap heap;
+  heap.push(0, 0.0);
+  for (Index i = 0; i < many; ++i)
+  {
+    heap.push(i, 100.0);
+  }
+  for (int step = 0; step < 20000; ++step)
+  {
+    const double key = heap.first().key();
+    ASSERT_LT(key, 100.0);
+    heap.pop();
+    heap.push(0, key + 1e-3);
+  }
+  heap.clear();
+  for (Index i = 0; i < many; ++i)
+  {
+    heap.push(i, 0.5);
+  }
+  for (Index i = 0; i < 100000; ++i)
+  {
+    heap.push(i, 0.9 + 1e-7 * i);
+  }
+  EXPECT_EQ(heap.first().key(), 0.5);
+  // What is taken gives its room back.
+  while (!heap.isEmpty())
+  {
+    heap.pop();
+  }
+  heap.clear();
+  EXPECT_LT(heap.bytes(), 100u * many);
+}
+
 TEST(RadixHeap, TakesEqualKeysAndEnds)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -291,6 +292,30 @@ TEST(ManySeeds, StepsDoNotGrowWithTheirNumber)
   }
   EXPECT_LT(stepsOf(solver, seedsAt(*mesh, rowOf(90, 45))), 6 * vertices);
   EXPECT_LT(stepsOf(solver, segmentsOf(*mesh, rowOf(90, 45))), 6 * vertices);
+}
+
+// So with seeds that crowd where mean edges say nothing: on needles, and beside coarse parts.
+TEST(ManySeeds, StepsDoNotGrowWhereEdgesDiffer)
+{
+  std::vector<Index> quarter(250);
+  std::iota(quarter.begin(), quarter.end(), 0);
+  const auto needles = meshOf(planeGrid(1000, 1, 0.2, 1.0));
+  FastMarchingSolver onNeedles(needles);
+  EXPECT_LT(stepsOf(onNeedles, seedsAt(*needles, quarter)), 6 * needles->numberOfVertices());
+
+  Surface coarse = planeGrid(60, 60, 60.0, 60.0);
+  for (Vector3& point : coarse.points)
+  {
+    point.z = 100.0;
+  }
+  const auto both = meshOf(joined(planeGrid(60, 60, 1.0, 1.0), coarse));
+  std::vector<Seed> seeds;
+  for (int s = 0; s < 200; ++s)
+  {
+    seeds.push_back(seedNear(both, { 0.5 + 1e-5 * s, 0.5 + 1e-5 * (s * s % 700), 0.0 }));
+  }
+  FastMarchingSolver onBoth(both);
+  EXPECT_LT(stepsOf(onBoth, seeds), 4 * both->numberOfVertices());
 }
 
 // The distance is straight there, so the truth is known for as many as one likes.

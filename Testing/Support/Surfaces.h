@@ -41,6 +41,12 @@ Surface pages(Index count);
 Surface disc(Index around);
 /** Open cone with its apex (point 0) at the origin; @p slope is the side's length. */
 Surface cone(Index around, Index along, double radius, double slope);
+/**
+ * A closed box with rounded edges and corners, as CAD programs mesh it: two triangles for each flat
+ * side, needles that are as long as the box along the edges, small triangles at the corners.
+ * @param perHalf  edges along half of a fillet
+ */
+Surface boxWithFillets(Index perHalf);
 /** Adds the cells between rings of points; the last point of a ring is followed by its first. */
 void addRingCells(Surface& surface, Index first, Index around, Index rings);
 /** Several surfaces as one, not connected. */

@@ -23,9 +23,10 @@ class Partition;
 class TriangleMesh;
 
 /**
- * Whether no front goes on from its starts: each neighbour of a start has one of the same label,
- * as in triangles that hang together with no other. It is told at once where fronts go on.
- * Collective. @param starts  sorted by label
+ * Whether no front goes on from its starts, as in triangles that hang together with no other: the
+ * starts are final, labels have few of them, and each neighbour of a start has one of the same
+ * label, to which no way along the edge is shorter. It is mostly told by the first start where
+ * fronts go on. Collective. @param starts  sorted by label
  */
 bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Partition& partition);
 

@@ -22,6 +22,7 @@ constexpr double VerticesOfSparseLabel = 64.0;
 constexpr double EdgesBetweenSparseLabels = 8.0;
 constexpr std::size_t CloseLabelsOfSparse = 4;
 constexpr double SpacingsOfSpread = 2.0;
+constexpr double MostInCube = 8.0;
 
 /** The size of a surface in all its pieces. */
 struct SurfaceSize
@@ -58,8 +59,7 @@ SurfaceSize sizeOf(const TriangleMesh& mesh, Partition& partition)
   return size;
 }
 
-/** Counts the round labels that start closer to another one than @p distance. */
-std::size_t countClose(const std::vector<Label>& labels, double distance)
+std::vector<Index> roundOf(const std::vector<Label>& labels)
 {
   std::vector<Index> round;
   for (Index number = 0; number < labels.size(); ++number)
@@ -69,6 +69,13 @@ std::size_t countClose(const std::vector<Label>& labels, double distance)
       round.push_back(number);
     }
   }
+  return round;
+}
+
+/** Counts the round labels that start closer to another one than @p distance. */
+std::size_t countClose(const std::vector<Label>& labels, double distance)
+{
+  const std::vector<Index> round = roundOf(labels);
   const auto placeOf = [&](Index number) { return labels[number].position; };
   const PlaceGrid grid(round, distance, placeOf);
   return static_cast<std::size_t>(std::count_if(round.begin(), round.end(),
@@ -109,15 +116,17 @@ bool labelsAreDense(
 bool labelsAreSpread(
   const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition)
 {
-  const bool areRound = std::all_of(front.labels.begin(), front.labels.end(),
-    [](const Label& label) { return label.shape == FrontShape::Round; });
-  if (!areRound)
+  const std::vector<Index> round = roundOf(front.labels);
+  if (round.size() < front.labels.size())
   {
     return false;
   }
   const SurfaceSize size = sizeOf(mesh, partition);
-  const double spacing = std::sqrt(size.vertices / static_cast<double>(front.labels.size()));
-  return farthest <= SpacingsOfSpread * spacing * size.meanEdge;
+  const double count = static_cast<double>(front.labels.size());
+  const double spacing = std::sqrt(size.vertices / count) * size.meanEdge;
+  return farthest <= SpacingsOfSpread * spacing &&
+    PlaceGrid(round, spacing, [&](Index number) { return front.labels[number].position; })
+      .meanInBucket() <= MostInCube;
 }
 
 }

@@ -23,11 +23,12 @@ bool labelsAreDense(
   const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition);
 
 /**
- * Whether round labels are spread so evenly that few compete for a vertex: no vertex is farther
- * from all of them than twice their spacing, the side of a square of as many vertices as there are
- * for each label. If it is so, at most some twenty times as many values count as there are
- * vertices, and random labels have 1.2 times as many, without labelReaches(). Collective.
- * @param farthest  the largest distance of a vertex, at cost 1
+ * Whether round labels are spread so evenly that few compete for a vertex, also without
+ * labelReaches(). With their spacing, the side of a square of as many vertices as there are for
+ * each label, no vertex is farther from all of them than twice the spacing, and in the mean at most
+ * 8 labels share a cube of space of that side; of random ones some 3 to 5 do. Where edges differ
+ * much, as needles or coarse parts do, the spacing is too large, and more share a cube. Collective.
+ * @param farthest  the largest distance of a vertex, at cost 1, with the values of seeds
  */
 bool labelsAreSpread(
   const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition);

@@ -69,6 +69,19 @@ public:
     }
   }
 
+  /** How many places share a bucket, in the mean over the places: those in a cube, and some of
+   * cubes that share it. @pre there is a place */
+  double meanInBucket() const
+  {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < this->Starts.size(); ++i)
+    {
+      const double size = this->Starts[i] - this->Starts[i - 1];
+      sum += size * size;
+    }
+    return sum / static_cast<double>(this->Members.size());
+  }
+
 private:
   using Cube = std::array<std::int64_t, 3>;
   static constexpr int Bits = 21;

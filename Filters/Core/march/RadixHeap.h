@@ -23,11 +23,11 @@ namespace geodesic
  * reference. Where keys rise, as they mostly do in a march, an entry goes through a few buckets of
  * ever lower bits, each of which is read from front to back, where a heap would jump about. What
  * comes next is sorted. R. Ahuja, K. Mehlhorn, J. Orlin, R. Tarjan, Faster algorithms for the
- * shortest path problem, Journal of the ACM 37 (1990).
+ * shortest path problem, Journal of the ACM 37 (1990). Keys below the reference, as others were
+ * taken before, are in a heap.
  *
- * A key may also be below those taken before. An item takes time O(64), and O(n / 4096) where n
- * such keys come one after the other. Marches by value take 10 % less time than with a heap of four
- * entries below each (rows of random costs in worst_cases.md).
+ * An item takes time O(64), or O(log n) in the heap. Marches by value take 10 % less time than with
+ * a heap of four entries below each (rows of random costs in worst_cases.md).
  */
 class RadixHeap
 {
@@ -40,54 +40,68 @@ public:
     double key() const { return std::bit_cast<double>(this->bits); }
   };
 
-  bool isEmpty() const { return this->Sorted.empty(); }
+  bool isEmpty() const { return this->Sorted.empty() && this->Below.empty(); }
   /** @pre !isEmpty() */
-  const Entry& first() const { return this->Sorted.back(); }
-  /** The entries that are likely to be the first ones soon, the last of them the first. */
+  const Entry& first() const
+  {
+    return this->Below.empty() ? this->Sorted.back() : this->Below.front();
+  }
+  /** Entries that are likely to be the first ones soon, the last of them the first. */
   std::span<const Entry> next() const { return this->Sorted; }
 
   void clear()
   {
     this->Sorted.clear();
-    for (std::vector<Entry>& bucket : this->Buckets)
+    this->Below.clear();
+    for (std::size_t i = 0; i < this->Buckets.size(); ++i)
     {
-      bucket.clear();
+      this->emptyBucket(i);
     }
-    this->Used = 0;
     this->Reference = 0;
     this->Limit = 0;
   }
 
+  /** @param key  counts as 0 where it is less */
   void push(Index item, double key)
   {
-    const Entry entry{ std::bit_cast<std::uint64_t>(std::max(key, 0.0)), item };
+    // -0 has other bits than 0.
+    const Entry entry{ std::bit_cast<std::uint64_t>(key > 0.0 ? key : 0.0), item };
     if (entry.bits >= this->Limit)
     {
       this->put(entry);
-      if (this->Sorted.empty())
-      {
-        this->sortNext();
-      }
-      return;
+      this->provideFirst();
     }
-    // Behind equal ones, of which there may be very many.
-    const auto place = std::partition_point(this->Sorted.begin(), this->Sorted.end(),
-      [&](const Entry& other) { return other.bits >= entry.bits; });
-    this->Sorted.insert(place, entry);
-    if (this->Sorted.size() > 2 * MostSorted)
+    else if (entry.bits < this->Reference)
     {
-      this->unsortLast();
+      this->Below.push_back(entry);
+      std::push_heap(this->Below.begin(), this->Below.end(), isMore);
+    }
+    else
+    {
+      // Behind equal ones, of which there may be very many.
+      const auto place = std::partition_point(this->Sorted.begin(), this->Sorted.end(),
+        [&](const Entry& other) { return other.bits >= entry.bits; });
+      this->Sorted.insert(place, entry);
+      if (this->Sorted.size() > 2 * MostSorted)
+      {
+        this->unsortLast();
+      }
     }
   }
 
   /** Removes the first entry. @pre !isEmpty() */
   void pop()
   {
-    this->Sorted.pop_back();
-    if (this->Sorted.empty() && this->Used != 0)
+    if (this->Below.empty())
     {
-      this->sortNext();
+      this->Sorted.pop_back();
     }
+    else
+    {
+      std::pop_heap(this->Below.begin(), this->Below.end(), isMore);
+      this->Below.pop_back();
+    }
+    this->provideFirst();
   }
 
   /** Calls visit(item) for each item. */
@@ -98,6 +112,7 @@ public:
       std::for_each(entries.begin(), entries.end(), [&](const Entry& entry) { visit(entry.item); });
     };
     visitAll(this->Sorted);
+    visitAll(this->Below);
     std::for_each(this->Buckets.begin(), this->Buckets.end(), visitAll);
   }
 
@@ -106,22 +121,23 @@ public:
   std::size_t remove(const Test& isRemoved)
   {
     const auto test = [&](const Entry& entry) { return isRemoved(entry.item); };
-    std::size_t removed = std::erase_if(this->Sorted, test);
+    std::size_t removed = std::erase_if(this->Sorted, test) + std::erase_if(this->Below, test);
+    std::make_heap(this->Below.begin(), this->Below.end(), isMore);
     for (std::size_t i = 0; i < this->Buckets.size(); ++i)
     {
       removed += std::erase_if(this->Buckets[i], test);
-      this->noteUse(i);
+      if (this->Buckets[i].empty())
+      {
+        this->emptyBucket(i);
+      }
     }
-    if (this->Sorted.empty() && this->Used != 0)
-    {
-      this->sortNext();
-    }
+    this->provideFirst();
     return removed;
   }
 
   std::size_t bytes() const
   {
-    std::size_t entries = this->Sorted.capacity();
+    std::size_t entries = this->Sorted.capacity() + this->Below.capacity();
     for (const std::vector<Entry>& bucket : this->Buckets)
     {
       entries += bucket.capacity();
@@ -132,9 +148,10 @@ public:
 private:
   /** So many entries are sorted at once. */
   static constexpr std::size_t MostSorted = 10;
-  /** As many keys may come that are below those taken before. */
-  static constexpr std::size_t MostBelow = 4096;
+  /** Room for more entries is not kept in a bucket that is empty. */
+  static constexpr std::size_t MostRoom = 4096;
 
+  static bool isMore(const Entry& a, const Entry& b) { return a.bits > b.bits; }
   /** The number of the highest bit in which the bits of a key differ from the reference, from 1 on.
    */
   std::size_t bucketOf(std::uint64_t bits) const
@@ -153,10 +170,24 @@ private:
     this->Buckets[bucket].push_back(entry);
     this->Used |= std::uint64_t{ 1 } << bucket;
   }
-  void noteUse(std::size_t bucket)
+  void emptyBucket(std::size_t number)
   {
-    const std::uint64_t bit = std::uint64_t{ 1 } << bucket;
-    this->Used = this->Buckets[bucket].empty() ? this->Used & ~bit : this->Used | bit;
+    std::vector<Entry>& bucket = this->Buckets[number];
+    bucket.clear();
+    if (bucket.capacity() > MostRoom)
+    {
+      bucket.shrink_to_fit();
+    }
+    this->Used &= ~(std::uint64_t{ 1 } << number);
+  }
+
+  /** Provides the first entry, unless it is known or there is none. */
+  void provideFirst()
+  {
+    if (this->isEmpty() && this->Used != 0)
+    {
+      this->sortNext();
+    }
   }
 
   /** Sorts the entries of the first bucket; if they are many, those of a part of it.
@@ -167,15 +198,13 @@ private:
     {
       const auto first = static_cast<std::size_t>(std::countr_zero(this->Used));
       std::vector<Entry>& bucket = this->Buckets[first];
-      const auto isLess = [](const Entry& a, const Entry& b) { return a.bits < b.bits; };
-      this->Reference = std::min_element(bucket.begin(), bucket.end(), isLess)->bits;
+      this->Reference = std::max_element(bucket.begin(), bucket.end(), isMore)->bits;
       if (bucket.size() <= MostSorted || first == 0)
       {
         this->Limit = endOfBlock(this->Reference, first > 0 ? first - 1 : 0);
         std::swap(this->Sorted, bucket);
-        std::sort(this->Sorted.begin(), this->Sorted.end(),
-          [&](const Entry& a, const Entry& b) { return isLess(b, a); });
-        this->noteUse(first);
+        std::sort(this->Sorted.begin(), this->Sorted.end(), isMore);
+        this->emptyBucket(first);
         return;
       }
       // They all go to buckets before this one.
@@ -183,8 +212,7 @@ private:
       {
         this->put(entry);
       }
-      bucket.clear();
-      this->noteUse(first);
+      this->emptyBucket(first);
     }
   }
 
@@ -192,46 +220,20 @@ private:
   void unsortLast()
   {
     const std::uint64_t middle = this->Sorted[this->Sorted.size() / 2].bits;
-    if (middle > this->Reference)
-    {
-      this->Limit = endOfBlock(this->Reference, this->bucketOf(middle) - 1);
-      const auto end = std::partition_point(this->Sorted.begin(), this->Sorted.end(),
-        [&](const Entry& entry) { return entry.bits >= this->Limit; });
-      std::for_each(this->Sorted.begin(), end, [&](const Entry& entry) { this->put(entry); });
-      this->Sorted.erase(this->Sorted.begin(), end);
-      if (this->Sorted.empty())
-      {
-        this->sortNext();
-      }
-    }
-    else if (this->Sorted.size() > MostBelow && this->Sorted.back().bits < this->Reference)
-    {
-      this->beginAnew();
-    }
+    // Very many may equal the reference.
+    const std::size_t bits = middle > this->Reference ? this->bucketOf(middle) - 1 : 0;
+    this->Limit = endOfBlock(this->Reference, bits);
+    const auto end = std::partition_point(this->Sorted.begin(), this->Sorted.end(),
+      [&](const Entry& entry) { return entry.bits >= this->Limit; });
+    std::for_each(this->Sorted.begin(), end, [&](const Entry& entry) { this->put(entry); });
+    this->Sorted.erase(this->Sorted.begin(), end);
+    this->provideFirst();
   }
 
-  /** Makes the least key the reference. */
-  void beginAnew()
-  {
-    std::vector<Entry> all = std::move(this->Sorted);
-    for (std::vector<Entry>& bucket : this->Buckets)
-    {
-      all.insert(all.end(), bucket.begin(), bucket.end());
-    }
-    const std::uint64_t least = std::min_element(all.begin(), all.end(),
-      [](const Entry& a, const Entry& b)
-      { return a.bits < b.bits; })->bits;
-    this->clear();
-    this->Reference = least;
-    for (const Entry& entry : all)
-    {
-      this->put(entry);
-    }
-    this->sortNext();
-  }
-
-  /** The entries below the limit, the first one last. */
+  /** The entries from the reference on and below the limit, the first one last. */
   std::vector<Entry> Sorted;
+  /** A heap of those below the reference. */
+  std::vector<Entry> Below;
   /** The other ones, by the highest bit in which they differ from the reference. Bits of numbers
    * that are not negative have no highest one, so there are 63 such bits. */
   std::array<std::vector<Entry>, 64> Buckets;

@@ -15,8 +15,22 @@
 namespace geodesic
 {
 
+double IntrinsicTriangles::mostLength() const
+{
+  constexpr double inMeanEdges = 1.3;
+  constexpr double inSpacings = 2.0;
+  double area = 0.0;
+  for (HalfEdge h = 0; h < this->Lengths.size(); h += 3)
+  {
+    area += 0.25 * fourAreas(this->Lengths[h], this->Lengths[h + 1], this->Lengths[h + 2]);
+  }
+  const double spacing = std::sqrt(area / static_cast<double>(this->Mesh.numberOfVertices()));
+  return std::max(inMeanEdges * this->Mesh.meanLongestEdge(), inSpacings * spacing);
+}
+
 bool IntrinsicTriangles::refine()
 {
+  this->MostLength = this->mostLength();
   std::vector<Index> triangles(this->Corners.size());
   std::iota(triangles.begin(), triangles.end(), 0);
   const std::size_t mostVertices = 3 * std::size_t{ this->Mesh.numberOfVertices() };
@@ -68,9 +82,11 @@ IntrinsicTriangles::HalfEdge IntrinsicTriangles::sideToHalve(Index triangle) con
   const double square = length * length;
   // A half of a triangle without area has none either.
   constexpr double flat = 1e-9;
-  const bool isThin = areas > flat * square && areas < 2.0 * leastHeight * square;
+  const bool isThin = areas < 2.0 * leastHeight * square;
   const bool isLong = length > 2.0 * std::max(least, std::min(other, third));
-  return isThin && isLong && this->Twins[longest] != Fixed ? longest : NoIndex;
+  const bool isToBeHalved =
+    areas > flat * square && ((isThin && isLong) || length > this->MostLength);
+  return isToBeHalved && this->Twins[longest] != Fixed ? longest : NoIndex;
 }
 
 void IntrinsicTriangles::halve(HalfEdge h)

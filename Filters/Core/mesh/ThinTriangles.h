@@ -30,7 +30,7 @@ struct ThinTriangles
    * meridians mostly, whose poles do no harm. */
   bool needOthers() const
   {
-    return this->isPart(this->thin, 0.06) || this->isPart(this->needles, 0.015);
+    return this->isPart(this->thin, 0.05) || this->isPart(this->needles, 0.015);
   }
 
 private:

@@ -5,9 +5,11 @@
 #include "base/SharedJobs.h"
 #include "mesh/TriangleMesh.h"
 #include "methods/SolverTeam.h"
+#include "path/PathFinder.h"
 #include "solve/SolvedField.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace geodesic::distributed
@@ -129,6 +131,30 @@ std::vector<PathSearches::FromStart> PathSearches::fromStarts(
   std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends)
 {
   std::vector<FromStart> found(starts.size());
+  if (this->Request.ranks.size() > 1)
+  {
+    this->findFromStarts(starts, ends, found);
+    return found;
+  }
+  std::vector<SurfacePoint> points;
+  std::transform(starts.begin(), starts.end(), std::back_inserter(points),
+    [](const GlobalPoint& start) { return start.local[0]; });
+  const std::vector<std::size_t> order = orderInMemory(this->Solvers.first().mesh(), points);
+  std::vector<GlobalPoint> ordered;
+  std::transform(order.begin(), order.end(), std::back_inserter(ordered),
+    [&](std::size_t i) { return starts[i]; });
+  std::vector<FromStart> foundInOrder(starts.size());
+  this->findFromStarts(ordered, ends, foundInOrder);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    found[order[i]] = std::move(foundInOrder[i]);
+  }
+  return found;
+}
+
+void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
+  const std::vector<GlobalPoint>& ends, std::vector<FromStart>& found)
+{
   std::size_t stepsOfMarch = 0;
   PathRequest own = this->withSolver(this->Solvers.first());
   own.options.onProgress = [&](std::size_t steps)
@@ -139,7 +165,7 @@ std::vector<PathSearches::FromStart> PathSearches::fromStarts(
   DistributedPathFinder finder(own, ends);
   if (!finder.march(starts))
   {
-    return found;
+    return;
   }
   if (this->Request.ranks.size() == 1 && this->Solvers.numberOfThreads() > 1)
   {
@@ -154,7 +180,6 @@ std::vector<PathSearches::FromStart> PathSearches::fromStarts(
     }
   }
   this->count(finder);
-  return found;
 }
 
 void PathSearches::shareStarts(std::span<const GlobalPoint> starts,

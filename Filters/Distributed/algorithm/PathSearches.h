@@ -67,7 +67,8 @@ public:
     std::optional<TracedPath> path;
   };
 
-  /** Finds paths from starts, each to the nearest of some ends, by one march for all. */
+  /** Finds paths from starts, each to the nearest of some ends, by one march for all. On one rank
+   * they are found in the order of orderInMemory(). */
   std::vector<FromStart> fromStarts(
     std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends);
 
@@ -80,6 +81,9 @@ private:
   /** The request with another solver. */
   PathRequest withSolver(DistanceSolver& solver) const;
   std::vector<bool> runTogether(std::size_t count, const Search& search);
+  /** As fromStarts(), one after the other. */
+  void findFromStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
+    std::vector<FromStart>& found);
   /** Finds paths on threads as far as the finder's field allows; leaves out the others. */
   void shareStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
     const DistanceField& field, std::size_t stepsOfMarch, std::vector<FromStart>& found);
