@@ -345,6 +345,26 @@ TEST(RadixHeap, TakesManyEqualKeysWithoutMovingThem)
   EXPECT_LT(heap.bytes(), 100u * many);
 }
 
+// Each key is below all others, so every few become a radix heap of their own, which is taken over
+// later; if it were not, there would be 60,000.
+TEST(RadixHeap, TakesManyKeysThatFall)
+{
+  constexpr Index many = 1000000;
+  RadixHeap heap;
+  for (Index i = 0; i < many; ++i)
+  {
+    heap.push(i, 1.0 * (many - i));
+    ASSERT_EQ(heap.first().item, i);
+  }
+  EXPECT_LT(heap.bytes(), 60u * many);
+  for (Index i = many; i > 0; --i)
+  {
+    ASSERT_EQ(heap.first().item, i - 1);
+    heap.pop();
+  }
+  EXPECT_TRUE(heap.isEmpty());
+}
+
 TEST(RadixHeap, TakesEqualKeysAndEnds)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -60,7 +60,7 @@ public:
       sameOf<Real>(centre.z) };
     const Vector3* const offsets = this->offsetsOf(entries);
     const typename Values::Reader reader = this->FrontValues.reader(*taken.label);
-    Judgement<Real> judgement(taken.vertex, taken.value);
+    Judgement<Real> judgement(this->TriangleCost, taken.vertex, taken.value);
     std::size_t others = batch.OthersCount;
     unsigned isQueued = 0;
     for (std::size_t i = 0; i < size; i += lanes<Real>)
@@ -90,7 +90,7 @@ public:
       else
       {
         judgement.add(
-          i, row.slacks + i, neighbours, squares, seen.values, seen.values, this->TriangleCost);
+          i, row.slacks + i, neighbours, squares, seen.values, seen.values, &batch.Costs[base + i]);
       }
     }
     const std::size_t last = size - 1;
@@ -124,14 +124,14 @@ public:
   {
     const UpdateBatch::Row& row = batch.Rows[number];
     const std::size_t base = number * UpdateBatch::Size;
-    Judgement<Real> judgement(row.vertex, batch.OwnValues[number]);
+    Judgement<Real> judgement(this->TriangleCost, row.vertex, batch.OwnValues[number]);
     for (std::size_t i = 0; i < row.size; i += lanes<Real>)
     {
       Indices<Real> neighbours;
       std::copy_n(&batch.Neighbours[base + i], lanes<Real>, neighbours.begin());
       judgement.add(i, row.slacks + i, neighbours, load<Real>(&batch.SquaredLengths[base + i]),
         load<Real>(&batch.Values[base + i]), load<Real>(&batch.Ceilings[base + i]),
-        this->TriangleCost);
+        &batch.Costs[base + i]);
     }
     judgement.put(number, batch);
   }
@@ -190,10 +190,11 @@ private:
   {
   public:
     /** @param vertex of the row; @param own its value */
-    Judgement(Index vertex, double own)
-      : Own(own)
-      , Vertex(vertex)
-      , LastNeighbour(vertex)
+    Judgement(const Cost& cost, Index vertex, double own)
+      : TriangleCost(cost)
+      , Own(own)
+      , OwnCost(Real() + cost.ofVertex(vertex))
+      , LastVertexCosts(OwnCost)
     {
     }
 
@@ -204,32 +205,49 @@ private:
      * @param squares     of the lengths of the edges to them
      * @param values      their values
      * @param held        their ceilings: only values below these count
+     * @param costsHere   gets the costs of the triangles that end with these neighbours
      */
     GEODESIC_INLINED void add(std::size_t i, const EntryNumber* slacksHere,
       const Indices<Real>& neighbours, const Real& squares, const Real& values, const Real& held,
-      const Cost& cost)
+      double* costsHere)
     {
-      // Along an edge a neighbour gets the own value plus cost times length. Under a varying cost
-      // the test leaves the length out: every neighbour with a higher ceiling is a candidate.
-      const Real rises = largest(held - this->Own, Real());
-      this->Along |= bitsOf(Cost::isUnit ? squares < rises * rises : rises > 0.0) << i;
-
       // Lane i stands for the triangle that ends with neighbour i and that the one before it opens.
+      const Real vertexCosts = lanesOf<Real>(
+        [&](std::size_t lane) { return this->TriangleCost.ofVertex(neighbours[lane]); });
+      const Real costs = Cost::template ofTriangles<Real>(
+        this->OwnCost, shiftedIn(this->LastVertexCosts, vertexCosts), vertexCosts);
+
+      // Along an edge a neighbour gets the own value plus cost times length. Under a varying cost
+      // lane i stands for the neighbour before, as both triangles beside its edge are known then.
+      const Real rises = largest(held - this->Own, Real());
+      const auto gain = [](const Real& square, const Real& rise, const Real& cost)
+      { return bitsOf(square * cost * cost < rise * rise); };
+      if constexpr (Cost::isUnit)
+      {
+        this->Along |= gain(squares, rises, costs) << i;
+      }
+      else
+      {
+        store(costs, costsHere);
+        this->Rising |= bitsOf(rises > 0.0) << i;
+        this->Along |=
+          gain(shiftedIn(this->LastSquares, squares), shiftedIn(this->LastRises, rises),
+            least(shiftedIn(this->LastCosts, costs), costs))
+          << i;
+        this->LastSquares = squares;
+        this->LastRises = rises;
+        this->LastCosts = costs;
+        this->LastVertexCosts = vertexCosts;
+      }
+
       // A crossing gives at least half of the sum of both values at the edge and cost times slack,
       // see TriangleSlack.
       const Slacks<Real> some(slacksHere);
       const Real slacks = some.values();
-      const Real costs = lanesOf<Real>(
-        [&](std::size_t lane)
-        {
-          return cost.ofTriangle(
-            this->Vertex, lane > 0 ? neighbours[lane - 1] : this->LastNeighbour, neighbours[lane]);
-        });
       const Real bounds = this->Own + costs * shiftedIn(this->LastSlacks, slacks);
       this->First |= bitsOf(bounds + values < 2.0 * shiftedIn(this->LastHeld, held)) << i;
       this->Second |= bitsOf(bounds + shiftedIn(this->LastValues, values) < 2.0 * held) << i;
       this->IsThin |= some.areThin() << i;
-      this->LastNeighbour = neighbours.back();
       this->LastValues = values;
       this->LastHeld = held;
       this->LastSlacks = slacks;
@@ -238,7 +256,9 @@ private:
     /** Writes what was found into the masks of row @p number. */
     void put(std::size_t number, UpdateBatch& batch) const
     {
-      batch.along[number] = static_cast<Mask>(this->Along);
+      // Of the first and the last neighbour one triangle is not known here.
+      batch.along[number] = static_cast<Mask>(
+        Cost::isUnit ? this->Along : this->Rising & (this->Along >> 1 | batch.end[number] | 1u));
       batch.first[number] = static_cast<Mask>(this->First >> 1);
       batch.second[number] = static_cast<Mask>(this->Second >> 1);
       batch.isThin[number] = static_cast<Mask>(this->IsThin);
@@ -249,9 +269,15 @@ private:
     Real LastValues = Real();
     Real LastHeld = Real();
     Real LastSlacks = Real() + std::numeric_limits<double>::infinity();
+    // Only in use where the cost varies.
+    Real LastSquares = Real();
+    Real LastRises = Real();
+    Real LastCosts = Real();
+    const Cost& TriangleCost;
     double Own;
-    Index Vertex;
-    Index LastNeighbour;
+    Real OwnCost;
+    Real LastVertexCosts;
+    unsigned Rising = 0;
     unsigned Along = 0;
     unsigned First = 0;
     unsigned Second = 0;

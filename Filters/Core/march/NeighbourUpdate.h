@@ -77,7 +77,6 @@ public:
     : Scan(mesh, closed, cost, values)
     , Mesh(mesh)
     , Bounds(bounds)
-    , TriangleCost(cost)
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
   {
@@ -395,11 +394,7 @@ private:
   }
 
   /** The cost of the triangle that the neighbour in a slot opens. */
-  double triangleCost(Slot slot) const
-  {
-    return this->TriangleCost.ofTriangle(
-      this->Batch.at(slot).vertex, this->Batch.Neighbours[slot], this->Batch.Neighbours[slot + 1]);
-  }
+  double triangleCost(Slot slot) const { return Cost::isUnit ? 1.0 : this->Batch.Costs[slot + 1u]; }
 
   /** Computes the crossings of fronts of both shapes, and proposes their values. */
   template <class Real>
@@ -489,7 +484,6 @@ private:
   CandidateScan<Cost, Values> Scan;
   const TriangleMesh& Mesh;
   const UpdateBounds& Bounds;
-  const Cost& TriangleCost;
   Values& FrontValues;
   CandidateLists Candidates;
   HubTies Ties;

@@ -30,8 +30,15 @@ public:
   {
   }
 
+  double ofVertex(Index) const { return 1.0; }
   /** The cost of the triangle of three vertices. */
   constexpr double ofTriangle(Index, Index, Index) const { return 1.0; }
+  /** The same from the costs of the vertices, of one or of several triangles at once. */
+  template <class Real>
+  GEODESIC_INLINED static Real ofTriangles(Real, Real, Real)
+  {
+    return Real() + 1.0;
+  }
   /** How far a value at a vertex can lie above values that it leads to at its neighbours: the
    * longest side of the triangles round it, times the largest cost there. */
   double reach(Index vertex) const { return this->LongestSides[vertex]; }
@@ -92,7 +99,13 @@ public:
 
   double ofTriangle(Index a, Index b, Index c) const
   {
-    return (this->Cost[a] + this->Cost[b] + this->Cost[c]) / 3.0;
+    return ofTriangles(this->Cost[a], this->Cost[b], this->Cost[c]);
+  }
+  double ofVertex(Index vertex) const { return this->Cost[vertex]; }
+  template <class Real>
+  GEODESIC_INLINED static Real ofTriangles(Real a, Real b, Real c)
+  {
+    return (a + b + c) / 3.0;
   }
   double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
   double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }

@@ -234,6 +234,8 @@ struct UpdateBatch
   alignas(Quad) std::array<double, Slots> Y;
   alignas(Quad) std::array<double, Slots> Z;
   alignas(Quad) std::array<double, Slots> SquaredLengths;
+  /** The cost of the triangle that the neighbour before opens; not in use with cost 1. */
+  alignas(Quad) std::array<double, Slots> Costs;
 };
 
 }
