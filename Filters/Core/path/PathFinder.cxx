@@ -241,7 +241,7 @@ std::optional<SurfacePath> PathFinder::takeFound(const SurfacePoint& point)
   {
     if (this->Style.straighten || !isShortest(path))
     {
-      path = PathStraightener(this->Surface).straightened(path);
+      path = PathStraightener(this->Surface).straightened(std::move(path));
     }
     path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
   }
@@ -324,7 +324,7 @@ void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
 {
   if (this->Style.straighten)
   {
-    path = this->straightestOf(path, start);
+    path = this->straightestOf(std::move(path), start);
     return;
   }
   if (this->Style.order == PathOrder::Vertices && !this->Surface.hasCosts())
@@ -339,15 +339,15 @@ void PathFinder::shorten(SurfacePath& path, const PathPoint& start) const
   path.erase(std::unique(path.begin(), path.end(), isSameVertex), path.end());
 }
 
-SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint& start) const
+SurfacePath PathFinder::straightestOf(SurfacePath traced, const PathPoint& start) const
 {
   const TriangleMesh& mesh = this->Solver.mesh();
   PathStraightener straightener(this->Surface);
-  SurfacePath best = straightener.straightened(traced);
+  SurfacePath best = straightener.straightened(std::move(traced));
   double least = lengthOf(mesh, best);
-  const auto consider = [&](const SurfacePath& path)
+  const auto consider = [&](SurfacePath&& path)
   {
-    SurfacePath other = straightener.straightened(path);
+    SurfacePath other = straightener.straightened(std::move(path));
     const double length = lengthOf(mesh, other);
     if (length < least)
     {
@@ -361,16 +361,16 @@ SurfacePath PathFinder::straightestOf(const SurfacePath& traced, const PathPoint
     const PathMeeting meeting(isSmoothAlong(mesh, best) ? best : SurfacePath{});
     for (const Index corner : corners)
     {
-      if (const auto other = this->pathByCorner(corner, start, meeting, straightener))
+      if (auto other = this->pathByCorner(corner, start, meeting, straightener))
       {
-        consider(*other);
+        consider(std::move(*other));
       }
     }
   }
   if (auto other = shorterEdgePath(this->Surface, *this->Field, best.back(), start, least))
   {
     std::reverse(other->begin(), other->end());
-    consider(*other);
+    consider(std::move(*other));
   }
   return best;
 }
@@ -399,7 +399,7 @@ std::optional<SurfacePath> PathFinder::pathByCorner(Index corner, const PathPoin
   {
     const auto meetingPoint = known.begin() + static_cast<std::ptrdiff_t>(place);
     path.back() = *meetingPoint;
-    path = straightener.straightened(path);
+    path = straightener.straightened(std::move(path));
     const double length = lengthOf(mesh, { known.begin(), meetingPoint + 1 });
     if (std::abs(lengthOf(mesh, path) - length) <= rounding * length)
     {

@@ -117,7 +117,7 @@ private:
   void shorten(SurfacePath& path, const PathPoint& start) const;
   /** The shortest of several straightened paths: the traced one, those by the corners of
    * cornersOffThePath(), and one along edges. */
-  SurfacePath straightestOf(const SurfacePath& traced, const PathPoint& start) const;
+  SurfacePath straightestOf(SurfacePath traced, const PathPoint& start) const;
   /** The path from the start by one of these corners, traced from there until it meets a straight
    * one. @return nothing if there is none, or it is that path once it is straight */
   std::optional<SurfacePath> pathByCorner(Index corner, const PathPoint& start,

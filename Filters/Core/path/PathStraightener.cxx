@@ -47,7 +47,7 @@ bool passesVertex(const SurfacePath& path, std::size_t i)
 
 }
 
-SurfacePath PathStraightener::straightened(const SurfacePath& path)
+SurfacePath PathStraightener::straightened(SurfacePath path)
 {
   if (path.size() < 2)
   {
@@ -64,11 +64,14 @@ SurfacePath PathStraightener::straightened(const SurfacePath& path)
     joints = this->ledRound(pieces, joints);
   }
 
-  SurfacePath straight;
+  const PathPoint start = path.front();
+  // Fresh memory is slow where a path is long.
+  SurfacePath straight = std::move(path);
+  straight.clear();
   straight.reserve(std::accumulate(pieces.begin(), pieces.end(), std::size_t{ 1 },
     [](std::size_t size, const JoinedPiece& joined)
     { return size + std::max<std::size_t>(joined.piece.strip.size(), 1); }));
-  straight.push_back(path.front());
+  straight.push_back(start);
   const auto append = [&](const PathPoint& point)
   {
     if (!isSameVertex(straight.back(), point))
@@ -176,7 +179,8 @@ void PathStraightener::addRow(Pieces& pieces, Row& row, const PathPoint& end) co
     pieces.back().joint = Joint::Unknown;
   }
   this->provideFace(row.strip, row.start, end);
-  for (StraightPiece& piece : StripFunnel(this->Surface, row.start, end, row.strip).pieces())
+  const StripFunnel funnel(this->Surface, row.start, end, row.strip);
+  for (StraightPiece& piece : funnel.takePieces(std::move(row.strip)))
   {
     pieces.push_back({ std::move(piece) });
   }

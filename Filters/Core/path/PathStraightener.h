@@ -48,7 +48,7 @@ public:
 
   /** @return a path with the same ends, no longer than @p path
    * @throws SearchCancelled */
-  SurfacePath straightened(const SurfacePath& path);
+  SurfacePath straightened(SurfacePath path);
 
 private:
   /** What is known of the vertex at the end of a piece. */

@@ -184,9 +184,8 @@ std::optional<SurfacePath> PathTracer::traceToAim(
 
 std::optional<PathStep> PathTracer::stepToSeed(const Place& from, PathOrder order) const
 {
-  if (this->Aim != NoIndex && !mayShareFace(from.carriers, this->AimCarriers))
+  if (this->Aim != NoIndex && !this->mayReachAim(from.carriers))
   {
-    // No face has room for both, which is told sooner than the faces are found.
     return std::nullopt;
   }
   const TriangleMesh& mesh = this->Surface.mesh();
@@ -220,6 +219,19 @@ std::optional<PathStep> PathTracer::stepToSeed(const Place& from, PathOrder orde
       }
     });
   return best;
+}
+
+bool PathTracer::mayReachAim(const Carriers& from) const
+{
+  const Carriers& aim = this->AimCarriers;
+  if (!mayShareFace(from, aim) || from.size() > 1 || aim.contains(from[0]))
+  {
+    return mayShareFace(from, aim);
+  }
+  const std::span<const RingEntry> ring = this->Surface.ring(from[0]);
+  this->Surface.countSteps(ring.size());
+  return std::any_of(ring.begin(), ring.end(),
+    [&](const RingEntry& entry) { return aim.contains(entry.neighbour()); });
 }
 
 std::optional<PathStep> PathTracer::stepAhead(

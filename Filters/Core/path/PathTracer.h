@@ -86,6 +86,9 @@ private:
   /** The straight step to the nearest seed that shares an open face with the point; nothing if none
    * does. */
   std::optional<PathStep> stepToSeed(const Place& from, PathOrder order) const;
+  /** Whether a face may have both the vertices of a place and those of the aim: tells mostly, and
+   * sooner than the faces are found, that none has. */
+  bool mayReachAim(const Carriers& from) const;
   /** The step from the end of a path to the point with the least total on the edges of the faces
    * round it. It goes back across the face of the last step only where no other one will do, and
    * not a second time.

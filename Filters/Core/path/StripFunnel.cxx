@@ -288,18 +288,41 @@ double StripFunnel::length() const
   return length;
 }
 
-std::vector<StraightPiece> StripFunnel::pieces() const
+template <class StripOf>
+std::vector<StraightPiece> StripFunnel::piecesWith(const StripOf& stripOf) const
 {
   std::vector<StraightPiece> pieces;
   this->visitParts(
     [&](const Part& part)
     {
-      const auto& [from, to, flatFrom, flatTo, strip] = part;
-      const bool isAlongEdge = strip.size() == 1 && unionOf(from, to).size() <= 2;
-      pieces.push_back({ from, to, isAlongEdge ? Strip{} : Strip(strip.begin(), strip.end()),
-        this->lengthOf(part), flatFrom, flatTo });
+      const bool isAlongEdge = part.strip.size() == 1 && unionOf(part.from, part.to).size() <= 2;
+      const double length = this->lengthOf(part);
+      pieces.push_back({ part.from, part.to, isAlongEdge ? Strip{} : stripOf(part), length,
+        part.flatFrom, part.flatTo });
     });
   return pieces;
+}
+
+std::vector<StraightPiece> StripFunnel::pieces() const
+{
+  return this->piecesWith(
+    [](const Part& part) { return Strip(part.strip.begin(), part.strip.end()); });
+}
+
+std::vector<StraightPiece> StripFunnel::takePieces(Strip&& strip) const
+{
+  if (!this->Bends.empty())
+  {
+    return this->pieces();
+  }
+  return this->piecesWith(
+    [&](const Part& part)
+    {
+      const std::size_t first = part.strip.data() - strip.data();
+      strip.resize(first + part.strip.size());
+      strip.erase(strip.begin(), strip.begin() + static_cast<std::ptrdiff_t>(first));
+      return std::move(strip);
+    });
 }
 
 std::optional<Strip> StripFunnel::stripAlongChord() const

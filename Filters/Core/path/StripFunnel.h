@@ -62,6 +62,9 @@ public:
   /** The straight pieces of the path, which join at vertices of the strip. No piece begins and ends
    * at the same vertex; there is none if start and end are the same vertex. */
   std::vector<StraightPiece> pieces() const;
+  /** The same, where a single piece takes over the strip, which may be long, instead of a copy.
+   * @param strip  the one of the construction; neither it nor this is to be used then */
+  std::vector<StraightPiece> takePieces(Strip&& strip) const;
   /** The faces along the straight line from start to end, see ChordWalk.h; nothing if the path is
    * that line, or there are no such faces. */
   std::optional<Strip> stripAlongChord() const;
@@ -102,6 +105,9 @@ private:
   template <class Visit>
   void visitParts(const Visit& visit) const;
   double lengthOf(const Part& part) const;
+  /** @param stripOf  gives the strip of a part that does not run along one edge */
+  template <class StripOf>
+  std::vector<StraightPiece> piecesWith(const StripOf& stripOf) const;
 
   const WeightedMesh& Surface;
   PathPoint Start;
