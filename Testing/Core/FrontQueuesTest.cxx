@@ -182,6 +182,7 @@ TEST(FrontQueues, ManyBucketsLeaveRoomForFewerGroups)
 }
 
 // Keys of one bucket, in any order, and an item that is queued again with a lower key.
+// Several of one queue are taken together, but none from the end on.
 TEST(FrontQueues, ByValueTheLeastKeyComesFirst)
 {
   FrontQueues queues;
@@ -192,8 +193,12 @@ TEST(FrontQueues, ByValueTheLeastKeyComesFirst)
   group.best.push(3, 0.5);
   group.best.push(1, 0.1);
   group.best.push(4, 3.5);
-  EXPECT_EQ(emptied(queues, 3), (Items{ 1, 2, 3, 1 }));
-  EXPECT_EQ(queues.nextKey(), 3.0);
+  group.secondary.push(5, 0.4);
+  group.secondary.push(6, 0.5);
+  EXPECT_EQ(emptied(queues, queues.endOfMarch(0.5)), (Items{ 1, 2, 5 }));
+  EXPECT_EQ(queues.nextKey(), 0.5);
+  EXPECT_EQ(emptied(queues, queues.endOfMarch(3.0)), (Items{ 3, 1, 6 }));
+  EXPECT_EQ(queues.nextKey(), 3.5);
   EXPECT_EQ(emptied(queues), (Items{ 4 }));
   EXPECT_EQ(queues.nextKey(), std::numeric_limits<double>::infinity());
 }

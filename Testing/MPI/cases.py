@@ -121,5 +121,7 @@ def check(folder, case, source, options):
         # In the order of values ranks go ahead of each other.
         most = 4.0 if case.startswith("spread") else 1.5
         assert numbers[1] <= most * reference["numbers"][1], (case, "updates", numbers[1], reference["numbers"][1])
+    if case == "spread cost/random":
+        assert numbers[1] <= 30 * reference["numbers"][1], (case, "updates", numbers[1], reference["numbers"][1])
     print(f"{case:24s} error {error:7.1e}  rounds {numbers[0]:5d}  updates x{numbers[1] / max(reference['numbers'][1], 1):5.2f}"
           f"  bytes {numbers[2]:9d}  points {numbers[3]}", flush=True)

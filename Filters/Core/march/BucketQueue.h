@@ -30,7 +30,8 @@ enum class QueueOrder
  * for an item. R. Dial, Algorithm 360, CACM 12 (1969).
  *
  * Where keys differ by orders of magnitude, nearly all of them share one bucket. For these the
- * order can be that of the keys; buckets are then only numbers, and an item takes time O(log n).
+ * order can be that of the keys: each key then is a bucket of its own, and an item takes time
+ * O(log n).
  */
 class BucketQueue
 {
@@ -101,6 +102,10 @@ public:
   /** The number of a key's bucket; the key may be infinite. */
   std::uint64_t bucketOf(double key) const
   {
+    if (this->IsByValue)
+    {
+      return RadixHeap::bitsOf(key);
+    }
     constexpr double last = 1ull << 62;
     return static_cast<std::uint64_t>(std::clamp(key * this->PerWidth, 0.0, last));
   }
@@ -111,6 +116,7 @@ public:
   {
     if (this->IsByValue)
     {
+      this->End = end;
       return !this->isEmpty() && this->nextBucket() < end;
     }
     if (this->isEmpty())
@@ -210,7 +216,7 @@ public:
   {
     if (this->IsByValue)
     {
-      return this->bucketOf(this->Heap.first().key());
+      return this->Heap.first().bits;
     }
     std::uint64_t number = this->Current;
     std::size_t taken = this->Next;
@@ -222,16 +228,22 @@ public:
     return number;
   }
   /** The least key of a bucket. */
-  double keyOf(std::uint64_t bucket) const { return static_cast<double>(bucket) / this->PerWidth; }
+  double keyOf(std::uint64_t bucket) const
+  {
+    return this->IsByValue ? std::bit_cast<double>(bucket)
+                           : static_cast<double>(bucket) / this->PerWidth;
+  }
 
   /**
-   * Takes items from the current bucket.
+   * Takes items from the current bucket; by value, from the first ones before the end that
+   * hasBefore() was given.
    * @param room  for the items; as many are taken as fit, or all of the bucket; by value, a few
    * @param isWaiting  tells whether an item was not taken since it was pushed last; by value,
    *                   others are left out
    * @param areApart   tells whether an item gains nothing by some others; by value, an item that
    *                   may gain is not taken with them
-   * @return the part of @p room that holds them; none if, by value, none of the bucket is waiting
+   * @return the part of @p room that holds them; none if, by value, none of those looked at is
+   * waiting
    * @pre hasBefore() was true
    */
   template <class IsWaiting, class AreApart>
@@ -241,7 +253,6 @@ public:
     if (this->IsByValue)
     {
       std::size_t taken = 0;
-      const double end = this->keyOf(this->nextBucket() + 1);
       do
       {
         const Index item = this->Heap.first().item;
@@ -255,7 +266,7 @@ public:
         room[taken] = item;
         taken += counts ? 1 : 0;
       } while (taken < std::min(room.size(), MostByValue) && !this->Heap.isEmpty() &&
-        this->Heap.first().key() < end);
+        this->Heap.first().bits < this->End);
       return room.first(taken);
     }
     const std::size_t taken = std::min(room.size(), this->sizeOfBucket());
@@ -372,6 +383,8 @@ private:
   /** What waits if items come by value. */
   RadixHeap Heap;
   bool IsByValue = false;
+  /** By value, the end that hasBefore() was given last. */
+  std::uint64_t End = 0;
 };
 
 }

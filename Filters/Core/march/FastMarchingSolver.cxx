@@ -190,7 +190,8 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   {
     values.start(values.enter(start.label, start.vertex), start);
   }
-  QueuedFront front(this->Queues, control, this->mesh().meanLongestEdge() * cost.mean(),
+  const double edge = this->mesh().meanLongestEdge();
+  QueuedFront front(this->Queues, control, edge * cost.mean(), edge * cost.typical(),
     values.firstDistance(), values,
     [&](std::uint64_t end, std::vector<Index>* taken) { batches.advance(end, taken); });
   const bool finished = request.partition.march(front, limit);

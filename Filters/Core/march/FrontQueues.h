@@ -118,6 +118,10 @@ public:
   /** Whether an item waits in a bucket before @p end. Goes to the queue whose turn it is. */
   bool hasBefore(std::uint64_t end)
   {
+    if (this->anyQueue().isByValue())
+    {
+      return this->hasByValue(end);
+    }
     while (!this->hasInSlice(end))
     {
       const std::uint64_t next = this->nextBucket();
@@ -242,6 +246,26 @@ private:
       this->startTurn();
     }
     return false;
+  }
+
+  /** As hasBefore(), if items come by value: it is the turn of the queue with the least key, of
+   * equal ones that of best values. */
+  bool hasByValue(std::uint64_t end)
+  {
+    this->Current = nullptr;
+    std::uint64_t least = None;
+    for (FrontGroup& group : this->Groups)
+    {
+      for (BucketQueue* queue : { &group.best, &group.secondary })
+      {
+        if (queue->hasBefore(end) && queue->nextBucket() < least)
+        {
+          least = queue->nextBucket();
+          this->Current = queue;
+        }
+      }
+    }
+    return this->Current != nullptr;
   }
 
   /** The number of the first bucket in which an item waits; None if none waits. */

@@ -10,7 +10,9 @@
 #include "solve/MarchingFront.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,14 +29,15 @@ class QueuedFront final : public MarchingFront
 {
 public:
   /**
-   * @param meanLongestEdge  see MarchingFront
+   * @param meanLongestEdge, typicalEdge  see MarchingFront
    * @param firstDistance    the distance of the queues' key 0
    */
   QueuedFront(FrontQueues& queues, const MarchControl& control, double meanLongestEdge,
-    double firstDistance, Values& values, Advance advance)
+    double typicalEdge, double firstDistance, Values& values, Advance advance)
     : Queues(queues)
     , Control(control)
     , MeanLongestEdge(meanLongestEdge)
+    , TypicalEdge(typicalEdge)
     , FirstDistance(firstDistance)
     , FrontValues(values)
     , AdvanceBefore(std::move(advance))
@@ -43,7 +46,14 @@ public:
 
   void advance(double limit, std::vector<Index>* taken) override
   {
-    this->AdvanceBefore(this->Queues.endOfMarch(limit - this->FirstDistance), taken);
+    double key = limit - this->FirstDistance;
+    if (this->nextDistance() < limit)
+    {
+      // Rounding must not leave out the first one.
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      key = std::max(key, std::nextafter(this->Queues.nextKey(), infinity));
+    }
+    this->AdvanceBefore(this->Queues.endOfMarch(key), taken);
     if (taken)
     {
       std::transform(taken->begin(), taken->end(), taken->begin(),
@@ -54,6 +64,7 @@ public:
   double nextDistance() const override { return this->FirstDistance + this->Queues.nextKey(); }
 
   double meanLongestEdge() const override { return this->MeanLongestEdge; }
+  double typicalEdge() const override { return this->TypicalEdge; }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   bool isCancelled() const override { return this->Control.isCancelled(); }
 
@@ -75,6 +86,7 @@ private:
   FrontQueues& Queues;
   const MarchControl& Control;
   double MeanLongestEdge;
+  double TypicalEdge;
   double FirstDistance;
   Values& FrontValues;
   Advance AdvanceBefore;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/RadixHeap.h"
 
-#include <bit>
-#include <cstdint>
 #include <utility>
 
 namespace geodesic
@@ -21,8 +19,7 @@ void RadixHeap::clear()
 
 void RadixHeap::push(Index item, double key)
 {
-  // -0 has other bits than 0.
-  const Entry entry{ std::bit_cast<std::uint64_t>(key > 0.0 ? key : 0.0), item };
+  const Entry entry{ bitsOf(key), item };
   std::size_t level = this->Count;
   while (level > 0 && entry.bits >= this->Levels[level - 1].reference())
   {

@@ -7,7 +7,9 @@
 #include "march/RadixLevel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,13 @@ class RadixHeap
 {
 public:
   using Entry = RadixLevel::Entry;
+
+  /** The bits of a key, in the order of keys. @param key  counts as 0 where it is less */
+  static std::uint64_t bitsOf(double key)
+  {
+    // -0 has other bits than 0.
+    return std::bit_cast<std::uint64_t>(key > 0.0 ? key : 0.0);
+  }
 
   bool isEmpty() const { return this->Below.empty() && this->Count == 0; }
   /** @pre !isEmpty() */

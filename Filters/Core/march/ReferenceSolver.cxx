@@ -99,6 +99,10 @@ public:
   {
     return this->Mesh.meanLongestEdge() * this->TriangleCost.mean();
   }
+  double typicalEdge() const override
+  {
+    return this->Mesh.meanLongestEdge() * this->TriangleCost.typical();
+  }
   std::size_t numberOfUpdates() const override { return this->Control.count(); }
   bool isCancelled() const override { return this->Control.isCancelled(); }
 

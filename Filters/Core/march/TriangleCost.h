@@ -52,6 +52,8 @@ public:
   }
   /** The mean, the smallest and the largest cost of the vertices. */
   double mean() const { return 1.0; }
+  /** What most vertices cost at least. */
+  double typical() const { return 1.0; }
   double smallest() const { return 1.0; }
   double largest() const { return 1.0; }
   /** The order of a queue that suits these costs; the same on all pieces. */
@@ -118,6 +120,14 @@ public:
   double mean() const
   {
     return this->Cost.empty() ? 1.0 : this->Sum / static_cast<double>(this->Cost.size());
+  }
+  /** The mean; where costs are spread the harmonic one, as most vertices are cheaper than the mean
+   * by far. */
+  double typical() const
+  {
+    return this->Order == QueueOrder::ByBucket || this->Cost.empty()
+      ? this->mean()
+      : static_cast<double>(this->Cost.size()) / this->SumOfInverses;
   }
   /** The smallest cost on all pieces of the surface. */
   double smallest() const { return this->Smallest; }

@@ -35,6 +35,9 @@ public:
   /** TriangleMesh::meanLongestEdge() times the mean cost. On a piece without edges 0 or any other
    * finite number. */
   virtual double meanLongestEdge() const = 0;
+  /** The same with what most vertices cost at least: far less where costs are spread over orders of
+   * magnitude. */
+  virtual double typicalEdge() const { return this->meanLongestEdge(); }
   /** The number of vertices taken from the queue so far. */
   virtual std::size_t numberOfUpdates() const = 0;
   virtual bool isCancelled() const = 0;

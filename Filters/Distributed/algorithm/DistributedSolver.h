@@ -70,8 +70,9 @@ public:
   DistributedWork work();
 
 private:
-  /** Returns by how much the limit grows from round to round. Collective. */
-  double stepOf(const MarchingFront& front);
+  /** Returns by how much the limit grows from round to round. Collective.
+   * @param meanEdge  of this rank, see MarchingFront */
+  double stepOf(double meanEdge);
   /**
    * Marches up to a distance; returns the number of updates.
    * @throws std::logic_error if there was something to do and none was made
@@ -81,7 +82,8 @@ private:
   void addTouched();
   /** Returns one message for each neighbour. */
   std::vector<RankGroup::Message> gatherNews(const MarchingFront& front);
-  void takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
+  /** Returns how many values fell. */
+  double takeNews(MarchingFront& front, const std::vector<RankGroup::Message>& received);
 
   RankGroup& Ranks;
   const DividedMesh& Mesh;
