@@ -74,9 +74,9 @@ public:
   }
 
 private:
-  /** Number of vertices in a batch. They are of one bucket, so hardly any of them gains by another.
-   * While they are treated, the rings of the next batch are fetched, and the starts of the rings of
-   * the batch after that. */
+  /** Number of vertices in a batch. They are of one bucket, so hardly any of them gains by another;
+   * by value they are fewer, and areApart() sees to it. While they are treated, the rings of the
+   * next batch are fetched, and the starts of the rings of the batch after that. */
   static constexpr std::size_t BatchSize = 12;
 
   /** Whether the vertex of an item is no neighbour of those of some others. */

@@ -311,7 +311,8 @@ std::vector<StraightPiece> StripFunnel::pieces() const
 
 std::vector<StraightPiece> StripFunnel::takePieces(Strip&& strip) const
 {
-  if (!this->Bends.empty())
+  // What has room for the rest of a path of many pieces would keep it in each of them.
+  if (!this->Bends.empty() || strip.capacity() > 2 * strip.size())
   {
     return this->pieces();
   }
