@@ -15,7 +15,7 @@ namespace
 {
 
 /** Runs of what is measured several times. */
-constexpr Index Runs = 3;
+constexpr Index Runs = 5;
 /** Seconds; what takes longer is run once. */
 constexpr double Short = 2.0;
 

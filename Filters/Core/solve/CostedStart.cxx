@@ -18,7 +18,9 @@ namespace geodesic
 namespace
 {
 
-constexpr double DiscInMeanEdges = 3.0;
+/** Three, and so much more that rounding does not decide about vertices just there, as round the
+ * pole of a sphere. */
+constexpr double DiscInMeanEdges = 3.0 * (1.0 + 1e-6);
 
 /**
  * Returns the vectors from a vertex to its neighbours, three numbers each. Pieces of a surface have
