@@ -8,10 +8,12 @@
 # Without -noreset a server begins anew when its last client closes, and refuses those who come meanwhile: ParaView
 # closes its first window before it opens the next.
 # A program of ParaView without mpiexec lets Open MPI start a daemon, which fails once in a few hundred times where other
-# programs start or end meanwhile; isolated, it needs none.
+# programs start or end meanwhile; isolated, it needs none. Isolated programs have one folder in common, which the first
+# to end removes while others begin; so each has one of its own.
 set -euo pipefail
 
-export OMPI_MCA_ess_singleton_isolated=1
+session=$(mktemp --directory)
+export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$session
 exec {turn}>"${TMPDIR:-/tmp}/surfacegeodesics-displays.lock"
 flock "$turn"
 exec {numbers}< <(exec {turn}>&- Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp -noreset 2>/dev/null)
@@ -22,6 +24,7 @@ end_server()
   flock "$turn"
   kill "$server" 2>/dev/null || true
   wait "$server" 2>/dev/null || true
+  rm -rf "$session"
 }
 trap end_server EXIT
 
