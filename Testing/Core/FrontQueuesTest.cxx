@@ -370,6 +370,37 @@ TEST(RadixHeap, TakesManyKeysThatFall)
   EXPECT_TRUE(heap.isEmpty());
 }
 
+// Levels that grow after they were made are not taken over. With a look at each of 5,000 this took
+// eighteen times as long.
+TEST(RadixHeap, FindsTheLevelOfAKeyAmongMany)
+{
+  constexpr Index levels = 5000;
+  constexpr Index many = 500000;
+  RadixHeap heap;
+  double least = 1e6;
+  Index item = 0;
+  for (Index level = 0; level < levels; ++level)
+  {
+    for (Index i = 0; i < 60; ++i)
+    {
+      heap.push(item++, i < 17 ? least - 17.0 + i : least - 1.0 + 0.01 * i);
+    }
+    least -= 17.0;
+  }
+  for (Index i = 0; i < many; ++i)
+  {
+    heap.push(item++, 1e6 + i);
+  }
+  double last = 0.0;
+  for (Index i = 0; i < item; ++i)
+  {
+    ASSERT_GE(heap.first().key(), last);
+    last = heap.first().key();
+    heap.pop();
+  }
+  EXPECT_TRUE(heap.isEmpty());
+}
+
 TEST(RadixHeap, TakesEqualKeysAndEnds)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/RadixHeap.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace geodesic
@@ -20,14 +22,12 @@ void RadixHeap::clear()
 void RadixHeap::push(Index item, double key)
 {
   const Entry entry{ bitsOf(key), item };
-  std::size_t level = this->Count;
-  while (level > 0 && entry.bits >= this->Levels[level - 1].reference())
+  const auto end = this->Levels.begin() + static_cast<std::ptrdiff_t>(this->Count);
+  const auto level = std::partition_point(this->Levels.begin(), end,
+    [&](const RadixLevel& other) { return other.reference() > entry.bits; });
+  if (level != end)
   {
-    --level;
-  }
-  if (level < this->Count)
-  {
-    this->Levels[level].push(entry);
+    level->push(entry);
     return;
   }
   this->Below.push_back(entry);

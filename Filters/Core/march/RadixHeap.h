@@ -22,8 +22,9 @@ namespace geodesic
  * cheap part of the surface, after it has looked at what is dearer. So there are levels of radix
  * heaps, each of which has the keys from its reference up to that of the level before. The few
  * below all of them are in a heap; as soon as they are many they become the next level. It takes
- * over the levels before it that have up to twice its entries. So there are O(log n) levels, and
- * the level of an item grows by half at least each time that it is taken over.
+ * over the levels before it that have up to twice its entries, so that the level of an item grows
+ * by half at least each time. Levels that grow later may be many; the one of a key is found by
+ * bisection.
  *
  * An item takes time O(64 log n). With random costs on a shaken grid (worst_cases.md) a march takes
  * 17 % fewer instructions than with one binary heap.
