@@ -35,6 +35,10 @@ public:
   bool moveTo(const std::shared_ptr<const TriangleMesh>& mesh) override;
   /** See MarchingSolver. */
   bool gainsByMaximumDistance() const override { return true; }
+  const Detours* detours() const override
+  {
+    return this->OnFaces ? this->OnFaces->detours() : nullptr;
+  }
 
   /** Whether a request can be served on intrinsic triangles: one from points, at cost 1, on a
    * surface in one piece. */

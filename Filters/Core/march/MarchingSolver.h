@@ -28,6 +28,10 @@ public:
   /** The order of a march is that of the distances: values that come before those of their
    * neighbours would be wrong at first, and corrected again and again. */
   bool gainsByMaximumDistance() const override { return true; }
+  const Detours* detours() const override
+  {
+    return this->LastCost ? &this->LastCost->detours() : nullptr;
+  }
 
 protected:
   MarchingSolver(

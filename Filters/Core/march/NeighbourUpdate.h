@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace geodesic
 {
@@ -77,6 +78,7 @@ public:
     : Scan(mesh, closed, cost, values)
     , Mesh(mesh)
     , Bounds(bounds)
+    , TriangleCost(cost)
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
     , IsAtOnce(cost.queueOrder() == QueueOrder::ByValue)
@@ -444,9 +446,7 @@ private:
     const Real b = gathered<Real>(batch.Values, over);
     const Real cost = lanesOf<Real>(
       [&](std::size_t lane) { return this->triangleCost(std::min(over(lane), target(lane))); });
-    const Real values = Shape == FrontShape::Round
-      ? cost * pointSourceCrossing<Real>(flat, a / cost, b / cost)
-      : straightFrontCrossing<Real>(flat, a, b, cost);
+    const Real values = this->crossingOf<Real, Shape>(crossings, flat, a, b, cost);
     const unsigned isLower = bitsOf(values < gathered<Real>(this->ceilings(), target));
     for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
     {
@@ -454,6 +454,37 @@ private:
       count += isLower >> lane & 1;
     }
     return count;
+  }
+
+  /** The crossings of edges by fronts of a shape; round ones cross bypassed triangles as straight
+   * ones. */
+  template <class Real, FrontShape Shape>
+  GEODESIC_INLINED Real crossingOf(const EdgeCrossing* crossings, const FlatTriangleOf<Real>& flat,
+    const Real& a, const Real& b, const Real& cost) const
+  {
+    const auto asRound = [&] { return cost * pointSourceCrossing<Real>(flat, a / cost, b / cost); };
+    const auto asStraight = [&] { return straightFrontCrossing<Real>(flat, a, b, cost); };
+    if constexpr (Shape == FrontShape::Straight)
+    {
+      return asStraight();
+    }
+    if (!this->TriangleCost.hasDetours())
+    {
+      return asRound();
+    }
+    const auto neighbour = [&](Slot slot) { return this->Batch.Neighbours[slot]; };
+    const Real areBypassed = lanesOf<Real>(
+      [&](std::size_t lane)
+      {
+        const auto [over, target] = std::pair(crossings[lane].across(), crossings[lane].target());
+        return this->TriangleCost.isBypassed(
+                 cost[lane], this->Batch.at(over).vertex, neighbour(over), neighbour(target))
+          ? 1.0
+          : 0.0;
+      });
+    // Where costs are spread, it is mostly all.
+    const auto isRound = areBypassed < 1.0;
+    return any(isRound) ? select(isRound, asRound(), asStraight()) : asStraight();
   }
 
   /** Proposes the values in Proposals to their vertices, and empties it. */
@@ -485,6 +516,7 @@ private:
   CandidateScan<Cost, Values> Scan;
   const TriangleMesh& Mesh;
   const UpdateBounds& Bounds;
+  const Cost& TriangleCost;
   Values& FrontValues;
   CandidateLists Candidates;
   HubTies Ties;

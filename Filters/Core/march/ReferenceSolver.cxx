@@ -188,7 +188,8 @@ private:
     if (triangle.squaredEdge > 0.0 && !this->isFinal(third, from.label))
     {
       value = std::min(value,
-        label.shape == FrontShape::Round
+        label.shape == FrontShape::Round &&
+            !this->TriangleCost.isBypassed(cost, from.vertex, second, third)
           ? cost * pointSourceUpdate(triangle, from.value / cost, atSecond / cost)
           : straightFrontUpdate(triangle, from.value, atSecond, cost));
     }

@@ -6,6 +6,7 @@
 #include "base/Platform.h"
 #include "march/BucketQueue.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/Detours.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
@@ -39,12 +40,17 @@ public:
   {
     return Real() + 1.0;
   }
+  /** Whether there are triangles that round fronts cross as straight ones, see Detours. */
+  static constexpr bool hasDetours() { return false; }
+  /** Whether the triangle of three vertices is one of them. @param cost of the triangle */
+  static constexpr bool isBypassed(double, Index, Index, Index) { return false; }
   /** How far a value at a vertex can lie above values that it leads to at its neighbours: the
    * longest side of the triangles round it, times the largest cost there. */
   double reach(Index vertex) const { return this->LongestSides[vertex]; }
   /** How much a label's value at a vertex may exceed the best one there and be kept; see
    * labelMargin(). */
   double margin(Index vertex) const { return this->Margins[vertex]; }
+  std::span<const float> longestSides() const { return this->LongestSides; }
   /** Has the processor fetch a margin that is soon to be read. */
   GEODESIC_INLINED void prefetchMargin(Index vertex) const
   {
@@ -97,6 +103,10 @@ public:
       this->Largest = std::max(this->Largest, cost[v]);
     }
     this->agree(partition);
+    if (Detours::mayBypass(this->LargestJump))
+    {
+      this->findDetours(mesh, partition);
+    }
   }
 
   double ofTriangle(Index a, Index b, Index c) const
@@ -109,6 +119,12 @@ public:
   {
     return (a + b + c) / 3.0;
   }
+  bool hasDetours() const { return !this->Ways.isEmpty(); }
+  bool isBypassed(double cost, Index a, Index b, Index c) const
+  {
+    return this->Ways.isBypassed(cost, a, b, c);
+  }
+  const Detours& detours() const { return this->Ways; }
   double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
   double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }
   GEODESIC_INLINED void prefetchMargin(Index vertex) const
@@ -148,6 +164,20 @@ private:
   /** Where the mean cost is so many times the harmonic mean, most vertices are so much cheaper than
    * the mean that they would share a few buckets. */
   static constexpr double MostSpread = 8.0;
+
+  void findDetours(const TriangleMesh& mesh, Partition& partition)
+  {
+    this->Ways = Detours(mesh, this->Cost, this->Length.longestSides(), partition);
+    bool isAny = false;
+    for (Index v = 0; v < this->Cost.size() && !isAny; ++v)
+    {
+      isAny = this->Dearest[v] > this->Ways.limit(v);
+    }
+    if (!isAny)
+    {
+      this->Ways = {};
+    }
+  }
 
   /** Raises Dearest at shared vertices to the largest of all pieces, LargestJump to that of all,
    * lowers Smallest to the least of all, and chooses the order by the costs of all vertices. */
@@ -192,6 +222,8 @@ private:
 
   std::span<const double> Cost;
   UnitCost Length;
+  /** Empty if no triangle on this piece is bypassed. */
+  Detours Ways;
   /** The largest cost among a vertex and its neighbours. */
   std::vector<double> Dearest;
   double Sum = 0.0;

@@ -36,6 +36,25 @@ struct StepCorner
   const Vector3* position;
 };
 
+/** A place q on an edge's line, phi(q), and phi(q) + |p q|. */
+struct LeastOnEdge
+{
+  double place;
+  double left;
+  double total;
+};
+
+/** Where the total is least if phi is linear, without regard to the edge's ends.
+ * @param first  phi at the first end
+ * @param slope  of phi, between -1 and 1
+ * @param foot, height  of p: its place and its distance on the edge's line */
+inline LeastOnEdge leastOfStraight(double first, double slope, double foot, double height)
+{
+  const double cosine = std::sqrt((1.0 - slope) * (1.0 + slope));
+  const double place = foot - height * slope / cosine;
+  return { place, first + slope * place, first + slope * foot + cosine * height };
+}
+
 /** The flat source of phi on an edge, of the length c: at (x, -depth) from the edge's first end if
  * it is beside the edge's line, otherwise on that line, at x - depth or x + depth. */
 class FlatSource
@@ -51,16 +70,9 @@ public:
   {
   }
 
-  /** A place q on the edge's line, phi(q), and phi(q) + |p q|. */
-  struct Least
-  {
-    double place;
-    double left;
-    double total;
-  };
   /** The place at which the total is least, without regard to the ends.
    * @param foot, height  of p: its place and its distance on the edge's line */
-  Least least(double foot, double height) const
+  LeastOnEdge least(double foot, double height) const
   {
     if (this->IsBeside)
     {
@@ -83,6 +95,15 @@ private:
   bool IsBeside;
 };
 
+/** What a step needs of the face that it crosses. */
+struct StepFace
+{
+  double cost;
+  /** Whether phi is linear on its edges, as fronts cross it as straight ones (see Detours), or that
+   * of a flat source. */
+  bool isStraight;
+};
+
 /** Of the steps from a position that are tried, the one with the least total. */
 class BestStep
 {
@@ -94,17 +115,16 @@ public:
 
   /**
    * Tries the step to the best point inside an edge.
-   * @param cost of a unit of length of the step
    * @return whether there is such a point: steps to the edge's ends have no lower total then
    */
-  bool tryEdge(const StepCorner& a, const StepCorner& b, double cost)
+  bool tryEdge(const StepCorner& a, const StepCorner& b, const StepFace& face)
   {
     if (a.seed == NoIndex || a.seed != b.seed)
     {
       return false;
     }
-    const double fromA = a.left / cost;
-    const double fromB = b.left / cost;
+    const double fromA = a.left / face.cost;
+    const double fromB = b.left / face.cost;
     const Vector3 edge = *b.position - *a.position;
     const double square = dot(edge, edge);
     if (!((fromA - fromB) * (fromA - fromB) < square))
@@ -116,13 +136,15 @@ public:
     const Vector3 toPoint = this->From - *a.position;
     const double foot = dot(toPoint, edge) * inverse;
     const double height = norm(cross(toPoint, edge)) * inverse;
-    const auto least = FlatSource(fromA, fromB, length, inverse).least(foot, height);
+    const LeastOnEdge least = face.isStraight
+      ? leastOfStraight(fromA, (fromB - fromA) * inverse, foot, height)
+      : FlatSource(fromA, fromB, length, inverse).least(foot, height);
     const double fraction = least.place * inverse;
     if (!(fraction > VertexFraction && fraction < 1.0 - VertexFraction))
     {
       return false;
     }
-    this->take({ a.vertex, b.vertex, fraction, cost * least.left, cost * least.total });
+    this->take({ a.vertex, b.vertex, fraction, face.cost * least.left, face.cost * least.total });
     return true;
   }
 

@@ -149,6 +149,7 @@ void PathFinder::solveWithin(double maximumDistance, std::span<const Triangle> t
     options.onProgress = [this](std::size_t taken) { return this->Progress.report(taken); };
   }
   this->Field = &this->Solver.solve(this->Seeds, options);
+  this->Surface.useDetours(this->Solver.detours());
   this->Progress.endMarch();
 }
 

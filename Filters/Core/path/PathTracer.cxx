@@ -270,11 +270,11 @@ void PathTracer::tryRoundVertex(Index vertex, BestStep& best) const
     {
       continue;
     }
-    const double cost = this->Surface.costOf({ vertex, corner.vertex, next.vertex });
-    if (!best.tryEdge(corner, next, cost))
+    const StepFace face = this->faceOf({ vertex, corner.vertex, next.vertex });
+    if (!best.tryEdge(corner, next, face))
     {
-      best.tryVertex(corner, cost);
-      best.tryVertex(next, cost);
+      best.tryVertex(corner, face.cost);
+      best.tryVertex(next, face.cost);
     }
   }
 }
@@ -290,22 +290,22 @@ void PathTracer::tryBesideEdge(
     // The next step looks through the ring of one of the three: those of a and b were fetched when
     // they were the apex.
     this->Surface.mesh().prefetchRingStart(apex);
-    const double cost = this->Surface.costOf({ a.vertex, apex, b.vertex });
+    const StepFace face = this->faceOf({ a.vertex, apex, b.vertex });
     const StepCorner c = this->cornerAt(apex);
-    const bool isOnA = best.tryEdge(a, c, cost);
-    const bool isOnB = best.tryEdge(b, c, cost);
+    const bool isOnA = best.tryEdge(a, c, face);
+    const bool isOnB = best.tryEdge(b, c, face);
     this->Surface.mesh().rings().prefetch(apex);
     if (!isOnA)
     {
-      best.tryVertex(a, cost);
+      best.tryVertex(a, face.cost);
     }
     if (!isOnB)
     {
-      best.tryVertex(b, cost);
+      best.tryVertex(b, face.cost);
     }
     if (!isOnA && !isOnB)
     {
-      best.tryVertex(c, cost);
+      best.tryVertex(c, face.cost);
     }
   };
   if (path.size() == 1)
@@ -344,16 +344,22 @@ void PathTracer::tryBesideEdge(
     });
 }
 
+StepFace PathTracer::faceOf(const Triangle& corners) const
+{
+  const double cost = this->Surface.costOf(corners);
+  return { cost, this->Surface.isBypassed(cost, corners) };
+}
+
 void PathTracer::tryFace(const Triangle& face, BestStep& best) const
 {
-  const double cost = this->Surface.costOf(face);
+  const StepFace stepFace = this->faceOf(face);
   const std::array<StepCorner, 3> corners{ this->cornerAt(face[0]), this->cornerAt(face[1]),
     this->cornerAt(face[2]) };
   std::array<bool, 3> isBelow{};
   for (int i = 0; i < 3; ++i)
   {
     const int next = (i + 1) % 3;
-    if (best.tryEdge(corners[i], corners[next], cost))
+    if (best.tryEdge(corners[i], corners[next], stepFace))
     {
       isBelow[i] = true;
       isBelow[next] = true;
@@ -363,7 +369,7 @@ void PathTracer::tryFace(const Triangle& face, BestStep& best) const
   {
     if (!isBelow[i])
     {
-      best.tryVertex(corners[i], cost);
+      best.tryVertex(corners[i], stepFace.cost);
     }
   }
 }

@@ -98,6 +98,7 @@ private:
   void tryRoundVertex(Index vertex, BestStep& best) const;
   void tryBesideEdge(
     const Carriers& ends, const SurfacePath& path, double left, BestStep& best) const;
+  StepFace faceOf(const Triangle& corners) const;
   /** Tries the steps from a point inside a face. */
   void tryFace(const Triangle& face, BestStep& best) const;
   /** The step to a neighbouring vertex with the least total; from a vertex only to lower distances.

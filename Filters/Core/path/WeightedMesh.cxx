@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/WeightedMesh.h"
 
+#include "solve/Partition.h"
+
 #include <limits>
 
 namespace geodesic
@@ -28,6 +30,27 @@ double leastCostBetween(const WeightedMesh& surface, const PathPoint& a, const P
   return least;
 }
 
+}
+
+const Detours& WeightedMesh::foundDetours() const
+{
+  if (!this->FoundDetours)
+  {
+    const std::span<const double> cost = this->Options.cost;
+    double largestJump = 1.0;
+    for (Index vertex = 0; vertex < this->Mesh.numberOfVertices(); ++vertex)
+    {
+      for (const RingEntry& entry : this->Mesh.ring(vertex))
+      {
+        largestJump = std::max(largestJump, cost[entry.neighbour()] / cost[vertex]);
+      }
+    }
+    Partition onePiece;
+    this->FoundDetours = Detours::mayBypass(largestJump)
+      ? Detours(this->Mesh, cost, this->Mesh.rings().longestSides(), onePiece)
+      : Detours();
+  }
+  return *this->FoundDetours;
 }
 
 double costOf(const WeightedMesh& surface, const SurfacePath& path)

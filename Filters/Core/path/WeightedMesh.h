@@ -7,10 +7,12 @@
 #include "path/PathPoint.h"
 #include "path/SearchProgress.h"
 #include "solve/ClosedTriangles.h"
+#include "solve/Detours.h"
 #include "solve/SolveOptions.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace geodesic
 {
@@ -31,6 +33,10 @@ public:
   }
 
   const TriangleMesh& mesh() const { return this->Mesh; }
+  /** Takes over what the solver of the field knows, or else it is found when it is needed. @param
+   * known  null if it is not known; else it must live as long as this, or until this is called
+   * again */
+  void useDetours(const Detours* known) { this->KnownDetours = known; }
   /** See SearchProgress::add(). */
   void countSteps(std::size_t steps) const { this->Progress.add(steps); }
   /** The ring of a vertex. @throws IncompleteRing if the mesh lacks triangles of the surface there
@@ -73,9 +79,24 @@ public:
       : 1.0;
   }
 
+  /** Whether fronts cross a face as straight ones, see Detours. @param cost of the face */
+  bool isBypassed(double cost, const Triangle& face) const
+  {
+    return this->hasCosts() && this->detours().isBypassed(cost, face[0], face[1], face[2]);
+  }
+
 private:
+  const Detours& detours() const
+  {
+    return this->KnownDetours ? *this->KnownDetours : this->foundDetours();
+  }
+  const Detours& foundDetours() const;
+
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
+  const Detours* KnownDetours = nullptr;
+  /** Found when they were needed first. */
+  mutable std::optional<Detours> FoundDetours;
   ClosedTriangles Closed;
   SearchProgress& Progress;
 };

@@ -126,6 +126,34 @@ bool isConstant(
   return most <= least * (1.0 + 1e-12);
 }
 
+/**
+ * Returns the length to the nearest vertex of a disc whose cost is more than twice that of a
+ * neighbour, or less than half; infinity if there is none. Beyond it lines of several costs lead to
+ * vertices. Collective.
+ */
+double lengthToJump(const TriangleMesh& mesh, std::span<const double> cost,
+  std::span<const StartValue> disc, Partition& partition)
+{
+  constexpr double mostOfSmooth = 2.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const StartValue& value : disc)
+  {
+    const std::span<const RingEntry> ring = mesh.ring(value.vertex);
+    const double here = cost[value.vertex];
+    if (std::any_of(ring.begin(), ring.end(),
+          [&](const RingEntry& entry)
+          {
+            const double there = cost[entry.neighbour()];
+            return std::max(here, there) > mostOfSmooth * std::min(here, there);
+          }))
+    {
+      least = std::min(least, value.value);
+    }
+  }
+  const std::vector<double> all = partition.gather({ &least, 1 });
+  return *std::min_element(all.begin(), all.end());
+}
+
 /** Returns the label's starts and the vertices of its disc, with lengths as values. Collective. */
 std::vector<StartValue> discRound(const TriangleMesh& mesh, Index label, const Label& source,
   std::span<const FrontStart> starts, const SolveOptions& options, Partition& partition,
@@ -217,16 +245,16 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
     }
     auto disc = discRound(mesh, label, source, { first, last }, options, partition, unitSolver);
     const double atOrigin = costAtOrigin(mesh, options.cost, source, partition);
-    if (isConstant(options.cost, disc, partition))
-    {
-      disc.erase(std::remove_if(disc.begin(), disc.end(),
-                   [&](const StartValue& value)
-                   {
-                     return std::none_of(first, last,
-                       [&](const FrontStart& start) { return start.vertex == value.vertex; });
-                   }),
-        disc.end());
-    }
+    const double end = isConstant(options.cost, disc, partition)
+      ? 0.0
+      : lengthToJump(mesh, options.cost, disc, partition);
+    std::erase_if(disc,
+      [&](const StartValue& value)
+      {
+        return value.value > end &&
+          std::none_of(
+            first, last, [&](const FrontStart& start) { return start.vertex == value.vertex; });
+      });
     for (StartValue& value : disc)
     {
       value.value *= 0.5 * (atOrigin + options.cost[value.vertex]);

@@ -17,6 +17,8 @@ namespace geodesic
 
 class TriangleMesh;
 
+class Detours;
+
 /** A shortest path that a solver has found along with its field. */
 struct FoundPath
 {
@@ -56,6 +58,9 @@ public:
   /** Whether a run towards targets (SolveOptions::onlyTowardsTargets) goes to all sides until it
    * has reached them, so that it gains by a maximum distance, even if that is only a guess. */
   virtual bool gainsByMaximumDistance() const { return false; }
+
+  /** Which triangles fronts crossed as straight ones in the last run; null if that is not known. */
+  virtual const Detours* detours() const { return nullptr; }
 
   /** Whether pathFrom() gives paths. */
   virtual bool findsPaths() const { return false; }

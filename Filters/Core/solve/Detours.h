@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Detours_h
+#define geodesic_Detours_h
+
+#include "base/Index.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace geodesic
+{
+
+class Partition;
+class TriangleMesh;
+
+/**
+ * Finds triangles that are dear beside a way round them. Two ends of an edge in a dear part of the
+ * surface can be nearer to each other by way of a cheap part than along the edge. Their distances a
+ * and b from a source then can sum up to less than the edge's length times the cost. To an update
+ * that knows no more than a and b, the source seems to lie on the edge, and the distance to be 0
+ * there, however large a and b are. So fronts cross such triangles as straight ones, whose distance
+ * on an edge is between those of its ends. Which triangles these are is fixed before the march.
+ *
+ * A *detour* at a vertex costs for each unit of length what some other vertex costs, and the way
+ * there as a part of the longest side here. A triangle is bypassed if its cost is more than 1.6
+ * times that of the cheapest detour of its corners. Where costs are smooth, at most 1.6 times those
+ * beside them, no triangle is.
+ */
+class Detours
+{
+public:
+  /** No triangle is bypassed. */
+  Detours() = default;
+  /**
+   * Time O(n log n) at worst, O(n) where costs are smooth. Collective.
+   * @param cost, longestSides  one for each vertex; those at shared vertices are the same on all
+   *                            pieces
+   */
+  Detours(const TriangleMesh& mesh, std::span<const double> cost,
+    std::span<const float> longestSides, Partition& partition);
+
+  /** Whether there can be bypassed triangles. Where the costs of neighbours differ by less than a
+   * quarter, none is looked for. @param largestJump  how many times as dear as a neighbour a vertex
+   * is at most */
+  static bool mayBypass(double largestJump) { return largestJump > 1.25; }
+
+  /** The largest cost of a triangle at a vertex that is not bypassed for the vertex's detours. */
+  double limit(Index vertex) const { return this->Limits[vertex]; }
+  bool isEmpty() const { return this->Limits.empty(); }
+  /** Whether the triangle of three vertices is bypassed. @param cost of the triangle */
+  bool isBypassed(double cost, Index a, Index b, Index c) const
+  {
+    return !this->isEmpty() && cost > std::min({ this->limit(a), this->limit(b), this->limit(c) });
+  }
+
+private:
+  std::vector<double> Limits;
+};
+
+}
+
+#endif
