@@ -27,7 +27,7 @@ using namespace geodesic::testing;
 namespace
 {
 
-constexpr Index Cells = 24;
+constexpr Index CellsOfSide = 24;
 
 /** A plane grid with a seed in its middle, whose points are shaken. */
 class Plane
@@ -36,18 +36,19 @@ public:
   /** @param width  of a cell; its height is 1 */
   explicit Plane(double width, Random& random)
   {
-    Surface surface = planeGrid(Cells, Cells, Cells, Cells);
+    Surface surface = planeGrid(CellsOfSide, CellsOfSide, CellsOfSide, CellsOfSide);
     for (Vector3& point : surface.points)
     {
-      const bool isInside =
-        point.x > 0.5 && point.x < Cells - 0.5 && point.y > 0.5 && point.y < Cells - 0.5;
+      const bool isInside = point.x > 0.5 && point.x < CellsOfSide - 0.5 && point.y > 0.5 &&
+        point.y < CellsOfSide - 0.5;
       point.x += isInside ? between(-0.3, 0.3, random) : 0.0;
       point.y += isInside ? between(-0.3, 0.3, random) : 0.0;
       point.x *= width;
     }
     this->Mesh = meshOf(surface);
     this->Cost.assign(this->Mesh->numberOfVertices(), 1.0);
-    this->Source = this->Mesh->vertexOfPoint((Cells + 1) * (Cells / 2) + Cells / 2);
+    this->Source =
+      this->Mesh->vertexOfPoint((CellsOfSide + 1) * (CellsOfSide / 2) + CellsOfSide / 2);
     this->Width = width;
   }
 
@@ -216,8 +217,8 @@ TEST(JumpingCost, ASeedInAWallPaysForTheWallOnce)
   Plane plane(1.0, random);
   plane.makeWall(100.0, 11.5, 12.5);
   const std::vector<double> truth = plane.truth();
-  const auto found = distances<FastMarchingSolver>(
-    plane.mesh(), { Seed::atPoint(plane.source()) }, plane.options());
+  const auto found =
+    distances<FastMarchingSolver>(plane.mesh(), { Seed::atPoint(plane.source()) }, plane.options());
   for (Index p = 0; p < found.size(); ++p)
   {
     const double shortest = truth[plane.mesh()->vertexOfPoint(p)];
