@@ -26,6 +26,7 @@
  *  - march/CandidateScan.h, Judgement::add: the same bound, and when an edge can gain anything
  *  - march/NeighbourUpdate.h, valueAlong and edgeCost, and update in march/ReferenceSolver.cxx: the
  *    part along edges; crossEdges, and the same update: how the cost enters
+ *  - solve/Detours.h: where a + b < w c the point source update forgets both
  *  - march/NeighbourUpdate.h, crossEdges: a crossing is +infinity where the edge has no length or
  * an end has no value
  *  - march/LabelMargin.h: how far values of a label differ at the ends of an edge, and how an error
@@ -35,8 +36,8 @@
  *  - solve/MarchControl.h: rounding errors are below a relative gain of 1e-12
  *  - solve/SeedFront.cxx and CostedStart.cxx: start values are straight lengths
  *  - mesh/SurfacePoint.h, snapped: how close to an edge a source may lie
- *  - path/PathTracer.cxx, leastOverEdge and tryEdge: the inverse of the crossing; tryVertex and
- *    seedsNear: that of the part along edges
+ *  - path/BestStep.h, FlatSource, leastOfStraight and tryEdge: the inverse of the crossing;
+ *    tryVertex, and seedsNear in path/PathTracer.cxx: that of the part along edges
  *  - path/EdgePathSearch.cxx: no path along edges is shorter than the field says
  *  - path/PathFinder.cxx, cornersOffThePath: values are comparable with straight lengths
  */
