@@ -300,6 +300,10 @@ public:
         room.begin(), [](const RadixHeap::Entry& entry) { return entry.item; });
       return room.first(count);
     }
+    if (this->Count <= skip)
+    {
+      return {};
+    }
     std::size_t filled = 0;
     std::size_t first = this->Next + skip;
     for (std::uint64_t number = this->Current; number <= this->Current + 1; ++number)
