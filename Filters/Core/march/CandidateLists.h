@@ -132,9 +132,8 @@ public:
       });
   }
 
-  /** Makes the lists over edges, for each shape of front.
-   * @param isAtOnce  whether edges are crossed although the other end waits in the queue */
-  GEODESIC_INLINED void listCrossings(UpdateBatch& batch, bool isAtOnce)
+  /** Makes the lists over edges, for each shape of front. */
+  GEODESIC_INLINED void listCrossings(UpdateBatch& batch)
   {
     const Masks again = batch.again.all();
     // The first neighbour's bit is also needed in the slot where it comes again.
@@ -146,10 +145,9 @@ public:
     // If the other end of an edge waits in the queue, the edge is crossed when that end is taken.
     // In a thin triangle it is crossed at once: what lies behind the edge may have a lower value
     // than the end that waits, and be taken first.
-    const Masks isCrossed = isThin | BatchMasks::allIf(isAtOnce);
     const Masks first =
-      (batch.first.all() | (isThin & along >> 1)) & isOpen & (isCrossed | isSettled >> 1);
-    const Masks second = (batch.second.all() | (isThin & along)) & isOpen & (isCrossed | isSettled);
+      (batch.first.all() | (isThin & along >> 1)) & isOpen & (isThin | isSettled >> 1);
+    const Masks second = (batch.second.all() | (isThin & along)) & isOpen & (isThin | isSettled);
     const Masks isStraight = batch.isStraight.all();
     this->listCrossings(FrontShape::Round, batch.Count, first & ~isStraight, second & ~isStraight);
     this->listCrossings(FrontShape::Straight, batch.Count, first & isStraight, second & isStraight);

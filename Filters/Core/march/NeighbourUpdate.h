@@ -81,7 +81,6 @@ public:
     , TriangleCost(cost)
     , FrontValues(values)
     , UsesQuads(mayUseQuads && hasQuads())
-    , IsAtOnce(cost.queueOrder() == QueueOrder::ByValue)
   {
     if constexpr (!Values::hasOtherLabels)
     {
@@ -246,7 +245,7 @@ private:
       }
       // With several labels a value must be found before it can be lowered. So crossings come
       // first; then a value along an edge is only proposed if it is lower still.
-      this->Candidates.listCrossings(this->Batch, this->IsAtOnce);
+      this->Candidates.listCrossings(this->Batch);
       this->updateAcrossEdges<Real>();
       this->closeRows();
       this->Candidates.listAlong(this->Batch);
@@ -257,7 +256,7 @@ private:
       this->Candidates.listAlong(this->Batch);
       this->updateAlongEdges();
       this->closeRows();
-      this->Candidates.listCrossings(this->Batch, this->IsAtOnce);
+      this->Candidates.listCrossings(this->Batch);
       this->updateAcrossEdges<Real>();
     }
     this->Batch.clear();
@@ -524,10 +523,6 @@ private:
   std::array<Proposal, 4 * UpdateBatch::Slots + lanes<Quad>> Proposals;
   std::size_t NumberOfProposals = 0;
   bool UsesQuads;
-  /** In the order of values what lies behind an obtuse corner is often taken before the end of the
-   * edge that waits. With random costs on a shaken grid (worst_cases.md) 3.4 updates a vertex
-   * instead of 3.8, and 4 % less time. */
-  bool IsAtOnce;
 };
 
 }
