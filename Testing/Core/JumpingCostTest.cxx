@@ -10,6 +10,7 @@
 #include "march/FastMarchingSolver.h"
 #include "march/ReferenceSolver.h"
 #include "path/PathFinder.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/Detours.h"
 #include "solve/Partition.h"
 
@@ -190,8 +191,99 @@ TEST(JumpingCost, AWallOfThinTrianglesCostsItsWidth)
   {
     const Plane::Errors errors =
       meanErrors(0.2, [&](Plane& plane, Random&) { plane.makeWall(100.0, from, to); });
-    EXPECT_LT(errors.mean, 0.15) << from;
+    EXPECT_LT(errors.mean, 0.2) << from;
     EXPECT_LT(errors.tooSmall, 0.01) << from;
+  }
+}
+
+// Costs that differ by a third from point to point: 5 to 15 % too small where only dear triangles
+// are bypassed, and not those at the seed.
+TEST(JumpingCost, MildNoiseMakesNoShortCutsAtTheSeed)
+{
+  for (const double width : { 1.0, 0.5, 0.2, 0.1 })
+  {
+    const Plane::Errors errors = ofRandomCosts(width, 0.3);
+    EXPECT_LT(errors.mean, 0.12) << width;
+    EXPECT_LT(errors.tooSmall, 0.02) << width;
+  }
+}
+
+// One rim vertex is cheap: fronts from the hub went round by it, from each triangle to the next.
+TEST(JumpingCost, ACheapRimVertexOfAFanIsNoShortCut)
+{
+  const Surface surface = disc(100);
+  const auto mesh = meshOf(surface);
+  const Index cheap = mesh->vertexOfPoint(30);
+  for (const double cost : { 0.45, 0.1 })
+  {
+    std::vector<double> costs(mesh->numberOfVertices(), 1.0);
+    costs[cheap] = cost;
+    const Index hub = mesh->vertexOfPoint(0);
+    const std::vector<double> truth = weightedDistances(*mesh, costs, hub);
+    SolveOptions options;
+    options.cost = costs;
+    const auto found = distances<FastMarchingSolver>(mesh, { seedAt(*mesh, 0) }, options);
+    for (Index p = 0; p < found.size(); ++p)
+    {
+      EXPECT_GE(found[p], 0.95 * truth[mesh->vertexOfPoint(p)]) << cost << ", point " << p;
+    }
+  }
+}
+
+// Linear fronts across needles lowered one another for 100 updates a vertex and more.
+TEST(JumpingCost, FrontsOnNeedlesSettle)
+{
+  Random random(6);
+  for (const double width : { 0.05, 0.01, 0.001 })
+  {
+    Plane plane(width, random);
+    plane.drawCosts(2.0, random);
+    const std::vector<Seed> seeds{ Seed::atPoint(plane.source()) };
+    std::size_t updates = 0;
+    SolveOptions options = plane.options();
+    options.progressInterval = 1;
+    options.onProgress = [&](std::size_t taken)
+    {
+      updates = taken;
+      return true;
+    };
+    distances<FastMarchingSolver>(plane.mesh(), seeds, options);
+    EXPECT_LT(updates, 10u * plane.mesh()->numberOfVertices()) << width;
+  }
+}
+
+// As where there is no data, a cost of almost nothing, and no way.
+TEST(JumpingCost, OfExcludedVerticesDoesNotMatter)
+{
+  const auto mesh = meshOf(jitteredGrid(20, 20, 20.0, 4.0, 0.3, 5));
+  std::vector<double> costs(mesh->numberOfVertices(), 1.0);
+  std::vector<std::uint8_t> excluded(mesh->numberOfVertices(), 0);
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles(), 0);
+  for (Index v = 5; v < mesh->numberOfVertices(); v += 17)
+  {
+    excluded[v] = 1;
+  }
+  for (Index t = 0; t < mesh->numberOfTriangles(); ++t)
+  {
+    const Triangle& corners = mesh->triangle(t);
+    closed[t] = std::any_of(
+      corners.begin(), corners.end(), [&](Index vertex) { return excluded[vertex] != 0; });
+  }
+  SolveOptions options;
+  options.excluded = excluded;
+  options.closedTriangles = closed;
+  const std::vector<Seed> seeds{ Seed::atPoint(mesh->pointAtVertex(mesh->numberOfVertices() / 2)) };
+  ASSERT_EQ(excluded[mesh->numberOfVertices() / 2], 0);
+  options.cost = costs;
+  const auto before = distances<FastMarchingSolver>(mesh, seeds, options);
+  for (Index v = 0; v < costs.size(); ++v)
+  {
+    costs[v] = excluded[v] != 0 ? 1e-6 : 1.0;
+  }
+  const auto after = distances<FastMarchingSolver>(mesh, seeds, options);
+  for (Index p = 0; p < after.size(); ++p)
+  {
+    EXPECT_TRUE(after[p] == before[p] || std::abs(after[p] - before[p]) < 1e-9) << p;
   }
 }
 
@@ -230,6 +322,15 @@ TEST(JumpingCost, ASeedInAWallPaysForTheWallOnce)
 namespace
 {
 
+Detours detoursOf(
+  const TriangleMesh& mesh, const std::vector<double>& cost, SolveOptions options = {})
+{
+  Partition onePiece;
+  options.cost = cost;
+  return { mesh, mesh.rings().longestSides(), ClosedTriangles(mesh, options.closedTriangles),
+    options, onePiece };
+}
+
 /** The limits of a strip of squares, whose costs jump in the middle. */
 class DetoursOfStrip : public ::testing::Test
 {
@@ -243,8 +344,7 @@ protected:
     {
       cost.push_back(p.x < 0.5 * squares * width ? 100.0 : 1.0);
     }
-    Partition onePiece;
-    this->Found = Detours(*this->Mesh, cost, this->Mesh->rings().longestSides(), onePiece);
+    this->Found = detoursOf(*this->Mesh, cost);
   }
   /** The limit of the lower vertex that is so many squares before the jump. */
   double limit(Index before) const
@@ -264,18 +364,17 @@ TEST_F(DetoursOfStrip, LeadAsFarAsTheLongestSide)
   this->make(0.1);
   EXPECT_LT(this->limit(0), 20.0);
   EXPECT_LT(this->limit(5), 100.0);
-  EXPECT_DOUBLE_EQ(this->limit(18), 160.0);
+  EXPECT_NEAR(this->limit(18), 160.0, 1e-6);
   this->make(1.0);
   EXPECT_LT(this->limit(0), 100.0);
-  EXPECT_DOUBLE_EQ(this->limit(3), 160.0);
+  EXPECT_NEAR(this->limit(3), 160.0, 1e-6);
 }
 
 TEST_F(DetoursOfStrip, AreNoneOnPointsInOnePlace)
 {
   const auto mesh = meshOf({ { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }, { { 0, 1, 2 } } });
   const std::vector<double> cost{ 1.0, 10.0, 100.0 };
-  Partition onePiece;
-  const Detours found(*mesh, cost, mesh->rings().longestSides(), onePiece);
+  const Detours found = detoursOf(*mesh, cost);
   for (Index v = 0; v < 3; ++v)
   {
     EXPECT_FALSE(std::isnan(found.limit(v)));

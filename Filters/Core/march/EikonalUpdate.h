@@ -168,6 +168,18 @@ GEODESIC_INLINED Real straightFrontCrossing(const FlatTriangleOf<Real>& t,
 }
 
 /**
+ * The same for round fronts in bypassed triangles (see solve/Detours.h), and no less than the value
+ * of either end. Where triangles are thin, vertices would else lower one another for very long,
+ * each time by less.
+ */
+template <class Real>
+GEODESIC_INLINED Real bypassedCrossing(const FlatTriangleOf<Real>& t, std::type_identity_t<Real> a,
+  std::type_identity_t<Real> b, std::type_identity_t<Real> w)
+{
+  return largest(straightFrontCrossing<Real>(t, a, b, w), largest(a, b));
+}
+
+/**
  * The update for a straight front, whose distance is linear along the edge: exact beside a line of
  * sources, and nondecreasing in both values as well.
  * R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 95 (1998).
@@ -178,6 +190,13 @@ inline double straightFrontUpdate(const FlatTriangle& t, double a, double b, dou
 {
   return std::min(
     { a + w * t.lengthFromA(), b + w * t.lengthFromB(), straightFrontCrossing(t, a, b, w) });
+}
+
+/** The update for a round front in a bypassed triangle; nondecreasing in both values as well. */
+inline double bypassedUpdate(const FlatTriangle& t, double a, double b, double w)
+{
+  return std::min(
+    { a + w * t.lengthFromA(), b + w * t.lengthFromB(), bypassedCrossing(t, a, b, w) });
 }
 
 }

@@ -224,7 +224,7 @@ bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceFie
   if (!request.keepsSurface || !isOneLabel || !this->IsCostOfOneLabel)
   {
     this->LastCost.emplace(
-      this->mesh(), request.options.cost, margins.ofVertices(), request.partition);
+      this->mesh(), margins.ofVertices(), request.closed, request.options, request.partition);
     this->IsCostOfOneLabel = isOneLabel;
     this->CostReaches.reset();
   }
@@ -237,8 +237,10 @@ bool MarchingSolver::march(const Request& request, StopLimit& limit, DistanceFie
     }
     limit.setReaches(*this->CostReaches);
   }
-  const auto starts = costedStarts(
-    this->mesh(), request.front, request.options, request.partition, *this->DiscSolver);
+  std::vector<Index> atJumps;
+  const auto starts = costedStarts(this->mesh(), request.front, request.closed, request.options,
+    request.partition, *this->DiscSolver, atJumps);
+  this->LastCost->bypassAt(atJumps);
   return this->marchAtCost(starts, cost, request, limit, field);
 }
 

@@ -462,10 +462,9 @@ private:
     const Real& a, const Real& b, const Real& cost) const
   {
     const auto asRound = [&] { return cost * pointSourceCrossing<Real>(flat, a / cost, b / cost); };
-    const auto asStraight = [&] { return straightFrontCrossing<Real>(flat, a, b, cost); };
     if constexpr (Shape == FrontShape::Straight)
     {
-      return asStraight();
+      return straightFrontCrossing<Real>(flat, a, b, cost);
     }
     if (!this->TriangleCost.hasDetours())
     {
@@ -483,7 +482,8 @@ private:
       });
     // Where costs are spread, it is mostly all.
     const auto isRound = areBypassed < 1.0;
-    return any(isRound) ? select(isRound, asRound(), asStraight()) : asStraight();
+    const Real bypassed = bypassedCrossing<Real>(flat, a, b, cost);
+    return any(isRound) ? select(isRound, asRound(), bypassed) : bypassed;
   }
 
   /** Proposes the values in Proposals to their vertices, and empties it. */

@@ -188,10 +188,11 @@ private:
     if (triangle.squaredEdge > 0.0 && !this->isFinal(third, from.label))
     {
       value = std::min(value,
-        label.shape == FrontShape::Round &&
-            !this->TriangleCost.isBypassed(cost, from.vertex, second, third)
-          ? cost * pointSourceUpdate(triangle, from.value / cost, atSecond / cost)
-          : straightFrontUpdate(triangle, from.value, atSecond, cost));
+        label.shape == FrontShape::Straight
+          ? straightFrontUpdate(triangle, from.value, atSecond, cost)
+          : this->TriangleCost.isBypassed(cost, from.vertex, second, third)
+          ? bypassedUpdate(triangle, from.value, atSecond, cost)
+          : cost * pointSourceUpdate(triangle, from.value / cost, atSecond / cost));
     }
     const StraightLineBound bound(label, this->TriangleCost.smallest());
     this->propose(third, from.label, bound.raised(value, this->Mesh.position(third)));

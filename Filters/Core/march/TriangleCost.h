@@ -8,6 +8,7 @@
 #include "mesh/TriangleMesh.h"
 #include "solve/Detours.h"
 #include "solve/Partition.h"
+#include "solve/SolveOptions.h"
 
 #include <algorithm>
 #include <array>
@@ -80,14 +81,17 @@ class VertexCost
 public:
   static constexpr bool isUnit = false;
 
-  /** @param cost, margins  one for each vertex; must live as long as this object
+  /** @param margins  one for each vertex, as the costs of @p options; both must live as long as
+   *                  this object
+   * @param closed, options  the barriers
    * @param partition  the pieces agree on what they share; collective */
-  VertexCost(const TriangleMesh& mesh, std::span<const double> cost, std::span<const float> margins,
-    Partition& partition)
-    : Cost(cost)
+  VertexCost(const TriangleMesh& mesh, std::span<const float> margins,
+    const ClosedTriangles& closed, const SolveOptions& options, Partition& partition)
+    : Cost(options.cost)
     , Length(mesh, margins, partition)
-    , Dearest(cost.size())
+    , Dearest(options.cost.size())
   {
+    const std::span<const double> cost = this->Cost;
     for (Index v = 0; v < cost.size(); ++v)
     {
       double dearest = cost[v];
@@ -105,7 +109,7 @@ public:
     this->agree(partition);
     if (Detours::mayBypass(this->LargestJump))
     {
-      this->findDetours(mesh, partition);
+      this->Ways = Detours(mesh, this->Length.longestSides(), closed, options, partition);
     }
   }
 
@@ -125,6 +129,8 @@ public:
     return this->Ways.isBypassed(cost, a, b, c);
   }
   const Detours& detours() const { return this->Ways; }
+  /** See Detours. @pre costs jump at these vertices, if there are any */
+  void bypassAt(std::span<const Index> vertices) { this->Ways.bypassAt(vertices); }
   double reach(Index vertex) const { return this->Dearest[vertex] * this->Length.reach(vertex); }
   double margin(Index vertex) const { return this->Dearest[vertex] * this->Length.margin(vertex); }
   GEODESIC_INLINED void prefetchMargin(Index vertex) const
@@ -164,20 +170,6 @@ private:
   /** Where the mean cost is so many times the harmonic mean, most vertices are so much cheaper than
    * the mean that they would share a few buckets. */
   static constexpr double MostSpread = 8.0;
-
-  void findDetours(const TriangleMesh& mesh, Partition& partition)
-  {
-    this->Ways = Detours(mesh, this->Cost, this->Length.longestSides(), partition);
-    bool isAny = false;
-    for (Index v = 0; v < this->Cost.size() && !isAny; ++v)
-    {
-      isAny = this->Dearest[v] > this->Ways.limit(v);
-    }
-    if (!isAny)
-    {
-      this->Ways = {};
-    }
-  }
 
   /** Raises Dearest at shared vertices to the largest of all pieces, LargestJump to that of all,
    * lowers Smallest to the least of all, and chooses the order by the costs of all vertices. */
@@ -222,7 +214,7 @@ private:
 
   std::span<const double> Cost;
   UnitCost Length;
-  /** Empty if no triangle on this piece is bypassed. */
+  /** Empty if costs hardly change from vertex to vertex. */
   Detours Ways;
   /** The largest cost among a vertex and its neighbours. */
   std::vector<double> Dearest;

@@ -47,7 +47,8 @@ const Detours& WeightedMesh::foundDetours() const
     }
     Partition onePiece;
     this->FoundDetours = Detours::mayBypass(largestJump)
-      ? Detours(this->Mesh, cost, this->Mesh.rings().longestSides(), onePiece)
+      ? Detours(
+          this->Mesh, this->Mesh.rings().longestSides(), this->Closed, this->Options, onePiece)
       : Detours();
   }
   return *this->FoundDetours;

@@ -5,11 +5,14 @@
 #include "base/SortUnique.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/DistanceField.h"
 #include "solve/FrontSolver.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -18,9 +21,10 @@ namespace geodesic
 namespace
 {
 
-/** Three, and so much more that rounding does not decide about vertices just there, as round the
- * pole of a sphere. */
-constexpr double DiscInMeanEdges = 3.0 * (1.0 + 1e-6);
+/** So much more that rounding does not decide about vertices just at the end of a disc, as round
+ * the pole of a sphere. */
+constexpr double Beyond = 1.0 + 1e-6;
+constexpr double DiscInMeanEdges = 3.0 * Beyond;
 
 /**
  * Returns the vectors from a vertex to its neighbours, three numbers each. Pieces of a surface have
@@ -126,28 +130,35 @@ bool isConstant(
   return most <= least * (1.0 + 1e-12);
 }
 
-/**
- * Returns the length to the nearest vertex of a disc whose cost is more than twice that of a
- * neighbour, or less than half; infinity if there is none. Beyond it lines of several costs lead to
- * vertices. Collective.
- */
-double lengthToJump(const TriangleMesh& mesh, std::span<const double> cost,
-  std::span<const StartValue> disc, Partition& partition)
+/** Whether the cost at a vertex is more than twice that at a neighbour to which an edge leads, or
+ * less than half. */
+bool jumpsAt(const TriangleMesh& mesh, const ClosedTriangles& closed, const SolveOptions& options,
+  Index vertex)
 {
   constexpr double mostOfSmooth = 2.0;
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  const double here = options.cost[vertex];
+  bool jumps = false;
+  for (std::size_t i = 0; i < ring.size() && !jumps; ++i)
+  {
+    const double there = options.cost[ring[i].neighbour()];
+    jumps = std::max(here, there) > mostOfSmooth * std::min(here, there) &&
+      closed.isOpenEdge(vertex, i) && !options.isExcluded(ring[i].neighbour());
+  }
+  return jumps;
+}
+
+/** Returns the length to the nearest vertex of a disc where the cost jumps; infinity if there is
+ * none. Collective. */
+double lengthToJump(const TriangleMesh& mesh, const ClosedTriangles& closed,
+  const SolveOptions& options, std::span<const StartValue> disc, Partition& partition)
+{
   double least = std::numeric_limits<double>::infinity();
   for (const StartValue& value : disc)
   {
-    const std::span<const RingEntry> ring = mesh.ring(value.vertex);
-    const double here = cost[value.vertex];
-    if (std::any_of(ring.begin(), ring.end(),
-          [&](const RingEntry& entry)
-          {
-            const double there = cost[entry.neighbour()];
-            return std::max(here, there) > mostOfSmooth * std::min(here, there);
-          }))
+    if (value.value < least && jumpsAt(mesh, closed, options, value.vertex))
     {
-      least = std::min(least, value.value);
+      least = value.value;
     }
   }
   const std::vector<double> all = partition.gather({ &least, 1 });
@@ -222,7 +233,8 @@ std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
 }
 
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, Partition& partition, FrontSolver& unitSolver)
+  const ClosedTriangles& closed, const SolveOptions& options, Partition& partition,
+  FrontSolver& unitSolver, std::vector<Index>& atJumps)
 {
   std::vector<StartValue> values;
   // The starts of a label follow each other.
@@ -245,9 +257,16 @@ std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& 
     }
     auto disc = discRound(mesh, label, source, { first, last }, options, partition, unitSolver);
     const double atOrigin = costAtOrigin(mesh, options.cost, source, partition);
-    const double end = isConstant(options.cost, disc, partition)
-      ? 0.0
-      : lengthToJump(mesh, options.cost, disc, partition);
+    double end = 0.0;
+    if (!isConstant(options.cost, disc, partition))
+    {
+      end = lengthToJump(mesh, closed, options, disc, partition) * Beyond;
+      if (end < DistanceField::Unreached)
+      {
+        std::transform(disc.begin(), disc.end(), std::back_inserter(atJumps),
+          [](const StartValue& value) { return value.vertex; });
+      }
+    }
     std::erase_if(disc,
       [&](const StartValue& value)
       {

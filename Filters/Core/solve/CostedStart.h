@@ -13,6 +13,7 @@
 namespace geodesic
 {
 
+class ClosedTriangles;
 class FrontSolver;
 class Partition;
 class TriangleMesh;
@@ -32,10 +33,17 @@ std::vector<StartValue> unitStarts(const SeedFront& front, Partition& partition)
  * within the barriers, times the mean of the costs at the origin and at the vertex. Where it does
  * not vary, only the label's starts get such values. The start of a straight label is its length
  * times the cost at the vertex, final only where the length is 0.
+ *
+ * A disc ends at the nearest vertex that is more than twice as dear as a neighbour, or less than
+ * half: beyond it that mean says nothing. So near a point the update would see sources that are not
+ * there, as where triangles are bypassed.
  * @param unitSolver any solver on the mesh; its field is overwritten
+ * @param atJumps    gets the vertices of discs that end so, within three mean edges. Triangles
+ *                   there are to be bypassed, see Detours.
  */
 std::vector<StartValue> costedStarts(const TriangleMesh& mesh, const SeedFront& front,
-  const SolveOptions& options, Partition& partition, FrontSolver& unitSolver);
+  const ClosedTriangles& closed, const SolveOptions& options, Partition& partition,
+  FrontSolver& unitSolver, std::vector<Index>& atJumps);
 
 /**
  * Returns the cost at the origin of a round label, interpolated in the origin's triangle, which may

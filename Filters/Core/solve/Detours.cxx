@@ -5,7 +5,9 @@
 #include "base/Interruption.h"
 #include "base/Vector3.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
+#include "solve/SolveOptions.h"
 
 #include <cmath>
 #include <functional>
@@ -17,12 +19,11 @@ namespace geodesic
 namespace
 {
 
-/** How much dearer than a detour a triangle is that is bypassed. */
-constexpr double LeastGain = 1.6;
-/**
- * How much of the way to the cheap part counts. The edge between two vertices that are equally far
- * from it is bypassed from 2 / LeastGain on. As edges differ, and by what is left out fronts are
- * only a little slow, it is less.
+/** How much dearer than a detour a triangle is that is bypassed; and so much more that the rounding
+ * of its cost, which differs from corner to corner, does not decide. */
+constexpr double LeastGain = 1.6 * (1.0 + 1e-9);
+/** How much of the way to the cheap part counts. To and fro would be 2; it is less, as edges are of
+ * several lengths, and as a triangle that is bypassed for nothing makes a front a little slow only.
  */
 constexpr double PartOfWay = 0.7;
 
@@ -30,98 +31,115 @@ constexpr double PartOfWay = 0.7;
 class DetourSpreader
 {
 public:
-  DetourSpreader(const TriangleMesh& mesh, std::span<const double> cost,
-    std::span<const float> longestSides, std::vector<double>& detours)
+  /** @param costs  of detours; at first of vertices */
+  DetourSpreader(const TriangleMesh& mesh, std::span<const float> longestSides,
+    const ClosedTriangles& closed, const SolveOptions& options, std::vector<double>& costs)
     : Mesh(mesh)
-    , Cost(cost)
     , LongestSides(longestSides)
-    , Detours(detours)
+    , Closed(closed)
+    , Options(options)
+    , HasBarriers(!closed.isEmpty() || !options.excluded.empty())
+    , Costs(costs)
   {
   }
 
   /** The least detour of a vertex by way of a neighbour, or its own. */
   double leastBeside(Index vertex) const
   {
-    double least = this->Detours[vertex];
-    for (const RingEntry& entry : this->Mesh.ring(vertex))
+    double least = this->Costs[vertex];
+    const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Index neighbour = entry.neighbour();
-      const double gain = least - this->Detours[neighbour];
-      const auto [perLength, squaredLength] = this->wayBetween(vertex, neighbour);
+      const double there = this->Costs[ring[i].neighbour()];
+      const double gain = least - there;
+      const auto [perLength, squaredLength] = this->way(vertex, i);
       // Most neighbours are no way, which is told without a root.
-      if ((gain > 0.0) & (gain * gain > perLength * perLength * squaredLength))
+      if ((gain > 0.0) & (gain * gain > perLength * perLength * squaredLength) &&
+        this->isOpen(vertex, i))
       {
-        least = this->Detours[neighbour] + perLength * std::sqrt(squaredLength);
+        least = there + perLength * std::sqrt(squaredLength);
       }
     }
     return least;
   }
 
   /** Lowers the detour of a vertex; spread() makes its neighbours follow. */
-  void lower(Index vertex, double detour)
+  void lower(Index vertex, double cost)
   {
-    if (detour < this->Detours[vertex])
+    if (cost < this->Costs[vertex])
     {
-      this->Detours[vertex] = detour;
-      this->Lowered.emplace(detour, vertex);
+      this->Costs[vertex] = cost;
+      this->Lowered.emplace(cost, vertex);
     }
   }
 
   void spread()
   {
-    while (!this->Lowered.empty())
+    for (std::size_t step = 0; !this->Lowered.empty(); ++step)
     {
-      const auto [detour, vertex] = this->Lowered.top();
+      Interruption::checkAt(step);
+      const auto [cost, vertex] = this->Lowered.top();
       this->Lowered.pop();
-      if (detour == this->Detours[vertex])
+      const std::span<const RingEntry> ring = this->Mesh.ring(vertex);
+      for (std::size_t i = 0; i < ring.size() && cost == this->Costs[vertex]; ++i)
       {
-        for (const RingEntry& entry : this->Mesh.ring(vertex))
+        const auto [perLength, squaredLength] = this->way(vertex, i);
+        if (this->isOpen(vertex, i))
         {
-          const Index neighbour = entry.neighbour();
-          const auto [perLength, squaredLength] = this->wayBetween(vertex, neighbour);
-          this->lower(neighbour, detour + perLength * std::sqrt(squaredLength));
+          this->lower(ring[i].neighbour(), cost + perLength * std::sqrt(squaredLength));
         }
       }
     }
   }
 
 private:
+  bool isOpen(Index vertex, std::size_t entry) const
+  {
+    return !this->HasBarriers ||
+      (this->Closed.isOpenEdge(vertex, entry) &&
+        !this->Options.isExcluded(this->Mesh.ring(vertex)[entry].neighbour()));
+  }
+
   struct Way
   {
     /** What each unit of length adds to a detour; infinity where all points are one place. */
     double perLength;
     double squaredLength;
   };
-  /** The way between neighbours. */
-  Way wayBetween(Index a, Index b) const
+  /** The way between a vertex and the neighbour of a ring entry. */
+  Way way(Index vertex, std::size_t entry) const
   {
-    const Vector3 edge = this->Mesh.position(b) - this->Mesh.position(a);
-    const double side = std::max(this->LongestSides[a], this->LongestSides[b]);
-    return { 0.5 * PartOfWay * (this->Cost[a] + this->Cost[b]) / side, dot(edge, edge) };
+    const Index neighbour = this->Mesh.ring(vertex)[entry].neighbour();
+    const Vector3 edge = this->Mesh.position(neighbour) - this->Mesh.position(vertex);
+    const double side = std::max(this->LongestSides[vertex], this->LongestSides[neighbour]);
+    const double cost = 0.5 * (this->Options.cost[vertex] + this->Options.cost[neighbour]);
+    return { PartOfWay * cost / side, dot(edge, edge) };
   }
 
   const TriangleMesh& Mesh;
-  std::span<const double> Cost;
   std::span<const float> LongestSides;
-  std::vector<double>& Detours;
+  const ClosedTriangles& Closed;
+  const SolveOptions& Options;
+  bool HasBarriers;
+  std::vector<double>& Costs;
   using Waiting = std::pair<double, Index>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> Lowered;
 };
 
 }
 
-Detours::Detours(const TriangleMesh& mesh, std::span<const double> cost,
-  std::span<const float> longestSides, Partition& partition)
-  : Limits(cost.begin(), cost.end())
+Detours::Detours(const TriangleMesh& mesh, std::span<const float> longestSides,
+  const ClosedTriangles& closed, const SolveOptions& options, Partition& partition)
+  : Limits(options.cost.begin(), options.cost.end())
 {
-  DetourSpreader spreader(mesh, cost, longestSides, this->Limits);
+  DetourSpreader spreader(mesh, longestSides, closed, options, this->Limits);
   // Most ways lead to a neighbour: after the first look few detours fall.
-  for (Index vertex = 0; vertex < cost.size(); ++vertex)
+  for (Index vertex = 0; vertex < this->Limits.size(); ++vertex)
   {
     Interruption::checkAt(vertex);
     this->Limits[vertex] = spreader.leastBeside(vertex);
   }
-  for (Index vertex = 0; vertex < cost.size(); ++vertex)
+  for (Index vertex = 0; vertex < this->Limits.size(); ++vertex)
   {
     Interruption::checkAt(vertex);
     spreader.lower(vertex, spreader.leastBeside(vertex));
@@ -147,6 +165,20 @@ Detours::Detours(const TriangleMesh& mesh, std::span<const double> cost,
   for (double& limit : this->Limits)
   {
     limit *= LeastGain;
+  }
+}
+
+void Detours::bypassAt(std::span<const Index> vertices)
+{
+  // Backwards, as a vertex may be in the list twice.
+  for (; !this->Replaced.empty(); this->Replaced.pop_back())
+  {
+    this->Limits[this->Replaced.back().first] = this->Replaced.back().second;
+  }
+  for (const Index vertex : vertices)
+  {
+    this->Replaced.emplace_back(vertex, this->Limits[vertex]);
+    this->Limits[vertex] = 0.0;
   }
 }
 

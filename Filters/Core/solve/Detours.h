@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace geodesic
 {
 
+class ClosedTriangles;
 class Partition;
 class TriangleMesh;
+struct SolveOptions;
 
 /**
  * Finds triangles that are dear beside a way round them. Two ends of an edge in a dear part of the
@@ -21,12 +24,13 @@ class TriangleMesh;
  * and b from a source then can sum up to less than the edge's length times the cost. To an update
  * that knows no more than a and b, the source seems to lie on the edge, and the distance to be 0
  * there, however large a and b are. So fronts cross such triangles as straight ones, whose distance
- * on an edge is between those of its ends. Which triangles these are is fixed before the march.
+ * on an edge is between those of its ends (bypassedUpdate() in march/EikonalUpdate.h). Which
+ * triangles these are is fixed before the march.
  *
  * A *detour* at a vertex costs for each unit of length what some other vertex costs, and the way
- * there as a part of the longest side here. A triangle is bypassed if its cost is more than 1.6
- * times that of the cheapest detour of its corners. Where costs are smooth, at most 1.6 times those
- * beside them, no triangle is.
+ * there, over the longest side here, 0.7 times what it costs. A triangle is bypassed if its cost is
+ * more than 1.6 times that of the cheapest detour of its corners. Where the costs at a distance of
+ * some longest side are nearly the same, no triangle is.
  */
 class Detours
 {
@@ -35,16 +39,20 @@ public:
   Detours() = default;
   /**
    * Time O(n log n) at worst, O(n) where costs are smooth. Collective.
-   * @param cost, longestSides  one for each vertex; those at shared vertices are the same on all
-   *                            pieces
+   * @param longestSides  one for each vertex; these and the costs are the same on all pieces that
+   *                      share a vertex
+   * @param closed, options  no way leads along what they close; with the cost of each vertex
    */
-  Detours(const TriangleMesh& mesh, std::span<const double> cost,
-    std::span<const float> longestSides, Partition& partition);
+  Detours(const TriangleMesh& mesh, std::span<const float> longestSides,
+    const ClosedTriangles& closed, const SolveOptions& options, Partition& partition);
 
   /** Whether there can be bypassed triangles. Where the costs of neighbours differ by less than a
-   * quarter, none is looked for. @param largestJump  how many times as dear as a neighbour a vertex
-   * is at most */
+   * quarter everywhere, none is looked for. @param largestJump  how many times as dear as a
+   * neighbour a vertex is at most */
   static bool mayBypass(double largestJump) { return largestJump > 1.25; }
+
+  /** Has all triangles at some vertices bypassed, until this is called again for others. */
+  void bypassAt(std::span<const Index> vertices);
 
   /** The largest cost of a triangle at a vertex that is not bypassed for the vertex's detours. */
   double limit(Index vertex) const { return this->Limits[vertex]; }
@@ -57,6 +65,8 @@ public:
 
 private:
   std::vector<double> Limits;
+  /** The vertices of bypassAt(), and their limits before. */
+  std::vector<std::pair<Index, double>> Replaced;
 };
 
 }

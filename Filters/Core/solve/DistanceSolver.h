@@ -59,7 +59,8 @@ public:
    * has reached them, so that it gains by a maximum distance, even if that is only a guess. */
   virtual bool gainsByMaximumDistance() const { return false; }
 
-  /** Which triangles fronts crossed as straight ones in the last run; null if that is not known. */
+  /** Which triangles fronts crossed as straight ones in the last run with costs; null if that is
+   * not known. */
   virtual const Detours* detours() const { return nullptr; }
 
   /** Whether pathFrom() gives paths. */
