@@ -126,7 +126,7 @@ public:
   bool hasDetours() const { return !this->Ways.isEmpty(); }
   bool isBypassed(double cost, Index a, Index b, Index c) const
   {
-    return this->Ways.isBypassed(cost, a, b, c);
+    return this->hasDetours() && this->Ways.isCrossedAsBypassed(cost, a, b, c);
   }
   const Detours& detours() const { return this->Ways; }
   /** See Detours. @pre costs jump at these vertices, if there are any */

@@ -170,15 +170,14 @@ Detours::Detours(const TriangleMesh& mesh, std::span<const float> longestSides,
 
 void Detours::bypassAt(std::span<const Index> vertices)
 {
-  // Backwards, as a vertex may be in the list twice.
-  for (; !this->Replaced.empty(); this->Replaced.pop_back())
+  for (const Index vertex : this->AtSeeds)
   {
-    this->Limits[this->Replaced.back().first] = this->Replaced.back().second;
+    this->Limits[vertex] = std::abs(this->Limits[vertex]);
   }
+  this->AtSeeds.assign(vertices.begin(), vertices.end());
   for (const Index vertex : vertices)
   {
-    this->Replaced.emplace_back(vertex, this->Limits[vertex]);
-    this->Limits[vertex] = 0.0;
+    this->Limits[vertex] = -std::abs(this->Limits[vertex]);
   }
 }
 

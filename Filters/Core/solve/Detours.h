@@ -6,8 +6,8 @@
 #include "base/Index.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -51,22 +51,28 @@ public:
    * neighbour a vertex is at most */
   static bool mayBypass(double largestJump) { return largestJump > 1.25; }
 
-  /** Has all triangles at some vertices bypassed, until this is called again for others. */
+  /** Has fronts cross all triangles at some vertices as bypassed ones, until this is called again
+   * for others. */
   void bypassAt(std::span<const Index> vertices);
 
   /** The largest cost of a triangle at a vertex that is not bypassed for the vertex's detours. */
-  double limit(Index vertex) const { return this->Limits[vertex]; }
+  double limit(Index vertex) const { return std::abs(this->Limits[vertex]); }
   bool isEmpty() const { return this->Limits.empty(); }
   /** Whether the triangle of three vertices is bypassed. @param cost of the triangle */
   bool isBypassed(double cost, Index a, Index b, Index c) const
   {
     return !this->isEmpty() && cost > std::min({ this->limit(a), this->limit(b), this->limit(c) });
   }
+  /** The same, and also where bypassAt() says so. @pre !isEmpty() */
+  bool isCrossedAsBypassed(double cost, Index a, Index b, Index c) const
+  {
+    return cost > std::min({ this->Limits[a], this->Limits[b], this->Limits[c] });
+  }
 
 private:
+  /** Below 0 at the vertices of bypassAt(). */
   std::vector<double> Limits;
-  /** The vertices of bypassAt(), and their limits before. */
-  std::vector<std::pair<Index, double>> Replaced;
+  std::vector<Index> AtSeeds;
 };
 
 }
