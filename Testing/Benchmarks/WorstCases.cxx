@@ -201,7 +201,7 @@ void parts(const CaseArguments& arguments)
   printCost(trial.solve(list));
 }
 
-/** Log-normal costs at random: SURFACE SIGMA. */
+/** Log-normal costs at random: SURFACE SIGMA SEEDS. A single seed is at the middle vertex. */
 void cost(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
@@ -213,8 +213,18 @@ void cost(const CaseArguments& arguments)
   print("dijkstra", trial.secondsOfDijkstra(costs));
   SolveOptions options;
   options.cost = costs;
-  printCost(trial.solve(
-    { Seed::atPoint(trial.mesh().pointAtVertex(trial.mesh().numberOfVertices() / 2)) }, options));
+  const auto count = static_cast<Index>(arguments.number(2));
+  std::vector<Index> vertices{ trial.mesh().numberOfVertices() / 2 };
+  if (count > 1)
+  {
+    vertices = randomVertices(trial.mesh(), count, trial.random());
+  }
+  std::vector<Seed> seeds;
+  for (const Index vertex : vertices)
+  {
+    seeds.push_back(Seed::atPoint(trial.mesh().pointAtVertex(vertex)));
+  }
+  printCost(trial.solve(seeds, options));
 }
 
 /** The field of one seed: SURFACE POINT. */

@@ -109,8 +109,9 @@ TIMED = {
     "Shapes and costs": [
         Case("100,000 triangles apart, 5,000 seeds", ["parts", 100000, 5000],
              both(points_and_seeds, (150, 2), (75, 1))),
-        Case("hilly grid, random cost", ["cost", "hilly grid 40k", 4], COSTS),
-        Case("shaken grid, random cost", ["cost", "shaken grid 40k", 4], COSTS),
+        Case("hilly grid, random cost", ["cost", "hilly grid 40k", 4, 1], COSTS),
+        Case("shaken grid, random cost", ["cost", "shaken grid 40k", 4, 1], COSTS),
+        Case("shaken grid, random cost, 100 seeds", ["cost", "shaken grid 40k", 4, 100]),
         Case("fan of 100,000 triangles, from its centre", ["field", "fan 100k", 0], SHAPES),
         Case("fan of 100,000 triangles, path across", ["path", "fan 100k"], SHAPES),
         Case("sphere of 1000 x 1000, from its pole", ["field", "sphere of latitudes 1M", 0], SHAPES),
