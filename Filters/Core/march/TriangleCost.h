@@ -161,7 +161,8 @@ public:
    * at the ends of an edge of length c, the point source update at a cost w forgets both if
    * a + b < c w. Farther than three edges from the source, outside the disc of CostedStart.h, a and
    * b are at least three edges at the costs there. So as long as costs do not jump, and edges are
-   * about equally long, a + b is more than c w.
+   * about equally long, a + b is more than c w. Where the disc ends earlier, and where costs jump,
+   * most such triangles are bypassed (see Detours), but not all.
    */
   bool jumps() const { return this->LargestJump > MostOfSmooth; }
 
