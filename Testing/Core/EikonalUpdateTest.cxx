@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -98,6 +99,11 @@ TEST(EikonalUpdate, IsMonotoneInBothValues)
     const double straight = straightFrontUpdate(t, a, b, w);
     EXPECT_LE(straight, straightFrontUpdate(t, a + step, b, w) + 1e-12);
     EXPECT_LE(straight, straightFrontUpdate(t, a, b + step, w) + 1e-12);
+    const double bypassed = bypassedUpdate(t, a, b, w);
+    EXPECT_LE(bypassed, bypassedUpdate(t, a + step, b, w) + 1e-12);
+    EXPECT_LE(bypassed, bypassedUpdate(t, a, b + step, w) + 1e-12);
+    EXPECT_GE(bypassed, straight);
+    EXPECT_GE(bypassedCrossing(t, a, b, w), std::max(a, b));
   }
 }
 

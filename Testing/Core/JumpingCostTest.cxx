@@ -302,6 +302,44 @@ TEST(JumpingCost, BothTiersAgree)
   }
 }
 
+// Each vertex near the face of many seeds keeps a value of each: more than are sought one by one.
+TEST(JumpingCost, OfManySeedsInOneFaceBothTiersAgree)
+{
+  for (const double range : { 0.0, 1.0, 3.0, 6.0, 12.0 })
+  {
+    for (unsigned trial = 0; trial < 6; ++trial)
+    {
+      Random random(trial);
+      const auto mesh = meshOf(jitteredGrid(8, 8, 1.0, 1.0, 0.3, trial));
+      std::vector<double> cost;
+      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+      {
+        cost.push_back(std::exp(between(-range, range, random)));
+      }
+      SolveOptions options;
+      options.cost = cost;
+      std::vector<Seed> seeds;
+      const Index face = below(mesh->numberOfTriangles(), random);
+      for (int i = 0; i < 400; ++i)
+      {
+        SurfacePoint point = randomPoint(*mesh, random);
+        point.triangle = face;
+        seeds.push_back(Seed::atPoint(point, between(0.0, 0.01, random)));
+      }
+      FastMarchingSolver solver(mesh);
+      ReferenceSolver reference(mesh);
+      const DistanceField& field = solver.solve(seeds, options);
+      const DistanceField& known = reference.solve(seeds, options);
+      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+      {
+        EXPECT_NEAR(field.distance(vertex), known.distance(vertex), 1e-9 * known.largestDistance())
+          << "costs of 1:e^" << 2.0 * range << ", trial " << trial << ", vertex " << vertex;
+        EXPECT_EQ(field.nearestSeed(vertex), known.nearestSeed(vertex));
+      }
+    }
+  }
+}
+
 // The disc of final values ends where the cost jumps: in it they were length times the mean of both
 // ends, 50 a unit of length, where all triangles but those at the wall cost 1.
 TEST(JumpingCost, ASeedInAWallPaysForTheWallOnce)

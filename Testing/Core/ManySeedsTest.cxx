@@ -5,7 +5,6 @@
 // labelReaches()).
 
 #include "ExactDistances.h"
-#include "RandomDraws.h"
 #include "Solving.h"
 #include "Surfaces.h"
 #include "march/FastMarchingSolver.h"
@@ -563,43 +562,4 @@ TEST(ManySeeds, TheyMayBeCancelledInEitherMarch)
     EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
   }
   EXPECT_EQ(stepsOf(solver, seeds), steps);
-}
-
-// Under costs each vertex near that face keeps a value of each seed: more than are sought one by
-// one.
-TEST(ManySeeds, InOneFaceUnderCostsAreThoseOfTheReference)
-{
-  for (const double range : { 0.0, 1.0, 3.0, 6.0, 12.0 })
-  {
-    for (unsigned trial = 0; trial < 6; ++trial)
-    {
-      Random random(trial);
-      const auto mesh = meshOf(jitteredGrid(8, 8, 1.0, 1.0, 0.3, trial));
-      std::vector<double> cost;
-      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
-      {
-        cost.push_back(std::exp(between(-range, range, random)));
-      }
-      SolveOptions options;
-      options.cost = cost;
-      std::vector<Seed> seeds;
-      const Index face = below(mesh->numberOfTriangles(), random);
-      for (int i = 0; i < 400; ++i)
-      {
-        SurfacePoint point = geodesic::testing::randomPoint(*mesh, random);
-        point.triangle = face;
-        seeds.push_back(Seed::atPoint(point, between(0.0, 0.01, random)));
-      }
-      FastMarchingSolver solver(mesh);
-      ReferenceSolver reference(mesh);
-      const DistanceField& field = solver.solve(seeds, options);
-      const DistanceField& known = reference.solve(seeds, options);
-      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
-      {
-        EXPECT_NEAR(field.distance(vertex), known.distance(vertex), 1e-9 * known.largestDistance())
-          << "costs of 1:e^" << 2.0 * range << ", trial " << trial << ", vertex " << vertex;
-        EXPECT_EQ(field.nearestSeed(vertex), known.nearestSeed(vertex));
-      }
-    }
-  }
 }
