@@ -26,8 +26,9 @@ namespace geodesic
  * by half at least each time. Levels that grow later may be many; the one of a key is found by
  * bisection.
  *
- * An item takes time O(64 log n). With random costs on a shaken grid (worst_cases.md) a march takes
- * 17 % fewer instructions than with one binary heap.
+ * An item takes time O(64 log n). With random costs on a shaken grid (worst_cases.md) a march that
+ * took a vertex 3.4 times, as before triangles were bypassed, took 17 % fewer instructions than
+ * with one binary heap.
  */
 class RadixHeap
 {
