@@ -8,6 +8,7 @@
 #include "march/CandidateScan.h"
 #include "march/EikonalUpdate.h"
 #include "march/HubTies.h"
+#include "march/NarrowUpdate.h"
 #include "march/NeighbourValues.h"
 #include "march/SourceFront.h"
 #include "march/UpdateBatch.h"
@@ -49,7 +50,8 @@ namespace geodesic
  *  5. updateAlongEdges(): updates along edges
  *  6. updateAcrossEdges(): crossings, two or four at a time, whose values are proposed last
  *
- * With several labels step 6 comes before step 5, see finish().
+ * With several labels step 6 comes before step 5, see finish(). With one label at cost 1 a batch of
+ * a vertex or two is left to NarrowUpdate.
  *
  * @tparam Cost    cost of a triangle: UnitCost or VertexCost
  * @tparam Values  the values of the march: OneLabelValues or LabelValues. It has
@@ -76,6 +78,7 @@ public:
   NeighbourUpdate(const TriangleMesh& mesh, const UpdateBounds& bounds,
     const ClosedTriangles& closed, const Cost& cost, Values& values, bool mayUseQuads = true)
     : Scan(mesh, closed, cost, values)
+    , Narrow(mesh, bounds, closed, values)
     , Mesh(mesh)
     , Bounds(bounds)
     , TriangleCost(cost)
@@ -96,6 +99,14 @@ public:
    */
   void update(std::span<const Index> waiting, std::span<const Index> next)
   {
+    if constexpr (MayBeNarrow)
+    {
+      if (this->Narrow.suits(waiting))
+      {
+        this->updateNarrow(waiting);
+        return;
+      }
+    }
     if (this->UsesQuads)
     {
       this->updateByFour(waiting, next);
@@ -109,6 +120,20 @@ public:
 private:
   using Mask = BatchMasks::Mask;
   using Row = UpdateBatch::Row;
+
+  /** Whether there is a way of their own for batches of a few vertices. */
+  static constexpr bool MayBeNarrow = Cost::isUnit && requires(const Values& values)
+  {
+    values.known(Index());
+  };
+
+  [[gnu::noinline]] void updateNarrow(std::span<const Index> waiting) requires(MayBeNarrow)
+  {
+    for (const Index item : waiting)
+    {
+      this->Narrow.update(item);
+    }
+  }
 
   // These functions are flat, because a function that they call without inlining it would not be
   // compiled for AVX2. Clang inlines only what they call themselves; functions further down are
@@ -513,6 +538,7 @@ private:
 
   UpdateBatch Batch;
   CandidateScan<Cost, Values> Scan;
+  NarrowUpdate<Values> Narrow;
   const TriangleMesh& Mesh;
   const UpdateBounds& Bounds;
   const Cost& TriangleCost;

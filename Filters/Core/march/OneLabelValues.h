@@ -49,6 +49,13 @@ public:
   };
   Reader reader(const SourceFront&) const { return Reader(this->fieldReader(this->Only)); }
 
+  /** What a vertex has. */
+  NeighbourValue known(Index vertex) const
+  {
+    const double value = this->value(this->Only, vertex);
+    return { value, value, this->state(vertex).isQueued() };
+  }
+
   template <Way way>
   NeighbourValue propose(const SourceFront&, Index vertex, double value)
   {
