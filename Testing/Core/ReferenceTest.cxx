@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -145,6 +146,32 @@ TEST(Reference, BatchedSolverGivesTheSameFieldFromAnApex)
                 ReferenceSolver(mesh).solve({ &apex, 1 }, options)),
       1e-9)
       << around;
+  }
+}
+
+// There the front is a vertex or two all the way. One strip is open, and the other one a tube.
+TEST(Reference, BatchedSolverGivesTheSameFieldOnStrips)
+{
+  for (const Surface& strip : { jitteredGrid(400, 1, 400.0, 1.0, 0.3, 2), cone(3, 300, 2.0, 3.0) })
+  {
+    const auto mesh = meshOf(strip);
+    std::mt19937 random(5);
+    std::bernoulli_distribution isClosed(0.2);
+    std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+    std::generate(closed.begin(), closed.end(), [&] { return isClosed(random) ? 1 : 0; });
+    SolveOptions barriers;
+    barriers.closedTriangles = closed;
+    const Seed point = seedAt(*mesh, 1);
+    const Seed region = Seed::onRegion({ 0, 1, 2 });
+    for (const SolveOptions& options : { SolveOptions(), barriers })
+    {
+      for (const Seed& seed : { point, region })
+      {
+        EXPECT_LE(difference(FastMarchingSolver(mesh).solve({ &seed, 1 }, options),
+                    ReferenceSolver(mesh).solve({ &seed, 1 }, options)),
+          1e-10);
+      }
+    }
   }
 }
 

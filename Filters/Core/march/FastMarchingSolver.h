@@ -61,6 +61,7 @@ struct MarchContext;
  *  - UpdateBatch.h: the data of a batch, one row of slots for the ring of each vertex
  *  - CandidateScan.h, with UpdateBounds.h: which neighbours can gain at all, by cheap bounds
  *  - CandidateLists.h: lists of the updates to compute
+ *  - NarrowUpdate.h: the update of a batch of a vertex or two, without these steps
  *  - OneLabelValues.h, or LabelValues.h with SecondaryValues.h: where values are kept
  *  - FrontQueues.h: the queues of a march
  *  - MarchOnThreads.cxx, with SharedMarch.h, and SharedValues.h or SharedLabelValues.h for values:
