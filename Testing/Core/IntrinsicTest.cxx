@@ -101,8 +101,9 @@ std::vector<double> intrinsicDistances(const std::shared_ptr<const TriangleMesh>
   return distances<IntrinsicMarchingSolver>(mesh, seeds, intrinsicOptions(options));
 }
 
-/** How many vertices a march from point 0 takes from its queue. */
-std::size_t updatesOn(const std::shared_ptr<const TriangleMesh>& mesh)
+/** How many vertices a march takes from its queue. */
+std::size_t updatesOn(
+  const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Seed>& seeds)
 {
   std::size_t updates = 0;
   SolveOptions options = intrinsicOptions();
@@ -112,8 +113,14 @@ std::size_t updatesOn(const std::shared_ptr<const TriangleMesh>& mesh)
     return true;
   };
   IntrinsicMarchingSolver solver(mesh);
-  solver.solve(std::vector{ seedAt(*mesh, 0) }, options);
+  solver.solve(seeds, options);
   return updates;
+}
+
+/** The same from point 0. */
+std::size_t updatesOn(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+  return updatesOn(mesh, { seedAt(*mesh, 0) });
 }
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
@@ -145,7 +152,8 @@ TEST(Intrinsic, TrianglesAreOfTheSameSurfaceAndNotThin)
     const IntrinsicTriangles intrinsic(*mesh, {});
     EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-9);
     EXPECT_TRUE(countThinTriangles(*mesh).needOthers());
-    EXPECT_LT(partOfThin(intrinsic), 0.01);
+    // Caps stay.
+    EXPECT_LT(partOfThin(intrinsic), 0.015);
   }
 }
 
@@ -301,6 +309,22 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
 }
 
 // No distance is more than along an edge of the mesh, though the front does not follow these.
+// It took 87 updates a vertex on the smaller mesh as long as caps were halved: each half is
+// thinner, and so on. On the larger one fronts march in groups of vertices with near numbers, which
+// new ones are not part of, as they have the last numbers wherever they are.
+TEST(Intrinsic, TakesFewUpdatesFromManySeeds)
+{
+  for (const Index points : { 40000u, 60000u })
+  {
+    const auto mesh = meshOf(stretchedPlane(points, 30.0));
+    std::mt19937 random(1);
+    std::uniform_int_distribution<Index> anyVertex(0, mesh->numberOfVertices() - 1);
+    std::vector<Seed> seeds(500);
+    std::generate(seeds.begin(), seeds.end(), [&] { return seedAt(*mesh, anyVertex(random)); });
+    EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
+  }
+}
+
 TEST(Intrinsic, DistancesAreNotMoreThanAlongEdges)
 {
   for (const Surface& surface : { stretchedPlane(2000, 30.0), flattenedSphere(4, 30.0) })

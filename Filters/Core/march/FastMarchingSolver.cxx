@@ -77,8 +77,10 @@ bool FastMarchingSolver::marchFrom(std::span<const StartValue> starts, const Ver
 bool FastMarchingSolver::isDense(std::span<const StartValue> starts, const Request& request) const
 {
   const std::size_t vertices = this->mesh().numberOfVertices();
+  // New vertices of an intrinsic mesh are not near those with near numbers.
   if (request.front.labels.size() > 1 || !request.options.targets.empty() ||
-    vertices <= MostInCaches || starts.size() * VerticesOfDenseStart <= vertices)
+    this->mesh().isIntrinsic() || vertices <= MostInCaches ||
+    starts.size() * VerticesOfDenseStart <= vertices)
   {
     return false;
   }
