@@ -91,8 +91,10 @@ IntrinsicTriangles::HalfEdge IntrinsicTriangles::sideToHalve(Index triangle) con
   // Where the opposite corner lies nearer to the middle than to either end, the line to the middle
   // would be shorter than all sides, and the triangles beside it thin for that: they would be
   // halved in turn, and so on.
-  const double toMiddle = std::sqrt(0.5 * (other * other + third * third) - 0.25 * square);
-  const bool isCap = toMiddle < shortest;
+  const double squareToMiddle = 0.5 * (other * other + third * third) - 0.25 * square;
+  // Rounding must not tell where both are alike.
+  constexpr double rounding = 1.0 + 1e-9;
+  const bool isCap = squareToMiddle <= rounding * shortest * shortest;
   const bool isToBeHalved =
     areas > flat * square && ((isThin && isLong && !isCap) || length > mostLength);
   return isToBeHalved && this->Twins[longest] != Fixed ? longest : NoIndex;
