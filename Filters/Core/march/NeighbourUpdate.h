@@ -127,11 +127,14 @@ private:
     values.known(Index());
   };
 
-  [[gnu::noinline]] void updateNarrow(std::span<const Index> waiting) requires(MayBeNarrow)
+  [[gnu::noinline]] void updateNarrow(std::span<const Index> waiting)
   {
-    for (const Index item : waiting)
+    if constexpr (MayBeNarrow)
     {
-      this->Narrow.update(item);
+      for (const Index item : waiting)
+      {
+        this->Narrow.update(item);
+      }
     }
   }
 
