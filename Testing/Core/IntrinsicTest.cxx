@@ -152,8 +152,7 @@ TEST(Intrinsic, TrianglesAreOfTheSameSurfaceAndNotThin)
     const IntrinsicTriangles intrinsic(*mesh, {});
     EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-9);
     EXPECT_TRUE(countThinTriangles(*mesh).needOthers());
-    // Caps stay.
-    EXPECT_LT(partOfThin(intrinsic), 0.015);
+    EXPECT_LT(partOfThin(intrinsic), 0.01);
   }
 }
 
@@ -309,20 +308,16 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
 }
 
 // No distance is more than along an edge of the mesh, though the front does not follow these.
-// It took 87 updates a vertex on the smaller mesh as long as caps were halved: each half is
-// thinner, and so on. On the larger one fronts march in groups of vertices with near numbers, which
-// new ones are not part of, as they have the last numbers wherever they are.
+// New vertices have the last numbers, wherever they are: vertices with near numbers are no groups
+// to march by.
 TEST(Intrinsic, TakesFewUpdatesFromManySeeds)
 {
-  for (const Index points : { 40000u, 60000u })
-  {
-    const auto mesh = meshOf(stretchedPlane(points, 30.0));
-    std::mt19937 random(1);
-    std::uniform_int_distribution<Index> anyVertex(0, mesh->numberOfVertices() - 1);
-    std::vector<Seed> seeds(500);
-    std::generate(seeds.begin(), seeds.end(), [&] { return seedAt(*mesh, anyVertex(random)); });
-    EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
-  }
+  const auto mesh = meshOf(stretchedPlane(60000, 3.0));
+  std::mt19937 random(1);
+  std::uniform_int_distribution<Index> anyVertex(0, mesh->numberOfVertices() - 1);
+  std::vector<Seed> seeds(500);
+  std::generate(seeds.begin(), seeds.end(), [&] { return seedAt(*mesh, anyVertex(random)); });
+  EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
 }
 
 TEST(Intrinsic, DistancesAreNotMoreThanAlongEdges)

@@ -28,11 +28,10 @@ class TriangleMesh;
  * an edge sum to at most a half turn. It is made by flips: two triangles that are laid into a plane
  * get the other diagonal. Where triangles are then still thin, as between the ends of a long
  * fillet, their longest sides are halved by a new vertex, and edges flipped again, until none is
- * thin whose sides are longer than the edges of the mesh near it. Caps stay, whose third corner
- * lies before the middle of the longest side. Sides that are far longer than the mesh's edges are
- * halved, too: where two fronts meet on one, values are too small by a part of it. Where that would
- * take more new vertices than there are, or many steps, as on a strip of needles alone, there are
- * no new vertices at all.
+ * thin whose sides are longer than the edges of the mesh near it. Sides that are far longer than
+ * the mesh's edges are halved, too: where two fronts meet on one, values are too small by a part of
+ * it. Where that would take more than twice as many new vertices or many steps, as on a strip of
+ * needles alone, there are no new vertices at all.
  *
  * Edges stay that have more than two triangles or lie at a triangle that is fixed or at a vertex of
  * very many triangles, and where the other diagonal joins vertices that an edge joins already: an
@@ -132,8 +131,7 @@ private:
 
   /** The length above which sides are halved whatever their triangle's shape: 1.3 times the mean of
    * the vertices' longest edges, or twice the side of a square of the area for each vertex where
-   * that is more, so that there are at most some more new vertices than vertices. Beside edges that
-   * are far shorter, it is the mean, or one and a half times that side. */
+   * that is more, so that there are at most some more new vertices than vertices. */
   double mostLength() const;
   /** Halves sides of thin triangles and long ones, see IntrinsicRefinement.cxx.
    * @return false, with a part done, where this takes too many vertices or steps */
