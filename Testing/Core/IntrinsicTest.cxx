@@ -307,7 +307,6 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
   }
 }
 
-// No distance is more than along an edge of the mesh, though the front does not follow these.
 // New vertices have the last numbers, wherever they are: vertices with near numbers are no groups
 // to march by.
 TEST(Intrinsic, TakesFewUpdatesFromManySeeds)
@@ -320,6 +319,7 @@ TEST(Intrinsic, TakesFewUpdatesFromManySeeds)
   EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
 }
 
+// No distance is more than along an edge of the mesh, though the front does not follow these.
 TEST(Intrinsic, DistancesAreNotMoreThanAlongEdges)
 {
   for (const Surface& surface : { stretchedPlane(2000, 30.0), flattenedSphere(4, 30.0) })

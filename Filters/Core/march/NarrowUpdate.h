@@ -25,7 +25,7 @@ namespace geodesic
  * What NeighbourUpdate does, for a batch of one vertex or two, with one label and cost 1: one
  * neighbour after the other. A front on a strip is never longer than that. Each step of
  * NeighbourUpdate then waits for the one before, and a strip of 300,000 squares takes 102 ms, with
- * this 57 ms (worst_cases.md). Larger batches are slower this way, as a processor can't predict
+ * this 52 ms (worst_cases.md). Larger batches are slower this way, as a processor can't predict
  * which neighbours gain.
  * @tparam Values  OneLabelValues
  */
