@@ -20,6 +20,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 
 using namespace geodesic;
@@ -61,12 +62,16 @@ double areaOf(const IntrinsicTriangles& intrinsic)
   return area;
 }
 
+/** Of triangles with the same corners one counts. */
 double areaOf(const TriangleMesh& mesh)
 {
   double area = 0.0;
+  std::set<Triangle> known;
   for (const Triangle& t : mesh.triangles())
   {
-    area += 0.5 *
+    Triangle sorted = t;
+    std::sort(sorted.begin(), sorted.end());
+    area += (known.insert(sorted).second ? 0.5 : 0.0) *
       norm(cross(
         mesh.position(t[1]) - mesh.position(t[0]), mesh.position(t[2]) - mesh.position(t[0])));
   }
@@ -152,7 +157,8 @@ TEST(Intrinsic, TrianglesAreOfTheSameSurfaceAndNotThin)
     const IntrinsicTriangles intrinsic(*mesh, {});
     EXPECT_NEAR(areaOf(intrinsic) / areaOf(*mesh), 1.0, 1e-9);
     EXPECT_TRUE(countThinTriangles(*mesh).needOthers());
-    EXPECT_LT(partOfThin(intrinsic), 0.01);
+    // Caps stay.
+    EXPECT_LT(partOfThin(intrinsic), 0.015);
   }
 }
 
@@ -307,19 +313,23 @@ TEST(Intrinsic, TakesFewUpdatesWhereTrianglesAreOfAllSizes)
   }
 }
 
-// New vertices have the last numbers, wherever they are: vertices with near numbers are no groups
-// to march by.
+// No distance is more than along an edge of the mesh, though the front does not follow these.
+// It took 87 updates a vertex on the smaller mesh as long as caps were halved: each half is
+// thinner, and so on. On the larger one fronts march in groups of vertices with near numbers, which
+// new ones are not part of, as they have the last numbers wherever they are.
 TEST(Intrinsic, TakesFewUpdatesFromManySeeds)
 {
-  const auto mesh = meshOf(stretchedPlane(60000, 3.0));
-  std::mt19937 random(1);
-  std::uniform_int_distribution<Index> anyVertex(0, mesh->numberOfVertices() - 1);
-  std::vector<Seed> seeds(500);
-  std::generate(seeds.begin(), seeds.end(), [&] { return seedAt(*mesh, anyVertex(random)); });
-  EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
+  for (const Index points : { 40000u, 60000u })
+  {
+    const auto mesh = meshOf(stretchedPlane(points, 30.0));
+    std::mt19937 random(1);
+    std::uniform_int_distribution<Index> anyVertex(0, mesh->numberOfVertices() - 1);
+    std::vector<Seed> seeds(500);
+    std::generate(seeds.begin(), seeds.end(), [&] { return seedAt(*mesh, anyVertex(random)); });
+    EXPECT_LT(updatesOn(mesh, seeds), 5u * mesh->numberOfVertices());
+  }
 }
 
-// No distance is more than along an edge of the mesh, though the front does not follow these.
 TEST(Intrinsic, DistancesAreNotMoreThanAlongEdges)
 {
   for (const Surface& surface : { stretchedPlane(2000, 30.0), flattenedSphere(4, 30.0) })
@@ -361,6 +371,37 @@ TEST(Intrinsic, IsTheSameOnShuffledSurfaces)
     {
       ASSERT_NEAR(found[newId[i]], expected[i], 1e-9 * largestOf(expected));
     }
+  }
+}
+
+// As pieces on several ranks have copies of each other's triangles.
+TEST(Intrinsic, TrianglesThatLieOnOthersCountOnce)
+{
+  for (const bool hasBarriers : { false, true })
+  {
+    const Surface surface = stretchedPlane(1000, 30.0);
+    Surface doubled = surface;
+    for (std::size_t t = 0; t < surface.triangles.size(); t += 3)
+    {
+      const auto& [a, b, c] = surface.triangles[t];
+      doubled.triangles.push_back({ b, c, a });
+    }
+    std::vector<double> found[2];
+    for (const bool isDoubled : { false, true })
+    {
+      const auto mesh = meshOf(isDoubled ? doubled : surface);
+      std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+      for (Index t = 0; hasBarriers && t < closed.size(); ++t)
+      {
+        const std::size_t source = mesh->sourceOfTriangle(t);
+        const std::size_t count = surface.triangles.size();
+        closed[t] = (source < count ? source : 3 * (source - count)) % 21 == 0 ? 1 : 0;
+      }
+      SolveOptions options;
+      options.closedTriangles = closed;
+      found[isDoubled ? 1 : 0] = intrinsicDistances(mesh, { seedAt(*mesh, 0) }, options);
+    }
+    EXPECT_LT(largestDifference(found[0], found[1]), 1e-9 * largestOf(found[0]));
   }
 }
 

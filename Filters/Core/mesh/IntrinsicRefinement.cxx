@@ -33,9 +33,8 @@ bool IntrinsicTriangles::refine()
   this->MostLength = this->mostLength();
   std::vector<Index> triangles(this->Corners.size());
   std::iota(triangles.begin(), triangles.end(), 0);
-  const std::size_t mostVertices = 3 * std::size_t{ this->Mesh.numberOfVertices() };
-  const std::size_t mostSteps =
-    MostStepsOfTriangle / 4 * std::size_t{ this->Mesh.numberOfTriangles() };
+  const std::size_t mostVertices = 2 * std::size_t{ this->Mesh.numberOfVertices() };
+  const std::size_t mostSteps = MostStepsOfTriangle / 4 * triangles.size();
   // Round by round, so that triangles become smaller everywhere alike.
   while (!triangles.empty())
   {
@@ -77,15 +76,26 @@ IntrinsicTriangles::HalfEdge IntrinsicTriangles::sideToHalve(Index triangle) con
   // Beside edges that are far shorter, triangles must grow step by step: a front that enters the
   // small ones by large ones comes again and again, each time a little nearer to the truth.
   constexpr double graded = 8.0;
-  const double leastHeight = length > graded * least ? 0.25 : 0.1;
+  const bool isGraded = length > graded * least;
+  const double leastHeight = isGraded ? 0.25 : 0.1;
+  constexpr double partOfGraded = 0.77;
+  const double mostLength = (isGraded ? partOfGraded : 1.0) * this->MostLength;
   const double areas = fourAreas(length, other, third);
   const double square = length * length;
   // A half of a triangle without area has none either.
   constexpr double flat = 1e-9;
   const bool isThin = areas < 2.0 * leastHeight * square;
-  const bool isLong = length > 2.0 * std::max(least, std::min(other, third));
+  const double shortest = std::min(other, third);
+  const bool isLong = length > 2.0 * std::max(least, shortest);
+  // Where the opposite corner lies nearer to the middle than to either end, the line to the middle
+  // would be shorter than all sides, and the triangles beside it thin for that: they would be
+  // halved in turn, and so on.
+  const double squareToMiddle = 0.5 * (other * other + third * third) - 0.25 * square;
+  // Rounding must not tell where both are alike.
+  constexpr double rounding = 1.0 + 1e-9;
+  const bool isCap = squareToMiddle <= rounding * shortest * shortest;
   const bool isToBeHalved =
-    areas > flat * square && ((isThin && isLong) || length > this->MostLength);
+    areas > flat * square && ((isThin && isLong && !isCap) || length > mostLength);
   return isToBeHalved && this->Twins[longest] != Fixed ? longest : NoIndex;
 }
 

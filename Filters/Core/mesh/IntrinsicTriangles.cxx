@@ -44,8 +44,19 @@ std::vector<Index> ranksOf(std::span<const Vector3> positions)
 struct RankedTriangle
 {
   Triangle ranks;
+  bool isFixed;
   Triangle corners;
   Index onMesh;
+
+  /** Whether another one is the same: both lie on each other, and both or none of them stay. */
+  bool operator==(const RankedTriangle& other) const
+  {
+    return this->ranks == other.ranks && this->isFixed == other.isFixed;
+  }
+  bool operator<(const RankedTriangle& other) const
+  {
+    return std::tie(this->ranks, this->isFixed) < std::tie(other.ranks, other.isFixed);
+  }
 };
 
 /** Whether the angles opposite to an edge sum to more than a half turn.
@@ -76,9 +87,8 @@ IntrinsicTriangles::IntrinsicTriangles(const TriangleMesh& mesh, const std::vect
 
 void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
 {
-  const std::size_t triangles = this->Mesh.numberOfTriangles();
-  this->Numbers.resize(triangles);
-  this->Corners.resize(triangles);
+  this->takeTriangles(isFixed);
+  const std::size_t triangles = this->Corners.size();
   this->Lengths.resize(3 * triangles);
   this->Twins.assign(3 * triangles, Fixed);
   this->Changed = {};
@@ -86,7 +96,6 @@ void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
   this->Steps.clear();
   this->FirstStep.assign(triangles, NoStep);
   this->LastStep.assign(triangles, NoStep);
-  this->takeTriangles();
   for (HalfEdge h = 0; h < this->Lengths.size(); ++h)
   {
     Interruption::checkAt(h);
@@ -106,41 +115,51 @@ void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
   }
 }
 
-void IntrinsicTriangles::takeTriangles()
+void IntrinsicTriangles::takeTriangles(const std::vector<bool>& isFixed)
 {
   const std::vector<Index> ranks = ranksOf(this->Mesh.positions());
-  std::vector<RankedTriangle> ranked(this->Corners.size());
+  std::vector<RankedTriangle> ranked(this->Mesh.numberOfTriangles());
   for (Index t = 0; t < ranked.size(); ++t)
   {
     Triangle corners = this->Mesh.triangle(t);
     std::sort(
       corners.begin(), corners.end(), [&](Index a, Index b) { return ranks[a] < ranks[b]; });
-    ranked[t] = { { ranks[corners[0]], ranks[corners[1]], ranks[corners[2]] }, corners, t };
+    ranked[t] = { { ranks[corners[0]], ranks[corners[1]], ranks[corners[2]] },
+      !isFixed.empty() && isFixed[t], corners, t };
   }
   Interruption::check();
-  std::sort(ranked.begin(), ranked.end(),
-    [](const RankedTriangle& s, const RankedTriangle& t) { return s.ranks < t.ranks; });
-  for (Index number = 0; number < ranked.size(); ++number)
+  std::sort(ranked.begin(), ranked.end());
+  this->Numbers.resize(ranked.size());
+  this->Corners.clear();
+  for (const RankedTriangle& triangle : ranked)
   {
-    this->Numbers[ranked[number].onMesh] = number;
-    this->Corners[number] = ranked[number].corners;
+    if (&triangle == ranked.data() || !(triangle == *(&triangle - 1)))
+    {
+      this->Corners.push_back(triangle.corners);
+    }
+    this->Numbers[triangle.onMesh] = static_cast<Index>(this->Corners.size() - 1);
   }
 }
 
 void IntrinsicTriangles::linkTwins(const std::vector<bool>& isFixed)
 {
   const EdgeTable edges(this->Mesh);
-  // Of triangles with the same corners only the first is in the table; the others have its edges.
   std::vector<bool> stays(isFixed);
-  stays.resize(this->Corners.size());
+  stays.resize(this->Mesh.numberOfTriangles());
   for (const auto& [triangle, first] : edges.repetitions())
   {
-    stays[triangle] = true;
-    stays[first] = true;
+    if (this->Numbers[triangle] != this->Numbers[first])
+    {
+      stays[triangle] = true;
+      stays[first] = true;
+    }
   }
   for (Index vertex = 0; vertex < this->Mesh.numberOfVertices(); ++vertex)
   {
-    if (const auto round = edges.trianglesAt(vertex); round.size() > MostRoundVertex)
+    const auto round = edges.trianglesAt(vertex);
+    const auto isRepeated = [&](Index triangle) { return edges.isRepeated(triangle); };
+    if (round.size() > MostRoundVertex &&
+      round.size() - std::count_if(round.begin(), round.end(), isRepeated) > MostRoundVertex)
     {
       std::for_each(round.begin(), round.end(), [&](Index triangle) { stays[triangle] = true; });
     }
@@ -154,11 +173,12 @@ void IntrinsicTriangles::linkTwins(const std::vector<bool>& isFixed)
     const Triangle& corners = this->Corners[number];
     return 3 * number + (corners[0] == apex ? 0 : corners[1] == apex ? 1 : 2);
   };
-  for (Index h = 0; h < this->Twins.size(); ++h)
+  // Of triangles with the same corners only the first is in the table, and has its edges.
+  for (Index h = 0; h < 3 * this->Mesh.numberOfTriangles(); ++h)
   {
     Interruption::checkAt(h);
     const Index twin = edges.next(h);
-    if (!edges.isOfMany(h) && isFree(h / 3) && isFree(twin / 3))
+    if (!edges.isRepeated(h / 3) && !edges.isOfMany(h) && isFree(h / 3) && isFree(twin / 3))
     {
       this->Twins[numberOf(h)] = twin != h ? numberOf(twin) : Border;
     }

@@ -28,10 +28,11 @@ class TriangleMesh;
  * an edge sum to at most a half turn. It is made by flips: two triangles that are laid into a plane
  * get the other diagonal. Where triangles are then still thin, as between the ends of a long
  * fillet, their longest sides are halved by a new vertex, and edges flipped again, until none is
- * thin whose sides are longer than the edges of the mesh near it. Sides that are far longer than
- * the mesh's edges are halved, too: where two fronts meet on one, values are too small by a part of
- * it. Where that would take more than twice as many new vertices or many steps, as on a strip of
- * needles alone, there are no new vertices at all.
+ * thin whose sides are longer than the edges of the mesh near it. Caps stay, whose third corner
+ * lies before the middle of the longest side. Sides that are far longer than the mesh's edges are
+ * halved, too: where two fronts meet on one, values are too small by a part of it. Where that would
+ * take more new vertices than there are, or many steps, as on a strip of needles alone, there are
+ * no new vertices at all.
  *
  * Edges stay that have more than two triangles or lie at a triangle that is fixed or at a vertex of
  * very many triangles, and where the other diagonal joins vertices that an edge joins already: an
@@ -57,7 +58,8 @@ public:
   /** The vertices of the mesh, and new ones behind them. */
   Index numberOfVertices() const { return static_cast<Index>(this->LeastEdges.size()); }
   std::span<const Triangle> triangles() const { return this->Corners; }
-  /** The number of a triangle of the mesh among these. If it is fixed, it has its corners still. */
+  /** The number of a triangle of the mesh among these; triangles with the same corners have the
+   * same one unless only some are fixed. If it is fixed, it has its corners still. */
   Index numberOf(Index triangle) const { return this->Numbers[triangle]; }
   /** The length of an edge of a triangle, on the surface. Time O(1). */
   double length(Index a, Index b) const;
@@ -113,8 +115,9 @@ private:
 
   /** Makes the triangulation without new vertices. */
   void makeDelaunay(const std::vector<bool>& isFixed);
-  /** Brings the triangles into an order that positions alone decide. */
-  void takeTriangles();
+  /** Takes over the triangles of the mesh, those with the same corners once, in an order that
+   * positions alone decide. @param isFixed  by the mesh's numbers */
+  void takeTriangles(const std::vector<bool>& isFixed);
   /** @param isFixed  by the mesh's numbers */
   void linkTwins(const std::vector<bool>& isFixed);
   /** Flips the edges that wait, and those beside them, until none is to be flipped. */
@@ -131,7 +134,8 @@ private:
 
   /** The length above which sides are halved whatever their triangle's shape: 1.3 times the mean of
    * the vertices' longest edges, or twice the side of a square of the area for each vertex where
-   * that is more, so that there are at most some more new vertices than vertices. */
+   * that is more, so that there are at most some more new vertices than vertices. Beside edges that
+   * are far shorter, it is the mean, or one and a half times that side. */
   double mostLength() const;
   /** Halves sides of thin triangles and long ones, see IntrinsicRefinement.cxx.
    * @return false, with a part done, where this takes too many vertices or steps */
