@@ -6,6 +6,7 @@
 
 #include "march/BatchedMarch.h"
 #include "march/FieldValues.h"
+#include "march/HigherBounds.h"
 #include "march/LabelBounds.h"
 #include "march/LabelMargin.h"
 #include "march/NeighbourUpdateOnOne.h"
@@ -196,7 +197,13 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   QueuedFront front(this->Queues, control, edge * cost.mean(), edge * cost.typical(),
     values.firstDistance(), values,
     [&](std::uint64_t end, std::vector<Index>* taken) { batches.advance(end, taken); });
-  const bool finished = request.partition.march(front, limit);
+  bool finished = request.partition.march(front, limit);
+  if constexpr (Values::hasOtherLabels)
+  {
+    finished = finished &&
+      goOnWithinHigherBounds(values.bounds(), front, request.partition, limit, field,
+        [&](Index vertex) { values.queueAgain(vertex); });
+  }
   field.noteRaisedGain(control.raisedGain());
   field.orderReached();
   values.finish();

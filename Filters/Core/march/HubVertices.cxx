@@ -55,4 +55,19 @@ std::vector<Index> hubVertices(
   return hubs;
 }
 
+bool hasHubs(const TriangleMesh& mesh, Partition& partition)
+{
+  std::vector<Index> largest;
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (mesh.ring(vertex).size() > MostTrianglesElsewhere)
+    {
+      largest.push_back(vertex);
+    }
+  }
+  const double isAny = hubVertices(mesh, largest, partition).empty() ? 0.0 : 1.0;
+  const std::vector<double> all = partition.gather({ &isAny, 1 });
+  return *std::max_element(all.begin(), all.end()) > 0.0;
+}
+
 }

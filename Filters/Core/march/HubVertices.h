@@ -24,6 +24,9 @@ constexpr std::size_t MostTrianglesElsewhere = 1000;
 std::vector<Index> hubVertices(
   const TriangleMesh& mesh, std::span<const Index> among, Partition& partition);
 
+/** Whether there is any hub on any piece. Collective. Time O(n). */
+bool hasHubs(const TriangleMesh& mesh, Partition& partition);
+
 }
 
 #endif

@@ -285,8 +285,23 @@ std::span<const StartValue> LabelBounds::within(
   return within;
 }
 
+std::span<double> LabelBounds::startOfAll(std::size_t vertices, std::size_t labels)
+{
+  this->OfVertices.resize(vertices);
+  this->AreOfAll = true;
+  this->OfLabels.assign(labels, DistanceField::Unreached);
+  this->AreInside.clear();
+  return this->OfVertices;
+}
+
 void LabelBounds::clear()
 {
+  if (this->AreOfAll)
+  {
+    std::fill(this->OfVertices.begin(), this->OfVertices.end(), DistanceField::Unreached);
+    this->AreOfAll = false;
+  }
+  this->Checks = nullptr;
   for (const Index vertex : this->Reached)
   {
     this->First[vertex] = DistanceField::Unreached;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,7 +42,8 @@ bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Pa
  * label. All bounds are fixed before the march, so the field does not depend on its order.
  *
  * The bound of a vertex is its distance in a *first march*, in which all labels together are one
- * straight front, and an excess; values a little above the least one are needed near borders. Where
+ * straight front, and an excess(); values a little above the least one are needed near borders. Or
+ * it is made of straight lines, see LineBounds. Where
  * costs jump the excess is the margin, and labels have no bounds. For dense labels it is less, and
  * the bounds of labels are from labelReaches(). Beside a single point the straight front is too
  * slow: in a step of a height h it loses c² / 8 h d at a distance d, with sides of length c, which
@@ -51,6 +53,10 @@ bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Pa
 class LabelBounds
 {
 public:
+  /** How much a distance that counts may exceed the least one where labels are dense. @param reach
+   * of the vertex, see UnitCost::reach() @param distance  the least one, less the seeds' value */
+  static double excess(double reach, double distance) { return 0.15 * reach + 0.01 * distance; }
+
   /**
    * Prepares a first march: sets its starts. Collective.
    * @param starts  those of all labels; final values of a vertex stay as they are
@@ -82,6 +88,33 @@ public:
       this->notePassed(vertex, distance);
       this->OfVertices[vertex] = distance + (this->isInside(vertex) ? 0.0 : excessOf(vertex));
     }
+  }
+
+  /** Begins with bounds of vertices alone, without a first march. @return those of all vertices, to
+   * be set */
+  std::span<double> startOfAll(std::size_t vertices, std::size_t labels);
+  /** Sets a bound anew. */
+  void setOfVertex(Index vertex, double bound) { this->OfVertices[vertex] = bound; }
+
+  /** What a check of the bounds after a march has found. */
+  enum class Check
+  {
+    /** None was too low. */
+    Passed,
+    /** Some were; the march is to go on, or to be made again, with higher ones. */
+    Raised,
+    Cancelled
+  };
+  /** A check that raises bounds. It gets the vertices, by distance, whose values may now go on. */
+  using Checking = std::function<Check(const DistanceField& field, std::vector<Index>& beside)>;
+  /** Sets what check() is to do. */
+  void setChecking(Checking checking) { this->Checks = std::move(checking); }
+  /** To be called after a march, when its queues are empty. The first time after setChecking() it
+   * is checked; bounds pass that were checked, or are not to be. Collective. */
+  Check check(const DistanceField& field, std::vector<Index>& beside)
+  {
+    const Checking checking = std::exchange(this->Checks, nullptr);
+    return checking ? checking(field, beside) : Check::Passed;
   }
 
   /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
@@ -157,8 +190,11 @@ private:
   std::vector<Index> Reached;
   std::vector<double> First;
   std::vector<double> OfVertices;
+  /** Whether OfVertices was set without a first march, for all vertices. */
+  bool AreOfAll = false;
   std::vector<double> OfLabels;
   std::vector<Index> AtEnds;
+  Checking Checks;
 };
 
 }

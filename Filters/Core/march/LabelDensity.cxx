@@ -113,6 +113,12 @@ bool labelsAreDense(
   return close > MostSparseLabels && close * CloseLabelsOfSparse > count;
 }
 
+bool labelsHaveRoom(const TriangleMesh& mesh, const SeedFront& front, Partition& partition)
+{
+  return sizeOf(mesh, partition).vertices >=
+    VerticesOfSparseLabel * static_cast<double>(front.labels.size());
+}
+
 bool labelsAreSpread(
   const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition)
 {

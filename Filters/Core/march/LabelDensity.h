@@ -22,6 +22,9 @@ struct SeedFront;
 bool labelsAreDense(
   const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition);
 
+/** Whether there are at least 64 vertices for each label. Collective. */
+bool labelsHaveRoom(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
+
 /**
  * Whether round labels are spread so evenly that few compete for a vertex, also without
  * labelReaches(). With their spacing, the side of a square of as many vertices as there are for

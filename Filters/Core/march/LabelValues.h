@@ -197,6 +197,29 @@ public:
     }
   }
 
+  /** Queues all values of a vertex once more. @pre none is queued */
+  void queueAgain(Index vertex)
+  {
+    const auto goBack = [&](const SourceFront& label, double value)
+    {
+      FrontQueues& queues = this->context().queues;
+      queues.goBackTo(queues.group(label.group), value + label.seedValue - this->firstDistance());
+    };
+    const SourceFront& best = this->labelOf(this->state(vertex));
+    const double value = this->value(best, vertex);
+    goBack(best, value);
+    this->state(vertex).setQueued(true);
+    this->queue(best, this->groupOf(best).best, vertex, value);
+    this->Sets.visitNumbers(vertex,
+      [&](Index number)
+      {
+        SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
+        const SourceFront& label = this->labelOf(secondary.state);
+        goBack(label, valueOf(label, secondary));
+        this->queueSecondary(label, number, secondary);
+      });
+  }
+
   /** How many values vertices keep, or have kept in this march; up to one more for each vertex. */
   std::size_t numberOfValues() const
   {
@@ -205,6 +228,8 @@ public:
 
   /** Whether labels are dense, so that bounds are set (see LabelBounds). */
   bool hasBounds() const { return this->Bounds != nullptr; }
+  /** The bounds; null if there are none. */
+  LabelBounds* bounds() const { return this->Bounds; }
 
   /** The vertex of an item of the queues. */
   Index vertexOf(Index taken) const

@@ -2,191 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/MarchingSolver.h"
 
-#include "march/EdgeLowering.h"
-#include "march/HubVertices.h"
 #include "march/LabelDensity.h"
-#include "march/LabelReach.h"
 #include "march/StopReach.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/CostedStart.h"
-#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>
-#include <iterator>
-#include <tuple>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace geodesic
 {
-namespace
-{
-
-/** How much a distance that counts at a vertex may exceed the one in the first march, where labels
- * are dense: parts of the vertex's reach and of the distance. */
-constexpr double ExcessOfReach = 0.15;
-constexpr double ExcessOfDistance = 0.01;
-/** The same at hubVertices(), in parts of the distance: what rounding makes. */
-constexpr double ExcessAtHub = 1e-9;
-
-/** The largest distance of a field on all pieces. Collective. */
-double farthestOf(const DistanceField& field, Partition& partition)
-{
-  double farthest = 0.0;
-  for (const Index vertex : field.reached())
-  {
-    farthest = std::max(farthest, field.distance(vertex));
-  }
-  const std::vector<double> all = partition.gather({ &farthest, 1 });
-  return *std::max_element(all.begin(), all.end());
-}
-
-/** Lets all pieces know the targets' distances after these were lowered without a march.
- * Collective.
- */
-void learnTargets(StopLimit& limit, Partition& partition)
-{
-  std::vector<double> least = limit.targetDistances();
-  const std::vector<double> all = partition.gather(least);
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    double& known = least[i % least.size()];
-    known = std::min(known, all[i]);
-  }
-  limit.learn(least);
-}
-
-/** The seed of the neighbour through which a vertex is nearest, with the length through it; without
- * a seed if no neighbour has one. */
-StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
-{
-  StartValue nearest{ vertex, NoIndex, DistanceField::Unreached, false };
-  const std::span<const RingEntry> ring = mesh.ring(vertex);
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    const Index neighbour = ring[i].neighbour();
-    const double length = field.distance(neighbour) + norm(mesh.toNeighbour(vertex, i));
-    if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
-    {
-      nearest.value = length;
-      nearest.label = field.nearestSeed(neighbour);
-    }
-  }
-  return nearest;
-}
-
-/**
- * Gives vertices seeds of their neighbours, round by round, so that neither the order of the
- * vertices nor the pieces decide. Collective.
- * @param gaps  vertices of this piece that have a distance and no seed
- */
-void takeSeedsOfNeighbours(
-  const TriangleMesh& mesh, std::vector<Index> gaps, Partition& partition, DistanceField& field)
-{
-  while (true)
-  {
-    std::vector<StartValue> found;
-    for (const Index vertex : gaps)
-    {
-      if (const StartValue nearest = seedOfNeighbour(mesh, vertex, field); nearest.label != NoIndex)
-      {
-        found.push_back(nearest);
-      }
-    }
-    const double count = static_cast<double>(found.size());
-    const std::vector<double> counts = partition.gather({ &count, 1 });
-    if (*std::max_element(counts.begin(), counts.end()) == 0.0)
-    {
-      return;
-    }
-    std::vector<StartValue> shared;
-    if (partition.isDivided())
-    {
-      const auto vertices = partition.sharedVertices();
-      const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
-      std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
-        [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
-    }
-    const std::vector<StartValue> others = partition.exchange(shared);
-    found.insert(found.end(), others.begin(), others.end());
-    std::sort(found.begin(), found.end(),
-      [](const StartValue& x, const StartValue& y)
-      { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
-    for (const StartValue& nearest : found)
-    {
-      if (field.isReached(nearest.vertex) && field.nearestSeed(nearest.vertex) == NoIndex)
-      {
-        field.setNearestSeed(nearest.vertex, nearest.label);
-      }
-    }
-    std::erase_if(gaps, [&](Index vertex) { return field.nearestSeed(vertex) != NoIndex; });
-  }
-}
-
-/**
- * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the
- * smallest seed number. Pieces that share a vertex have the same starts there.
- */
-void takeStarts(
-  std::span<const Label> labels, std::span<const StartValue> starts, DistanceField& field)
-{
-  constexpr double rounding = 1.0 + 1e-10;
-  const auto take = [&](const StartValue& start)
-  {
-    const Label& label = labels[start.label];
-    const double distance = start.value + label.value;
-    const double known =
-      field.isReached(start.vertex) ? field.distance(start.vertex) : DistanceField::Unreached;
-    if (distance < known)
-    {
-      field.setDistance(start.vertex, distance);
-    }
-    if (distance * rounding < known)
-    {
-      field.setNearestSeed(start.vertex, label.seed);
-    }
-    else if (distance <= known * rounding)
-    {
-      field.setNearestSeed(start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
-    }
-  };
-  std::for_each(starts.begin(), starts.end(), take);
-  field.orderReached();
-}
-
-/**
- * Gives vertices that no label reached within the bounds the distance in the first march and a seed
- * of a neighbour. Collective.
- * @param areDense  gives vertices that distance also where it is less: a label that others bounded
- *                  may have come by a detour
- */
-void takeFirstMarch(const TriangleMesh& mesh, const LabelBounds& bounds, bool areDense,
-  Partition& partition, DistanceField& field)
-{
-  std::vector<Index> gaps;
-  for (const Index vertex : bounds.reached())
-  {
-    if (!field.isReached(vertex))
-    {
-      gaps.push_back(vertex);
-    }
-    else if (areDense && bounds.first(vertex) < field.distance(vertex))
-    {
-      field.setDistance(vertex, bounds.first(vertex));
-    }
-  }
-  for (const Index vertex : gaps)
-  {
-    field.setDistance(vertex, bounds.first(vertex));
-  }
-  takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
-}
-
-}
-
 MarchingSolver::MarchingSolver(
   std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const UpdateBounds> bounds)
   : FrontSolver(std::move(mesh))
@@ -259,83 +87,14 @@ template <class Cost>
 bool MarchingSolver::marchAtCost(std::span<const StartValue> starts, const Cost& cost,
   const Request& request, StopLimit& limit, DistanceField& field)
 {
-  const std::vector<Label>& labels = request.front.labels;
   // Where costs are spread so much, the margin of a dear vertex holds nearly all labels.
   const bool areSpread = cost.queueOrder() == QueueOrder::ByValue;
   const bool areDense = labelsAreDense(this->mesh(), request.front, areSpread, request.partition);
-  if (!areDense && (labels.size() == 1 || !cost.jumps()))
+  if (areDense || (request.front.labels.size() > 1 && cost.jumps()))
   {
-    return this->marchFrom(starts, cost, request, nullptr, limit, field);
+    return this->marchWithinBounds(starts, cost, request, areDense, limit, field);
   }
-  const auto endAtStarts = [&]
-  {
-    takeStarts(labels, starts, field);
-    learnTargets(limit, request.partition);
-    return true;
-  };
-  if (areDense && areSettled(this->mesh(), starts, request.partition))
-  {
-    return endAtStarts();
-  }
-  OptionsOfMarches marches(request.options);
-  const SolveOptions& options = marches.get();
-  this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
-  if (areDense && this->LabelsWithin.areAllInside(request.partition))
-  {
-    this->LabelsWithin.clear();
-    return endAtStarts();
-  }
-  const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
-  StopLimit firstLimit(this->mesh(), options, field);
-  firstLimit.setReaches(limit.reaches());
-  const Request first{ together, request.closed, options, request.partition, request.hasCost };
-  bool finished =
-    this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field);
-  if (finished)
-  {
-    if (areDense)
-    {
-      const double farthest = farthestOf(field, request.partition);
-      const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
-      std::vector<double> reaches(labels.size(), DistanceField::Unreached);
-      if (request.hasCost ||
-        !labelsAreSpread(this->mesh(), request.front, farthest, request.partition))
-      {
-        reaches = labelReaches(
-          this->mesh(), request.front, request.options.cost, farthest, request.partition);
-      }
-      this->LabelsWithin.take(field, std::move(reaches),
-        [&](Index vertex)
-        {
-          return std::binary_search(hubs.begin(), hubs.end(), vertex)
-            ? ExcessAtHub * field.distance(vertex)
-            : ExcessOfReach * cost.reach(vertex) + ExcessOfDistance * field.distance(vertex);
-        });
-    }
-    else
-    {
-      this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
-        [&](Index vertex) { return cost.margin(vertex); });
-    }
-    const double raisedGain = field.raisedGain();
-    field.reset();
-    field.noteRaisedGain(raisedGain);
-    marches.beginNext();
-    const Request second{ request.front, request.closed, options, request.partition,
-      request.hasCost };
-    finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
-      second, &this->LabelsWithin, limit, field);
-    takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
-    if (Cost::isUnit && areDense && finished)
-    {
-      marches.beginNext();
-      finished = lowerAlongEdges(this->mesh(), request.closed, options, this->LabelsWithin.atEnds(),
-        request.partition, limit, field);
-    }
-    learnTargets(limit, request.partition);
-  }
-  this->LabelsWithin.clear();
-  return finished;
+  return this->marchFrom(starts, cost, request, nullptr, limit, field);
 }
 
 }

@@ -17,6 +17,8 @@
 namespace geodesic
 {
 
+class OptionsOfMarches;
+
 /**
  * The base of both tiers of fast marching: ReferenceSolver, the algorithm in its plain form, and
  * FastMarchingSolver, its fast form. It prepares what both need, costs, start values and margins,
@@ -60,6 +62,19 @@ private:
   template <class Cost>
   bool marchAtCost(std::span<const StartValue> starts, const Cost& cost, const Request& request,
     StopLimit& limit, DistanceField& field);
+
+  /** Marches of several labels within bounds of values, see BoundedMarches.cxx.
+   * @param areDense  whether labels are; else costs jump */
+  template <class Cost>
+  bool marchWithinBounds(std::span<const StartValue> starts, const Cost& cost,
+    const Request& request, bool areDense, StopLimit& limit, DistanceField& field);
+  /** A march within LineBounds. @return nothing, with the field reset, where they are useless */
+  std::optional<bool> marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
+    const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
+  /** A first march, and one within the bounds that it gives. @pre LabelBounds::begin() */
+  template <class Cost>
+  bool marchTwice(std::span<const StartValue> starts, const Cost& cost, const Request& request,
+    bool areDense, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
 
   /** The reaches of a cost of 1 everywhere, made at the first run that may stop. Collective. */
   std::span<const float> unitReaches(Partition& partition);

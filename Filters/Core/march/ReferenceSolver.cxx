@@ -4,6 +4,7 @@
 
 #include "march/BucketQueue.h"
 #include "march/EikonalUpdate.h"
+#include "march/HigherBounds.h"
 #include "march/HubTies.h"
 #include "march/LabelBounds.h"
 #include "march/ReferenceValues.h"
@@ -115,6 +116,17 @@ public:
   {
     this->Queue.goBackTo(value + this->Labels[label].value - this->First);
     this->propose(vertex, label, value);
+  }
+
+  /** Puts all values of a vertex into the queue once more. */
+  void queueAgain(Index vertex)
+  {
+    this->Values.visit(vertex,
+      [&](const ReferenceValue& held)
+      {
+        this->Queue.goBackTo(this->distance(held) - this->First);
+        this->set(this->Values.find(vertex, held.label), held.value);
+      });
   }
 
   /** Sets the nearest seed of each vertex in the field; of equally near ones the smallest number.
@@ -323,7 +335,9 @@ bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost
   ReferenceFront<Cost> front(this->mesh(), cost, request.front.labels, bounds, request.closed,
     request.options, limit, field);
   std::for_each(starts.begin(), starts.end(), [&](const StartValue& start) { front.start(start); });
-  const bool finished = request.partition.march(front, limit);
+  const bool finished = request.partition.march(front, limit) &&
+    goOnWithinHigherBounds(bounds, front, request.partition, limit, field,
+      [&](Index vertex) { front.queueAgain(vertex); });
   field.orderReached();
   front.finish();
   return finished;

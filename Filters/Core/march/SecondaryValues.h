@@ -177,13 +177,19 @@ public:
   template <class Visit>
   void visitSecondary(Index vertex, Visit&& visit) const
   {
+    this->visitNumbers(vertex, [&](Index number) { visit(this->secondary(number)); });
+  }
+  /** The same with their numbers. */
+  template <class Visit>
+  void visitNumbers(Index vertex, Visit&& visit) const
+  {
     if (!this->hasSecondary(vertex))
     {
       return;
     }
     for (Index number = vertex; number != NoIndex; number = this->secondary(number).Next)
     {
-      visit(this->secondary(number));
+      visit(number);
     }
   }
 
