@@ -15,6 +15,7 @@
 #include "solve/StopLimit.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <tuple>
 #include <unordered_set>
@@ -230,9 +231,10 @@ std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue>
   DistanceField& field)
 {
   LabelBounds& bounds = this->LabelsWithin;
-  LineBounds lines(
-    { this->mesh(), request.closed, marches, request.partition, request.front, cost, limit },
-    bounds);
+  LineBounds lines({ this->mesh(), marches.get(), request.partition, request.front, cost, limit },
+    bounds,
+    [&](std::span<const StartValue> from, std::span<const std::uint8_t> excluded)
+    { return this->marchWays(from, excluded, cost, request, marches, limit); });
   if (!lines.set(starts))
   {
     return std::nullopt;
@@ -241,11 +243,8 @@ std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue>
     { return lines.raise(found, beside); });
   const Request within{ request.front, request.closed, marches.get(), request.partition,
     request.hasCost };
-  const auto marchOnce = [&]
-  {
-    return this->marchFrom(bounds.within(this->mesh(), request.front.labels, starts), cost, within,
-      &bounds, limit, field);
-  };
+  const std::span<const StartValue> counting =
+    bounds.within(this->mesh(), request.front.labels, starts);
   const auto startAnew = [&]
   {
     const double raisedGain = field.raisedGain();
@@ -253,14 +252,22 @@ std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue>
     field.noteRaisedGain(raisedGain);
     marches.beginNext();
   };
-  bool isFinished = marchOnce();
-  // A march on threads does not go on from where it was.
-  std::vector<Index> beside;
-  const auto found = isFinished ? bounds.check(field, beside) : LabelBounds::Check::Cancelled;
-  if (found == LabelBounds::Check::Raised)
+  bool isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
+  if (isFinished)
   {
-    startAnew();
-    isFinished = marchOnce();
+    // A march on threads does not go on from where it was.
+    std::vector<Index> beside;
+    const LabelBounds::Check found = bounds.check(field, beside);
+    isFinished = found != LabelBounds::Check::Cancelled;
+    if (found == LabelBounds::Check::Raised)
+    {
+      startAnew();
+      isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
+    }
+  }
+  if (isFinished && !lines.areUseless())
+  {
+    takeFirstMarch(this->mesh(), bounds, true, request.partition, field);
   }
   bounds.clear();
   if (isFinished && lines.areUseless())
@@ -269,7 +276,32 @@ std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue>
     return std::nullopt;
   }
   learnTargets(limit, request.partition);
-  return isFinished && found != LabelBounds::Check::Cancelled;
+  return isFinished;
+}
+
+const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> starts,
+  std::span<const std::uint8_t> excluded, const UnitCost& cost, const Request& request,
+  OptionsOfMarches& marches, const StopLimit& limit)
+{
+  if (!this->WaysSolver)
+  {
+    this->WaysSolver = this->another();
+  }
+  if (!this->Ways)
+  {
+    this->Ways.emplace(this->mesh().numberOfVertices());
+  }
+  this->Ways->reset();
+  marches.beginNext();
+  SolveOptions options = marches.get();
+  options.excluded = excluded;
+  StopLimit limitOfWays(this->mesh(), options, *this->Ways);
+  limitOfWays.setReaches(limit.reaches());
+  const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
+  const Request ways{ together, request.closed, options, request.partition, request.hasCost };
+  return this->WaysSolver->marchFrom(starts, cost, ways, nullptr, limitOfWays, *this->Ways)
+    ? &*this->Ways
+    : nullptr;
 }
 
 template <class Cost>

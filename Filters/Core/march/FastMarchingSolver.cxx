@@ -57,7 +57,7 @@ FastMarchingSolver::FastMarchingSolver(std::shared_ptr<const TriangleMesh> mesh,
   this->States.resize(this->mesh().numberOfVertices());
 }
 
-std::unique_ptr<FrontSolver> FastMarchingSolver::another() const
+std::unique_ptr<MarchingSolver> FastMarchingSolver::another() const
 {
   return std::make_unique<FastMarchingSolver>(
     this->sharedMesh(), this->bounds(), this->MayUseQuads);
@@ -201,8 +201,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
   if constexpr (Values::hasOtherLabels)
   {
     finished = finished &&
-      goOnWithinHigherBounds(values.bounds(), front, request.partition, limit, field,
-        [&](Index vertex) { values.queueAgain(vertex); });
+      goOnWithinHigherBounds(values.bounds(), front, values, request.partition, limit, field);
   }
   field.noteRaisedGain(control.raisedGain());
   field.orderReached();

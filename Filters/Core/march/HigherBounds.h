@@ -17,13 +17,14 @@ class StopLimit;
 /**
  * To be called after a march within bounds: has them checked, and goes on where they were too low.
  * Collective.
- * @param bounds      null if there are none
- * @param queueAgain  queueAgain(vertex) puts all values of a vertex into the queues again
+ * @param bounds  null if there are none
+ * @param values  goBackTo(vertex) makes empty queues go back to all values of a vertex, and
+ *                queueAgain(vertex) puts these into them once more
  * @return false when cancelled
  */
-template <class QueueAgain>
-bool goOnWithinHigherBounds(LabelBounds* bounds, MarchingFront& front, Partition& partition,
-  StopLimit& limit, const DistanceField& field, const QueueAgain& queueAgain)
+template <class Front, class Values>
+bool goOnWithinHigherBounds(LabelBounds* bounds, Front& front, Values& values, Partition& partition,
+  StopLimit& limit, const DistanceField& field)
 {
   if (!bounds)
   {
@@ -31,9 +32,14 @@ bool goOnWithinHigherBounds(LabelBounds* bounds, MarchingFront& front, Partition
   }
   std::vector<Index> beside;
   const LabelBounds::Check found = bounds->check(field, beside);
+  // As long as a queue is empty, it goes back without a step.
   for (const Index vertex : beside)
   {
-    queueAgain(vertex);
+    values.goBackTo(vertex);
+  }
+  for (const Index vertex : beside)
+  {
+    values.queueAgain(vertex);
   }
   return found == LabelBounds::Check::Raised ? partition.march(front, limit)
                                              : found == LabelBounds::Check::Passed;

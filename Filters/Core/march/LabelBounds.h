@@ -95,6 +95,13 @@ public:
   std::span<double> startOfAll(std::size_t vertices, std::size_t labels);
   /** Sets a bound anew. */
   void setOfVertex(Index vertex, double bound) { this->OfVertices[vertex] = bound; }
+  /** After startOfAll(): notes the distance that a vertex has in a first march of a part. */
+  void setFirst(Index vertex, double distance)
+  {
+    this->First.resize(this->OfVertices.size(), DistanceField::Unreached);
+    this->First[vertex] = distance;
+    this->Reached.push_back(vertex);
+  }
 
   /** What a check of the bounds after a march has found. */
   enum class Check
@@ -105,7 +112,7 @@ public:
     Raised,
     Cancelled
   };
-  /** A check that raises bounds. It gets the vertices, by distance, whose values may now go on. */
+  /** A check that raises bounds. It gets the vertices whose values may now go on. */
   using Checking = std::function<Check(const DistanceField& field, std::vector<Index>& beside)>;
   /** Sets what check() is to do. */
   void setChecking(Checking checking) { this->Checks = std::move(checking); }

@@ -197,8 +197,8 @@ public:
     }
   }
 
-  /** Queues all values of a vertex once more. @pre none is queued */
-  void queueAgain(Index vertex)
+  /** See goOnWithinHigherBounds(). */
+  void goBackTo(Index vertex)
   {
     const auto goBack = [&](const SourceFront& label, double value)
     {
@@ -206,17 +206,24 @@ public:
       queues.goBackTo(queues.group(label.group), value + label.seedValue - this->firstDistance());
     };
     const SourceFront& best = this->labelOf(this->state(vertex));
-    const double value = this->value(best, vertex);
-    goBack(best, value);
+    goBack(best, this->value(best, vertex));
+    this->Sets.visitSecondary(vertex,
+      [&](const SecondaryValues::SecondaryValue& secondary)
+      {
+        const SourceFront& label = this->labelOf(secondary.state);
+        goBack(label, valueOf(label, secondary));
+      });
+  }
+  void queueAgain(Index vertex)
+  {
+    const SourceFront& best = this->labelOf(this->state(vertex));
     this->state(vertex).setQueued(true);
-    this->queue(best, this->groupOf(best).best, vertex, value);
+    this->queue(best, this->groupOf(best).best, vertex, this->value(best, vertex));
     this->Sets.visitNumbers(vertex,
       [&](Index number)
       {
         SecondaryValues::SecondaryValue& secondary = this->Sets.secondary(number);
-        const SourceFront& label = this->labelOf(secondary.state);
-        goBack(label, valueOf(label, secondary));
-        this->queueSecondary(label, number, secondary);
+        this->queueSecondary(this->labelOf(secondary.state), number, secondary);
       });
   }
 

@@ -3,21 +3,18 @@
 #include "march/LineBounds.h"
 
 #include "base/SortUnique.h"
-#include "march/EdgeLowering.h"
 #include "march/HubVertices.h"
 #include "march/LabelDensity.h"
 #include "march/StraightLines.h"
 #include "mesh/TriangleMesh.h"
-#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
+#include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <iterator>
 #include <utility>
 
 namespace geodesic
@@ -29,33 +26,6 @@ namespace
  * reach. On a hilly grid distances are 2 % more than lines in the mean. */
 constexpr double PartOfLine = 1.04;
 constexpr double PartOfReach = 0.5;
-/** Where more of all vertices have a bound that was too low, another march takes less. */
-constexpr double MostRaised = 0.35;
-
-/** The reached ones of some vertices and their neighbours, each once. */
-std::vector<Index> reachedBeside(
-  const TriangleMesh& mesh, std::span<const Index> vertices, const DistanceField& field)
-{
-  std::vector<std::uint8_t> areKnown(mesh.numberOfVertices());
-  std::vector<Index> beside;
-  const auto add = [&](Index vertex)
-  {
-    if (areKnown[vertex] == 0 && field.isReached(vertex))
-    {
-      areKnown[vertex] = 1;
-      beside.push_back(vertex);
-    }
-  };
-  for (const Index vertex : vertices)
-  {
-    add(vertex);
-    for (const RingEntry& entry : mesh.ring(vertex))
-    {
-      add(entry.neighbour());
-    }
-  }
-  return beside;
-}
 
 }
 
@@ -74,7 +44,7 @@ bool LineBounds::suit(const TriangleMesh& mesh, const SeedFront& front, Partitio
 
 bool LineBounds::set(std::span<const StartValue> starts)
 {
-  const auto& [mesh, closed, options, partition, front, cost, limit] = this->On;
+  const auto& [mesh, options, partition, front, cost, limit] = this->On;
   this->SeedValue = front.labels[0].value;
   std::vector<Vector3> places(front.labels.size());
   std::transform(front.labels.begin(), front.labels.end(), places.begin(),
@@ -121,9 +91,9 @@ double LineBounds::excess(Index vertex, double distance) const
 
 std::vector<Index> LineBounds::lowIn(const DistanceField& field) const
 {
-  const StopLimit& limit = this->On.limit;
+  const auto& [mesh, options, partition, front, cost, limit] = this->On;
   std::vector<Index> low;
-  for (Index vertex = 0; vertex < this->On.mesh.numberOfVertices(); ++vertex)
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     const double bound = this->Bounds.ofVertex(vertex);
     const double distance = field.distance(vertex);
@@ -134,109 +104,127 @@ std::vector<Index> LineBounds::lowIn(const DistanceField& field) const
       low.push_back(vertex);
     }
   }
+  // Rounding may tell otherwise on another piece.
+  std::vector<StartValue> own;
+  std::transform(low.begin(), low.end(), std::back_inserter(own),
+    [](Index vertex) {
+      return StartValue{ vertex, 0, 0.0, false };
+    });
+  for (const StartValue& other : partition.exchange(own))
+  {
+    low.push_back(other.vertex);
+  }
+  sortUnique(low);
   return low;
 }
 
-bool LineBounds::findWays(
-  const DistanceField& field, std::span<const Index> low, DistanceField& ways) const
+std::vector<StartValue> LineBounds::startsOfWays(const DistanceField& field,
+  std::span<const Index> low, const std::vector<std::uint8_t>& isLow) const
 {
-  this->On.options.beginNext();
-  const SolveOptions& options = this->On.options.get();
-  StopLimit limit(this->On.mesh, options, ways);
-  limit.setReaches(this->On.limit.reaches());
-  return lowerAlongEdges(this->On.mesh, this->On.closed, options,
-    reachedBeside(this->On.mesh, low, field), this->On.partition, limit, ways);
-}
-
-std::vector<Index> LineBounds::raiseTo(const DistanceField& ways, std::span<const Index> low)
-{
-  Partition& partition = this->On.partition;
-  std::vector<Index> raised;
-  const auto raise = [&](Index vertex, double bound)
+  const TriangleMesh& mesh = this->On.mesh;
+  std::vector<std::uint8_t> isStart(mesh.numberOfVertices());
+  for (const FrontStart& start : this->On.front.starts)
   {
-    if (bound > this->Bounds.ofVertex(vertex))
+    const bool isLeast = this->SeedValue + start.length <= field.distance(start.vertex);
+    isStart[start.vertex] |= isLeast ? 1 : 0;
+  }
+  std::vector<std::uint8_t> isKnown(mesh.numberOfVertices());
+  std::vector<StartValue> starts;
+  const auto add = [&](Index vertex)
+  {
+    if (isKnown[vertex] == 0 && field.isReached(vertex))
     {
-      this->Bounds.setOfVertex(vertex, bound);
-      raised.push_back(vertex);
+      isKnown[vertex] = 1;
+      const bool isFinal = isLow[vertex] == 0 || isStart[vertex] != 0;
+      starts.push_back({ vertex, 0, field.distance(vertex), isFinal });
     }
   };
   for (const Index vertex : low)
   {
-    if (ways.isReached(vertex))
+    add(vertex);
+    for (const RingEntry& entry : mesh.ring(vertex))
     {
-      raise(vertex, ways.distance(vertex) + this->excess(vertex, ways.distance(vertex)));
+      add(entry.neighbour());
     }
   }
-  const std::span<const Index> shared = partition.sharedVertices();
-  std::vector<StartValue> own;
-  for (const Index vertex : raised)
+  return starts;
+}
+
+bool LineBounds::raiseTo(const DistanceField& ways, std::span<const Index> low)
+{
+  bool isAny = false;
+  const auto raise = [&](Index vertex, double bound)
   {
-    if (std::binary_search(shared.begin(), shared.end(), vertex))
+    isAny |= bound > this->Bounds.ofVertex(vertex);
+    this->Bounds.setOfVertex(vertex, std::max(bound, this->Bounds.ofVertex(vertex)));
+  };
+  std::vector<StartValue> own;
+  for (const Index vertex : low)
+  {
+    if (const double distance = ways.distance(vertex); ways.isReached(vertex))
     {
+      this->Bounds.setFirst(vertex, distance);
+      raise(vertex, distance + this->excess(vertex, distance));
       own.push_back({ vertex, 0, this->Bounds.ofVertex(vertex), false });
     }
   }
-  for (const StartValue& other : partition.exchange(own))
+  // Bounds are the same on all pieces, to the last bit.
+  for (const StartValue& other : this->On.partition.exchange(own))
   {
     raise(other.vertex, other.value);
   }
-  sortUnique(raised);
-  return raised;
-}
-
-bool LineBounds::isWorthwhile(std::span<const Index> raised, const DistanceField& ways) const
-{
-  const auto& [mesh, closed, options, partition, front, cost, limit] = this->On;
-  std::array<double, 3> counts{ 0.0, 0.0, 0.0 };
-  for (const Index vertex : raised)
-  {
-    counts[0] += partition.owns(vertex) ? 1.0 : 0.0;
-    counts[2] = std::max(counts[2], ways.distance(vertex) - this->SeedValue);
-  }
-  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    counts[1] += partition.owns(vertex) ? 1.0 : 0.0;
-  }
-  const std::vector<double> all = partition.gather(counts);
-  std::array<double, 3> ofAll{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < all.size(); i += counts.size())
-  {
-    ofAll[0] += all[i];
-    ofAll[1] += all[i + 1];
-    ofAll[2] = std::max(ofAll[2], all[i + 2]);
-  }
-  return ofAll[0] <= MostRaised * ofAll[1] && labelsAreSpread(mesh, front, ofAll[2], partition);
+  return isAny;
 }
 
 LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Index>& beside)
 {
-  Partition& partition = this->On.partition;
-  const auto isAny = [&](const std::vector<Index>& vertices)
+  const auto& [mesh, options, partition, front, cost, limit] = this->On;
+  const auto mostOfAll = [&partition = partition](double own)
   {
-    const double count = static_cast<double>(vertices.size());
-    const std::vector<double> all = partition.gather({ &count, 1 });
-    return *std::max_element(all.begin(), all.end()) > 0.0;
+    const std::vector<double> all = partition.gather({ &own, 1 });
+    return *std::max_element(all.begin(), all.end());
   };
   const std::vector<Index> low = this->lowIn(field);
-  if (!isAny(low))
+  if (mostOfAll(static_cast<double>(low.size())) == 0.0)
   {
     return LabelBounds::Check::Passed;
   }
-  DistanceField ways = field;
-  if (!this->findWays(field, low, ways))
+  std::vector<std::uint8_t> isLow(mesh.numberOfVertices());
+  for (const Index vertex : low)
+  {
+    isLow[vertex] = 1;
+  }
+  const std::vector<StartValue> starts = this->startsOfWays(field, low, isLow);
+  std::vector<std::uint8_t> excluded(mesh.numberOfVertices(), 1);
+  for (const Index vertex : low)
+  {
+    excluded[vertex] = options.isExcluded(vertex) ? 1 : 0;
+  }
+  for (const StartValue& start : starts)
+  {
+    excluded[start.vertex] = 0;
+  }
+  const DistanceField* const ways = this->March(starts, excluded);
+  if (!ways)
   {
     return LabelBounds::Check::Cancelled;
   }
-  const std::vector<Index> raised = this->raiseTo(ways, low);
-  this->AreUseless = !this->isWorthwhile(raised, ways);
-  if (this->AreUseless || !isAny(raised))
+  double farthest = 0.0;
+  for (const Index vertex : ways->reached())
+  {
+    farthest = std::max(farthest, ways->distance(vertex) - this->SeedValue);
+  }
+  this->AreUseless = !labelsAreSpread(mesh, front, mostOfAll(farthest), partition);
+  if (this->AreUseless)
   {
     return LabelBounds::Check::Passed;
   }
-  beside = reachedBeside(this->On.mesh, raised, field);
-  std::sort(beside.begin(), beside.end(),
-    [&](Index a, Index b)
-    { return std::tuple(field.distance(a), a) < std::tuple(field.distance(b), b); });
+  if (mostOfAll(this->raiseTo(*ways, low) ? 1.0 : 0.0) == 0.0)
+  {
+    return LabelBounds::Check::Passed;
+  }
+  std::transform(starts.begin(), starts.end(), std::back_inserter(beside),
+    [](const StartValue& start) { return start.vertex; });
   return LabelBounds::Check::Raised;
 }
 

@@ -10,17 +10,19 @@
 #include "solve/SeedFront.h"
 #include "solve/StartValue.h"
 
+#include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace geodesic
 {
 
-class ClosedTriangles;
-class OptionsOfMarches;
 class Partition;
 class StopLimit;
 class TriangleMesh;
+struct SolveOptions;
 
 /**
  * Bounds of dense labels that need no first march. At cost 1 no distance is less than the straight
@@ -29,10 +31,11 @@ class TriangleMesh;
  *
  * Whether it did is known after the march: where the least value of a vertex with the usual excess
  * is within the bound, no value that counts was kept away. Elsewhere, behind folds, holes and
- * barriers, the bound is raised: to the least way along edges from the vertices where it was not
- * too low, with the excess. Then the march goes on. Higher bounds only add values, and updates are
- * monotone, so it comes to the field that it would have found with these bounds from the start,
- * which does not depend on its order.
+ * barriers, a first march goes on from the vertices where it was, and raises the bounds: to its
+ * distances with the excess. Then the march of labels goes on. Higher bounds only add values, and
+ * updates are monotone, so it comes to the field that it would have found with these bounds from
+ * the start, which does not depend on its order. No vertex is marched over more often than by two
+ * marches all over.
  */
 class LineBounds
 {
@@ -41,18 +44,22 @@ public:
   struct Run
   {
     const TriangleMesh& mesh;
-    const ClosedTriangles& closed;
-    OptionsOfMarches& options;
+    const SolveOptions& options;
     Partition& partition;
     const SeedFront& front;
     const UnitCost& cost;
     const StopLimit& limit;
   };
+  /** A first march of a part, with a flag for each vertex that is not to be marched over.
+   * Collective. @return its field, or null when cancelled */
+  using Marching = std::function<const DistanceField*(
+    std::span<const StartValue> starts, std::span<const std::uint8_t> excluded)>;
 
-  /** @param bounds  gets the bounds; both must outlive this object */
-  LineBounds(const Run& run, LabelBounds& bounds)
+  /** @param bounds  gets the bounds; must outlive this object, as all of the run */
+  LineBounds(const Run& run, LabelBounds& bounds, Marching marching)
     : On(run)
     , Bounds(bounds)
+    , March(std::move(marching))
   {
   }
 
@@ -63,34 +70,35 @@ public:
    */
   static bool suit(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
 
-  /** Sets the bounds, none less than a start at its vertex. @return false, with nothing done, where
+  /** Sets the bounds, none less than a start at its vertex.
+   * @return false, with nothing done, where
    * labels are not spread over the surface. Collective. */
   bool set(std::span<const StartValue> starts);
 
   /**
-   * Raises the bounds that were too low in a march within them, unless there are so many that two
-   * marches take less, see areUseless(). Collective.
+   * Raises the bounds that were too low in a march within them, unless so much is so far that
+   * labels are to be thinned out, see areUseless(). Collective.
    * @param field   what the march has found
-   * @param beside  gets the vertices, by distance, whose values may now go on to others
+   * @param beside  gets the vertices whose values may now go on to others
    */
   LabelBounds::Check raise(const DistanceField& field, std::vector<Index>& beside);
-  /** Whether there were so many that the march was in vain. */
+  /** Whether distances are so far beyond lines that two marches take less. */
   bool areUseless() const { return this->AreUseless; }
 
 private:
   double excess(Index vertex, double distance) const;
   /** The vertices whose bounds were too low in a march. */
   std::vector<Index> lowIn(const DistanceField& field) const;
-  /** The least ways along edges to vertices whose bounds were too low. Collective.
-   * @return false when cancelled */
-  bool findWays(const DistanceField& field, std::span<const Index> low, DistanceField& ways) const;
-  /** Raises bounds to ways. Collective. @return the vertices whose bound is now higher */
-  std::vector<Index> raiseTo(const DistanceField& ways, std::span<const Index> low);
-  /** Whether so few bounds were raised, and by so little, that it is worth going on. Collective. */
-  bool isWorthwhile(std::span<const Index> raised, const DistanceField& ways) const;
+  /** The starts of a first march to these vertices: those of them that were reached, and the others
+   * beside them. @param isLow  a flag for each vertex */
+  std::vector<StartValue> startsOfWays(const DistanceField& field, std::span<const Index> low,
+    const std::vector<std::uint8_t>& isLow) const;
+  /** Raises bounds to ways. Collective. @return whether any is now higher on this piece */
+  bool raiseTo(const DistanceField& ways, std::span<const Index> low);
 
   Run On;
   LabelBounds& Bounds;
+  Marching March;
   double SeedValue = 0.0;
   bool AreUseless = false;
 };

@@ -6,9 +6,11 @@
 #include "march/LabelBounds.h"
 #include "march/TriangleCost.h"
 #include "march/UpdateBounds.h"
+#include "solve/DistanceField.h"
 #include "solve/FrontSolver.h"
 #include "solve/StartValue.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -54,7 +56,7 @@ protected:
   virtual bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost,
     const Request& request, LabelBounds* bounds, StopLimit& limit, DistanceField& field) = 0;
   /** Another solver of the same tier on the same mesh, with its own workspace. */
-  virtual std::unique_ptr<FrontSolver> another() const = 0;
+  virtual std::unique_ptr<MarchingSolver> another() const = 0;
 
   const std::shared_ptr<const UpdateBounds>& bounds() const { return this->Bounds; }
 
@@ -71,6 +73,10 @@ private:
   /** A march within LineBounds. @return nothing, with the field reset, where they are useless */
   std::optional<bool> marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
     const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
+  /** The distances at some vertices from others, all labels together, see LineBounds::Marching. */
+  const DistanceField* marchWays(std::span<const StartValue> starts,
+    std::span<const std::uint8_t> excluded, const UnitCost& cost, const Request& request,
+    OptionsOfMarches& marches, const StopLimit& limit);
   /** A first march, and one within the bounds that it gives. @pre LabelBounds::begin() */
   template <class Cost>
   bool marchTwice(std::span<const StartValue> starts, const Cost& cost, const Request& request,
@@ -91,6 +97,9 @@ private:
   std::unique_ptr<FrontSolver> DiscSolver;
   /** Kept for its memory. */
   LabelBounds LabelsWithin;
+  /** Finds where straight lines say too little, see LineBounds; made where they do. */
+  std::unique_ptr<MarchingSolver> WaysSolver;
+  std::optional<DistanceField> Ways;
 };
 
 }

@@ -118,15 +118,13 @@ public:
     this->propose(vertex, label, value);
   }
 
-  /** Puts all values of a vertex into the queue once more. */
+  /** See goOnWithinHigherBounds(). */
+  void goBackTo(Index vertex) { this->Queue.goBackTo(this->Field.distance(vertex) - this->First); }
   void queueAgain(Index vertex)
   {
     this->Values.visit(vertex,
       [&](const ReferenceValue& held)
-      {
-        this->Queue.goBackTo(this->distance(held) - this->First);
-        this->set(this->Values.find(vertex, held.label), held.value);
-      });
+      { this->set(this->Values.find(vertex, held.label), held.value); });
   }
 
   /** Sets the nearest seed of each vertex in the field; of equally near ones the smallest number.
@@ -336,8 +334,7 @@ bool ReferenceSolver::marchAtCost(std::span<const StartValue> starts, const Cost
     request.options, limit, field);
   std::for_each(starts.begin(), starts.end(), [&](const StartValue& start) { front.start(start); });
   const bool finished = request.partition.march(front, limit) &&
-    goOnWithinHigherBounds(bounds, front, request.partition, limit, field,
-      [&](Index vertex) { front.queueAgain(vertex); });
+    goOnWithinHigherBounds(bounds, front, front, request.partition, limit, field);
   field.orderReached();
   front.finish();
   return finished;
@@ -355,7 +352,7 @@ bool ReferenceSolver::marchFrom(std::span<const StartValue> starts, const Vertex
   return this->marchAtCost(starts, cost, request, bounds, limit, field);
 }
 
-std::unique_ptr<FrontSolver> ReferenceSolver::another() const
+std::unique_ptr<MarchingSolver> ReferenceSolver::another() const
 {
   return std::make_unique<ReferenceSolver>(this->sharedMesh(), this->bounds());
 }

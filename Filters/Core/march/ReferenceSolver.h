@@ -37,7 +37,7 @@ protected:
     LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
   bool marchFrom(std::span<const StartValue> starts, const VertexCost& cost, const Request& request,
     LabelBounds* bounds, StopLimit& limit, DistanceField& field) override;
-  std::unique_ptr<FrontSolver> another() const override;
+  std::unique_ptr<MarchingSolver> another() const override;
 
 private:
   template <class Cost>

@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeds that are dense but have room: straight lines through space bound the values that count, and
+// are found out where the surface is not as they say.
+
+#include "RandomMeshes.h"
+#include "Solving.h"
+#include "Surfaces.h"
+#include "march/FastMarchingSolver.h"
+#include "march/ReferenceSolver.h"
+#include "march/StraightLines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** Unit squares, bent to a sheet of two layers above each other. */
+Surface foldedGrid(Index side, double gap)
+{
+  Surface surface = planeGrid(2 * side, side, 2.0 * side, side);
+  for (Vector3& point : surface.points)
+  {
+    const bool isAbove = point.x > side;
+    point.z = isAbove ? gap : 0.0;
+    point.x = isAbove ? 2.0 * side - point.x : point.x;
+  }
+  return surface;
+}
+
+Surface wavyGrid(Index side)
+{
+  Surface surface = planeGrid(side, side, side, side);
+  for (Vector3& point : surface.points)
+  {
+    point.z = 3.0 * std::sin(point.x / 9.0) * std::cos(point.y / 7.0);
+  }
+  return surface;
+}
+
+/** Squares of which most points are tips or saddles: no straight line says anything. */
+Surface roughGrid(Index side)
+{
+  Surface surface = planeGrid(side, side, side, side);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> height(-0.7, 0.7);
+  for (Vector3& point : surface.points)
+  {
+    point.z = height(random);
+  }
+  return surface;
+}
+
+std::vector<Seed> randomSeeds(const TriangleMesh& mesh, std::size_t count, unsigned number = 1)
+{
+  std::mt19937 random(number);
+  std::vector<Index> vertices(mesh.numberOfVertices());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  std::vector<Seed> seeds;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    seeds.push_back(Seed::atPoint(mesh.pointAtVertex(vertices[i])));
+  }
+  return seeds;
+}
+
+/** Less the largest than half an edge is what any dense seeds have; these have far less. */
+void expectIsLeast(const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Seed>& seeds,
+  double mean, const SolveOptions& options = {})
+{
+  const auto together = distances<FastMarchingSolver>(mesh, seeds, options);
+  std::vector<double> least(together.size(), DistanceField::Unreached);
+  FastMarchingSolver solver(mesh);
+  for (const Seed& seed : seeds)
+  {
+    const DistanceField& alone = solver.solve({ &seed, 1 }, options);
+    for (Index i = 0; i < least.size(); ++i)
+    {
+      least[i] = std::min(least[i], alone.distance(mesh->vertexOfPoint(i)));
+    }
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < least.size(); ++i)
+  {
+    const double edges = std::abs(together[i] - least[i]) / mesh->meanLongestEdge();
+    ASSERT_LT(edges, 0.5) << i;
+    sum += edges;
+  }
+  EXPECT_LT(sum / static_cast<double>(least.size()), mean);
+}
+
+std::size_t updatesFor(
+  const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Seed>& seeds)
+{
+  std::size_t updates = 0;
+  SolveOptions options;
+  options.progressInterval = 64;
+  options.onProgress = [&](std::size_t taken)
+  {
+    EXPECT_GE(taken, updates);
+    updates = taken;
+    return true;
+  };
+  FastMarchingSolver(mesh).solve(seeds, options);
+  return updates;
+}
+
+/** Both tiers, threads and other orders have the same field. */
+void expectAgreement(const Surface& surface, const std::vector<Seed>& seeds,
+  const std::shared_ptr<const TriangleMesh>& mesh, const SolveOptions& options = {})
+{
+  const auto reference = distances<ReferenceSolver>(mesh, seeds, options);
+  const double allowed = 1e-9 * largestOf(reference);
+  const auto expectSame = [&](const std::vector<double>& found, const std::string& what)
+  {
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      if (found[i] != reference[i])
+      {
+        ASSERT_LE(std::abs(found[i] - reference[i]), allowed) << what << " at " << i;
+      }
+    }
+  };
+  expectSame(distances<FastMarchingSolver>(mesh, seeds, options), "batched");
+  SolveOptions onThreads = options;
+  onThreads.threads = 3;
+  onThreads.verticesOfThread = 50;
+  expectSame(distances<FastMarchingSolver>(mesh, seeds, onThreads), "on threads");
+  if (options.closedTriangles.empty())
+  {
+    std::vector<Index> newId;
+    const auto other = meshOf(shuffled(surface, 3, newId));
+    std::vector<Seed> moved;
+    for (const Seed& seed : seeds)
+    {
+      moved.push_back(seedNear(other, mesh->positionOf(seed.points[0])));
+      moved.back().value = seed.value;
+    }
+    const auto found = distances<FastMarchingSolver>(other, moved, options);
+    std::vector<double> inOrder(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      inOrder[i] = found[newId[i]];
+    }
+    expectSame(inOrder, "shuffled");
+  }
+}
+
+}
+
+TEST(LineBounds, LinesAreThoseToTheNearestPlace)
+{
+  for (const Index side : { 1u, 7u, 60u })
+  {
+    const auto mesh = meshOf(wavyGrid(side));
+    std::mt19937 random(side);
+    std::uniform_real_distribution<double> anywhere(-0.5 * side, 1.5 * side);
+    for (const std::size_t count : { 1u, 3u, 200u })
+    {
+      std::vector<Vector3> places(count);
+      for (Vector3& place : places)
+      {
+        place = { anywhere(random), anywhere(random), anywhere(random) };
+      }
+      std::vector<double> found(mesh->numberOfVertices());
+      squareLeastLines(*mesh, places, found);
+      for (Index vertex = 0; vertex < found.size(); ++vertex)
+      {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vector3& place : places)
+        {
+          const Vector3 line = mesh->position(vertex) - place;
+          least = std::min(least, dot(line, line));
+        }
+        ASSERT_DOUBLE_EQ(found[vertex], least) << vertex;
+      }
+    }
+  }
+}
+
+// Two marches take 2.2 updates a vertex on hills, and are 4e-3 edges off in the mean.
+TEST(LineBounds, OneMarchIsEnoughOnHills)
+{
+  const auto mesh = meshOf(wavyGrid(99));
+  const auto seeds = randomSeeds(*mesh, 100);
+  EXPECT_LT(updatesFor(mesh, seeds), 1.7 * mesh->numberOfVertices());
+  expectIsLeast(mesh, seeds, 2e-3);
+}
+
+// The other layer is near in space alone: seeds on one layer only, on both, and a barrier.
+TEST(LineBounds, FoldsAreFoundOut)
+{
+  const Surface surface = foldedGrid(50, 0.3);
+  const auto mesh = meshOf(surface);
+  const auto all = randomSeeds(*mesh, 75);
+  std::vector<Seed> below;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(below),
+    [&](const Seed& seed) { return mesh->positionOf(seed.points[0]).z == 0.0; });
+  const auto few = static_cast<std::ptrdiff_t>(below.size()) + 6;
+  for (const Seed& seed : all)
+  {
+    const bool isBelow = mesh->positionOf(seed.points[0]).z == 0.0;
+    if (!isBelow && static_cast<std::ptrdiff_t>(below.size()) < few)
+    {
+      below.push_back(seed);
+    }
+  }
+  for (const std::vector<Seed>& seeds : { all, below })
+  {
+    expectIsLeast(mesh, seeds, 5e-3);
+    expectAgreement(surface, seeds, mesh);
+  }
+}
+
+TEST(LineBounds, BarriersAreFoundOut)
+{
+  const Surface surface = wavyGrid(80);
+  const auto mesh = meshOf(surface);
+  const auto seeds = randomSeeds(*mesh, 80);
+  std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
+  for (Index t = 0; t < closed.size(); ++t)
+  {
+    const Triangle& corners = mesh->triangle(t);
+    const Vector3 middle = (1.0 / 3.0) *
+      (mesh->position(corners[0]) + mesh->position(corners[1]) + mesh->position(corners[2]));
+    const bool isWall = std::abs(middle.x - std::round(middle.x / 9.0) * 9.0) < 0.5;
+    closed[t] = isWall && middle.y < 76.0 ? 1 : 0;
+  }
+  SolveOptions options;
+  options.closedTriangles = closed;
+  for (const Seed& seed : seeds)
+  {
+    for (Index t = 0; t < closed.size(); ++t)
+    {
+      const Triangle& corners = mesh->triangle(t);
+      const Triangle& ofSeed = mesh->triangle(seed.points[0].triangle);
+      const bool isBeside = std::any_of(corners.begin(), corners.end(),
+        [&](Index c) { return std::find(ofSeed.begin(), ofSeed.end(), c) != ofSeed.end(); });
+      closed[t] = isBeside ? 0 : closed[t];
+    }
+  }
+  expectIsLeast(mesh, seeds, 5e-3, options);
+  expectAgreement(surface, seeds, mesh, options);
+}
+
+// Two marches take over where lines are hardly ever right.
+TEST(LineBounds, RoughSurfacesAreFoundOut)
+{
+  const Surface surface = roughGrid(80);
+  const auto mesh = meshOf(surface);
+  const auto seeds = randomSeeds(*mesh, 80);
+  EXPECT_LT(updatesFor(mesh, seeds), 4.0 * mesh->numberOfVertices());
+  expectIsLeast(mesh, seeds, 0.02);
+  expectAgreement(surface, seeds, mesh);
+}
+
+TEST(LineBounds, AnyMeshHasOneField)
+{
+  for (const MeshKind kind : { MeshKind::Closed, MeshKind::Terrain, MeshKind::Torus,
+         MeshKind::Holes, MeshKind::NonManifold, MeshKind::Parts })
+  {
+    SCOPED_TRACE(nameOf(kind));
+    Surface surface = randomSurface(kind, 5);
+    while (surface.points.size() < 2000)
+    {
+      surface = subdivided(surface, 1);
+    }
+    const auto mesh = meshOf(surface);
+    std::vector<Seed> seeds = randomSeeds(*mesh, mesh->numberOfVertices() / 70);
+    expectAgreement(surface, seeds, mesh);
+    for (Seed& seed : seeds)
+    {
+      seed.value = 12.5;
+    }
+    expectAgreement(surface, seeds, mesh);
+  }
+}
+
+// What lies within a stop is as without it.
+TEST(LineBounds, StopsChangeNothingBeforeThem)
+{
+  const Surface surface = foldedGrid(50, 0.3);
+  const auto mesh = meshOf(surface);
+  const auto seeds = randomSeeds(*mesh, 75);
+  const auto whole = distances<FastMarchingSolver>(mesh, seeds);
+  SolveOptions near;
+  near.maximumDistance = 0.4 * largestOf(whole);
+  const std::vector<Triangle> targets{ mesh->triangle(17), mesh->triangle(4711) };
+  SolveOptions towards;
+  towards.targets = targets;
+  for (const SolveOptions& options : { near, towards })
+  {
+    const auto stopped = distances<FastMarchingSolver>(mesh, seeds, options);
+    EXPECT_GT(std::count(stopped.begin(), stopped.end(), DistanceField::Unreached), 0);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      if (stopped[i] < DistanceField::Unreached)
+      {
+        ASSERT_NEAR(stopped[i], whole[i], 1e-9 * largestOf(whole)) << i;
+      }
+      else
+      {
+        ASSERT_GT(whole[i], options.targets.empty() ? near.maximumDistance : 0.0);
+      }
+    }
+    expectAgreement(surface, seeds, mesh, near);
+  }
+}
+
+TEST(LineBounds, MayBeCancelledAtAnyTime)
+{
+  const auto mesh = meshOf(foldedGrid(50, 0.3));
+  const auto seeds = randomSeeds(*mesh, 75);
+  FastMarchingSolver solver(mesh);
+  std::size_t reports = 0;
+  SolveOptions options;
+  options.progressInterval = 200;
+  options.onProgress = [&](std::size_t)
+  {
+    ++reports;
+    return true;
+  };
+  solver.solve(seeds, options);
+  const auto whole = distances<FastMarchingSolver>(mesh, seeds);
+  const std::size_t all = reports;
+  EXPECT_GT(all, 20u);
+  for (std::size_t last = 1; last < all; ++last)
+  {
+    std::size_t count = 0;
+    options.onProgress = [&](std::size_t) { return ++count < last; };
+    ASSERT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled) << last;
+  }
+  // Nothing is left of a cancelled run.
+  const DistanceField& again = solver.solve(seeds);
+  for (Index i = 0; i < whole.size(); ++i)
+  {
+    ASSERT_EQ(again.distance(mesh->vertexOfPoint(i)), whole[i]);
+  }
+}
+
+// Values far above all distances leave the work as it is.
+TEST(LineBounds, EqualValuesOfSeedsDoNotMatter)
+{
+  const auto mesh = meshOf(wavyGrid(99));
+  for (const std::size_t count : { 100u, 400u })
+  {
+    auto seeds = randomSeeds(*mesh, count);
+    const auto plain = distances<FastMarchingSolver>(mesh, seeds);
+    const std::size_t updates = updatesFor(mesh, seeds);
+    for (Seed& seed : seeds)
+    {
+      seed.value = 1e5;
+    }
+    EXPECT_LT(updatesFor(mesh, seeds), 1.1 * updates);
+    const auto late = distances<FastMarchingSolver>(mesh, seeds);
+    for (std::size_t i = 0; i < plain.size(); ++i)
+    {
+      ASSERT_NEAR(late[i] - 1e5, plain[i], 1e-6);
+    }
+  }
+}
