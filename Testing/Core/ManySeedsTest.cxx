@@ -83,44 +83,11 @@ std::vector<Seed> segmentsOf(const TriangleMesh& mesh, const std::vector<Index>&
   return seeds;
 }
 
-/** Difference to the least of the single fields, in mean longest edges times the dearest cost. */
-struct Difference
-{
-  double mean = 0.0;
-  double largest = 0.0;
-};
-
-Difference differenceToLeast(const std::shared_ptr<const TriangleMesh>& mesh,
-  const std::vector<Seed>& seeds, const SolveOptions& options = {})
-{
-  const auto together = distances<FastMarchingSolver>(mesh, seeds, options);
-  std::vector<double> least(together.size(), DistanceField::Unreached);
-  FastMarchingSolver solver(mesh);
-  for (const Seed& seed : seeds)
-  {
-    const DistanceField& alone = solver.solve({ &seed, 1 }, options);
-    for (Index i = 0; i < least.size(); ++i)
-    {
-      least[i] = std::min(least[i], alone.distance(mesh->vertexOfPoint(i)));
-    }
-  }
-  const double unit = mesh->meanLongestEdge() *
-    (options.cost.empty() ? 1.0 : *std::max_element(options.cost.begin(), options.cost.end()));
-  Difference difference;
-  for (std::size_t i = 0; i < least.size(); ++i)
-  {
-    const double edges = std::abs(together[i] - least[i]) / unit;
-    difference.mean += edges / static_cast<double>(least.size());
-    difference.largest = std::max(difference.largest, edges);
-  }
-  return difference;
-}
-
 /** A twentieth of an edge in the mean, half an edge anywhere. */
 void expectNearLeast(const std::shared_ptr<const TriangleMesh>& mesh,
   const std::vector<Seed>& seeds, const SolveOptions& options = {}, double largest = 0.5)
 {
-  const Difference difference = differenceToLeast(mesh, seeds, options);
+  const DifferenceToLeast difference = differenceToLeast(mesh, seeds, options);
   EXPECT_LE(difference.mean, 0.05);
   EXPECT_LE(difference.largest, largest);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solving.h"
 
+#include "march/FastMarchingSolver.h"
 #include "march/LabelDensity.h"
 #include "march/UpdateBounds.h"
 #include "search/ClosestPointTree.h"
@@ -80,6 +81,32 @@ Error relativeError(const std::vector<double>& distances, const std::vector<doub
   }
   error.mean /= static_cast<double>(counted);
   return error;
+}
+
+DifferenceToLeast differenceToLeast(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options)
+{
+  const auto together = distances<FastMarchingSolver>(mesh, seeds, options);
+  std::vector<double> least(together.size(), DistanceField::Unreached);
+  FastMarchingSolver solver(mesh);
+  for (const Seed& seed : seeds)
+  {
+    const DistanceField& alone = solver.solve({ &seed, 1 }, options);
+    for (Index i = 0; i < least.size(); ++i)
+    {
+      least[i] = std::min(least[i], alone.distance(mesh->vertexOfPoint(i)));
+    }
+  }
+  const double unit = mesh->meanLongestEdge() *
+    (options.cost.empty() ? 1.0 : *std::max_element(options.cost.begin(), options.cost.end()));
+  DifferenceToLeast difference;
+  for (std::size_t i = 0; i < least.size(); ++i)
+  {
+    const double edges = std::abs(together[i] - least[i]) / unit;
+    difference.mean += edges / static_cast<double>(least.size());
+    difference.largest = std::max(difference.largest, edges);
+  }
+  return difference;
 }
 
 }

@@ -78,6 +78,16 @@ struct Error
 /** Points whose true distance is 0 don't count. */
 Error relativeError(const std::vector<double>& distances, const std::vector<double>& truth);
 
+/** Difference of the field of some seeds by fast marching to the least of their single fields, in
+ * mean longest edges times the dearest cost. */
+struct DifferenceToLeast
+{
+  double mean = 0.0;
+  double largest = 0.0;
+};
+DifferenceToLeast differenceToLeast(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, const SolveOptions& options = {});
+
 }
 
 #endif
