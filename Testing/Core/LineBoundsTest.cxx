@@ -41,6 +41,24 @@ Surface foldedGrid(Index side, double gap)
   return surface;
 }
 
+/** A strip of unit squares, rolled up. */
+Surface scroll(Index length, Index width)
+{
+  Surface surface = planeGrid(length, width, length, width);
+  double angle = 0.0;
+  for (Index i = 0; i <= length; ++i)
+  {
+    const double radius = 20.0 + 0.2 * angle;
+    for (Index j = 0; j <= width; ++j)
+    {
+      Vector3& point = surface.points[j * (length + 1) + i];
+      point = { radius * std::cos(angle), radius * std::sin(angle), point.y };
+    }
+    angle += 1.0 / radius;
+  }
+  return surface;
+}
+
 Surface wavyGrid(Index side)
 {
   Surface surface = planeGrid(side, side, side, side);
@@ -62,6 +80,25 @@ Surface roughGrid(Index side)
     point.z = height(random);
   }
   return surface;
+}
+
+/** Closed triangles: walls across a grid, open at either end in turn. */
+std::vector<std::uint8_t> wallsOf(const TriangleMesh& mesh, double spacing)
+{
+  const double width = std::ranges::max(mesh.positions(), {}, &Vector3::y).y;
+  std::vector<std::uint8_t> closed(mesh.numberOfTriangles());
+  for (Index t = 0; t < closed.size(); ++t)
+  {
+    const Triangle& corners = mesh.triangle(t);
+    const Vector3 middle = (1.0 / 3.0) *
+      (mesh.position(corners[0]) + mesh.position(corners[1]) + mesh.position(corners[2]));
+    // A column of squares each.
+    const double number = std::floor(middle.x / spacing);
+    const double along = std::fmod(number, 2.0) == 0.0 ? middle.y : width - middle.y;
+    const bool isWall = number > 0.0 && middle.x < number * spacing + 1.0;
+    closed[t] = isWall && along < width - 3.0 ? 1 : 0;
+  }
+  return closed;
 }
 
 std::vector<Seed> randomSeeds(const TriangleMesh& mesh, std::size_t count, unsigned number = 1)
@@ -87,11 +124,10 @@ void expectIsLeast(const std::shared_ptr<const TriangleMesh>& mesh, const std::v
   EXPECT_LT(difference.largest, 0.5);
 }
 
-std::size_t updatesFor(
-  const std::shared_ptr<const TriangleMesh>& mesh, const std::vector<Seed>& seeds)
+std::size_t updatesFor(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, SolveOptions options = {})
 {
   std::size_t updates = 0;
-  SolveOptions options;
   options.progressInterval = 64;
   options.onProgress = [&](std::size_t taken)
   {
@@ -160,17 +196,27 @@ TEST(LineBounds, LinesAreThoseToTheNearestPlace)
       {
         place = { anywhere(random), anywhere(random), anywhere(random) };
       }
-      std::vector<double> found(mesh->numberOfVertices());
-      squareLeastLines(*mesh, places, found);
-      for (Index vertex = 0; vertex < found.size(); ++vertex)
+      StraightLines lines(mesh->positions());
+      for (const double most : { 0.3 * side, std::numeric_limits<double>::infinity() })
       {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Vector3& place : places)
+        std::vector<double> found(mesh->numberOfVertices(), -1.0);
+        lines.measure(places, most,
+          [&](Index first, std::span<const double> squares)
+          { std::copy(squares.begin(), squares.end(), found.begin() + first); });
+        for (Index vertex = 0; vertex < found.size(); ++vertex)
         {
-          const Vector3 line = mesh->position(vertex) - place;
-          least = std::min(least, dot(line, line));
+          double least = std::numeric_limits<double>::infinity();
+          for (const Vector3& place : places)
+          {
+            const Vector3 line = mesh->position(vertex) - place;
+            least = std::min(least, dot(line, line));
+          }
+          // What is farther may be left out, or have the line to another place.
+          if (found[vertex] >= 0.0 ? found[vertex] <= most * most : least <= most * most)
+          {
+            ASSERT_DOUBLE_EQ(found[vertex], least) << vertex;
+          }
         }
-        ASSERT_DOUBLE_EQ(found[vertex], least) << vertex;
       }
     }
   }
@@ -215,15 +261,7 @@ TEST(LineBounds, BarriersAreFoundOut)
   const Surface surface = wavyGrid(80);
   const auto mesh = meshOf(surface);
   const auto seeds = randomSeeds(*mesh, 80);
-  std::vector<std::uint8_t> closed(mesh->numberOfTriangles());
-  for (Index t = 0; t < closed.size(); ++t)
-  {
-    const Triangle& corners = mesh->triangle(t);
-    const Vector3 middle = (1.0 / 3.0) *
-      (mesh->position(corners[0]) + mesh->position(corners[1]) + mesh->position(corners[2]));
-    const bool isWall = std::abs(middle.x - std::round(middle.x / 9.0) * 9.0) < 0.5;
-    closed[t] = isWall && middle.y < 76.0 ? 1 : 0;
-  }
+  auto closed = wallsOf(*mesh, 9.0);
   SolveOptions options;
   options.closedTriangles = closed;
   for (const Seed& seed : seeds)
@@ -274,12 +312,19 @@ TEST(LineBounds, AnyMeshHasOneField)
   }
 }
 
-// What lies within a stop is as without it.
+// What lies within a stop is as without it, also where seeds are far away.
 TEST(LineBounds, StopsChangeNothingBeforeThem)
 {
   const Surface surface = foldedGrid(50, 0.3);
   const auto mesh = meshOf(surface);
-  const auto seeds = randomSeeds(*mesh, 75);
+  auto seeds = randomSeeds(*mesh, 150);
+  std::erase_if(seeds,
+    [&](const Seed& seed)
+    {
+      const Vector3 place = mesh->positionOf(seed.points[0]);
+      return place.z > 0.0 && (place.x < 40.0 || place.y < 25.0);
+    });
+  seeds.resize(75);
   const auto whole = distances<FastMarchingSolver>(mesh, seeds);
   SolveOptions near;
   near.maximumDistance = 0.4 * largestOf(whole);
@@ -302,6 +347,58 @@ TEST(LineBounds, StopsChangeNothingBeforeThem)
       }
     }
     expectAgreement(surface, seeds, mesh, near);
+  }
+}
+
+// A corridor that walls make, with seeds in its first part: no more labels go on far away than
+// after a first march, and what is before a stop does not depend on it.
+TEST(LineBounds, FarPartsHaveFewLabels)
+{
+  const Surface surface = wavyGrid(80);
+  const auto mesh = meshOf(surface);
+  const auto closed = wallsOf(*mesh, 8.0);
+  auto seeds = randomSeeds(*mesh, 400);
+  std::erase_if(seeds, [&](const Seed& seed) { return mesh->positionOf(seed.points[0]).x > 18.0; });
+  seeds.resize(80);
+  SolveOptions options;
+  options.closedTriangles = closed;
+  EXPECT_LT(updatesFor(mesh, seeds, options), 4.0 * mesh->numberOfVertices());
+  expectIsLeast(mesh, seeds, 0.05, options);
+  expectAgreement(surface, seeds, mesh, options);
+  const auto whole = distances<FastMarchingSolver>(mesh, seeds, options);
+  EXPECT_GT(largestOf(whole), 400.0);
+  for (const double part : { 0.02, 0.1, 0.3, 0.9 })
+  {
+    options.maximumDistance = part * largestOf(whole);
+    const auto stopped = distances<FastMarchingSolver>(mesh, seeds, options);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      if (stopped[i] < DistanceField::Unreached)
+      {
+        ASSERT_NEAR(stopped[i], whole[i], 1e-9 * largestOf(whole)) << part << " at " << i;
+      }
+    }
+  }
+}
+
+// Vertices that are in no label's bounds take seeds of their neighbours, one after the other: 5 s
+// here when all of them were looked at each time.
+TEST(LineBounds, AScrollIsSoonAtItsEnd)
+{
+  const auto mesh = meshOf(scroll(4000, 40));
+  auto seeds = randomSeeds(*mesh, 8000);
+  std::erase_if(seeds,
+    [&](const Seed& seed)
+    {
+      const Vector3 place = mesh->positionOf(seed.points[0]);
+      return std::hypot(place.x, place.y) > 22.0;
+    });
+  EXPECT_GT(seeds.size(), 300u);
+  FastMarchingSolver solver(mesh);
+  const DistanceField& field = solver.solve(seeds);
+  for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+  {
+    ASSERT_NE(field.nearestSeed(vertex), NoIndex);
   }
 }
 

@@ -3,12 +3,14 @@
 // The marches of MarchingSolver within LabelBounds.
 #include "march/MarchingSolver.h"
 
+#include "base/SortUnique.h"
 #include "march/EdgeLowering.h"
 #include "march/HubVertices.h"
 #include "march/LabelDensity.h"
 #include "march/LabelReach.h"
 #include "march/LineBounds.h"
 #include "march/SourceFront.h"
+#include "march/StraightLines.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
@@ -29,6 +31,14 @@ namespace
 
 /** LabelBounds::excess() at hubVertices(), in parts of the distance: what rounding makes. */
 constexpr double ExcessAtHub = 1e-9;
+
+/** Resets a field for another march of the same run. */
+void resetAfterMarch(DistanceField& field)
+{
+  const double raisedGain = field.raisedGain();
+  field.reset();
+  field.noteRaisedGain(raisedGain);
+}
 
 /** The largest distance of a field on all pieces. Collective. */
 double farthestOf(const DistanceField& field, Partition& partition)
@@ -76,14 +86,36 @@ StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const Distanc
   return nearest;
 }
 
+/** The neighbours of some vertices that have a distance and no seed, in ascending order. */
+std::vector<Index> gapsBeside(
+  const TriangleMesh& mesh, std::span<const StartValue> vertices, const DistanceField& field)
+{
+  std::vector<Index> gaps;
+  for (const StartValue& start : vertices)
+  {
+    for (const RingEntry& entry : mesh.ring(start.vertex))
+    {
+      const Index neighbour = entry.neighbour();
+      if (field.isReached(neighbour) && field.nearestSeed(neighbour) == NoIndex)
+      {
+        gaps.push_back(neighbour);
+      }
+    }
+  }
+  sortUnique(gaps);
+  return gaps;
+}
+
 /**
  * Gives vertices seeds of their neighbours, round by round, so that neither the order of the
- * vertices nor the pieces decide. Collective.
+ * vertices nor the pieces decide. Collective. Time linear in the vertices, but for sorting them.
  * @param gaps  vertices of this piece that have a distance and no seed
  */
 void takeSeedsOfNeighbours(
   const TriangleMesh& mesh, std::vector<Index> gaps, Partition& partition, DistanceField& field)
 {
+  const auto vertices = partition.sharedVertices();
+  const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
   while (true)
   {
     std::vector<StartValue> found;
@@ -101,13 +133,8 @@ void takeSeedsOfNeighbours(
       return;
     }
     std::vector<StartValue> shared;
-    if (partition.isDivided())
-    {
-      const auto vertices = partition.sharedVertices();
-      const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
-      std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
-        [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
-    }
+    std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
+      [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
     const std::vector<StartValue> others = partition.exchange(shared);
     found.insert(found.end(), others.begin(), others.end());
     std::sort(found.begin(), found.end(),
@@ -120,7 +147,8 @@ void takeSeedsOfNeighbours(
         field.setNearestSeed(nearest.vertex, nearest.label);
       }
     }
-    std::erase_if(gaps, [&](Index vertex) { return field.nearestSeed(vertex) != NoIndex; });
+    // In the first round all were looked at: others can only have become possible by these.
+    gaps = gapsBeside(mesh, found, field);
   }
 }
 
@@ -203,13 +231,10 @@ bool MarchingSolver::marchWithinBounds(std::span<const StartValue> starts, const
   OptionsOfMarches marches(request.options);
   if constexpr (Cost::isUnit)
   {
-    if (areDense && LineBounds::suit(this->mesh(), request.front, request.partition))
+    if (areDense && LineBounds::suit(this->mesh(), request.front, request.partition) &&
+      !this->hasHubs(request.partition))
     {
-      if (const auto isFinished =
-            this->marchWithinLines(starts, cost, request, marches, limit, field))
-      {
-        return *isFinished;
-      }
+      return this->marchWithinLines(starts, cost, request, marches, limit, field);
     }
   }
   this->LabelsWithin.begin(this->mesh(), labels, starts, request.partition);
@@ -226,32 +251,36 @@ template bool MarchingSolver::marchWithinBounds(
 template bool MarchingSolver::marchWithinBounds(
   std::span<const StartValue>, const VertexCost&, const Request&, bool, StopLimit&, DistanceField&);
 
-std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue> starts,
-  const UnitCost& cost, const Request& request, OptionsOfMarches& marches, StopLimit& limit,
-  DistanceField& field)
+bool MarchingSolver::hasHubs(Partition& partition)
+{
+  const double isMissing = this->HasHubs ? 0.0 : 1.0;
+  const std::vector<double> all = partition.gather({ &isMissing, 1 });
+  if (*std::max_element(all.begin(), all.end()) > 0.0)
+  {
+    this->HasHubs = geodesic::hasHubs(this->mesh(), partition);
+  }
+  return *this->HasHubs;
+}
+
+bool MarchingSolver::marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
+  const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
 {
   LabelBounds& bounds = this->LabelsWithin;
-  LineBounds lines({ this->mesh(), marches.get(), request.partition, request.front, cost, limit },
-    bounds,
+  LineBounds lineBounds(
+    { this->mesh(), marches.get(), request.partition, request.front, cost, limit }, bounds,
     [&](std::span<const StartValue> from, std::span<const std::uint8_t> excluded)
     { return this->marchWays(from, excluded, cost, request, marches, limit); });
-  if (!lines.set(starts))
+  if (!this->Lines)
   {
-    return std::nullopt;
+    this->Lines.emplace(this->mesh().positions());
   }
+  lineBounds.set(*this->Lines, starts);
   bounds.setChecking([&](const DistanceField& found, std::vector<Index>& beside)
-    { return lines.raise(found, beside); });
+    { return lineBounds.raise(found, beside); });
   const Request within{ request.front, request.closed, marches.get(), request.partition,
     request.hasCost };
   const std::span<const StartValue> counting =
     bounds.within(this->mesh(), request.front.labels, starts);
-  const auto startAnew = [&]
-  {
-    const double raisedGain = field.raisedGain();
-    field.reset();
-    field.noteRaisedGain(raisedGain);
-    marches.beginNext();
-  };
   bool isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
   if (isFinished)
   {
@@ -261,47 +290,52 @@ std::optional<bool> MarchingSolver::marchWithinLines(std::span<const StartValue>
     isFinished = found != LabelBounds::Check::Cancelled;
     if (found == LabelBounds::Check::Raised)
     {
-      startAnew();
+      resetAfterMarch(field);
+      marches.beginNext();
       isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
     }
   }
-  if (isFinished && !lines.areUseless())
-  {
-    takeFirstMarch(this->mesh(), bounds, true, request.partition, field);
-  }
-  bounds.clear();
-  if (isFinished && lines.areUseless())
-  {
-    startAnew();
-    return std::nullopt;
-  }
-  learnTargets(limit, request.partition);
-  return isFinished;
+  return this->finishWithinBounds(request, true, isFinished, marches, limit, field);
 }
 
 const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> starts,
   std::span<const std::uint8_t> excluded, const UnitCost& cost, const Request& request,
-  OptionsOfMarches& marches, const StopLimit& limit)
+  OptionsOfMarches& marches, StopLimit& limit)
 {
   if (!this->WaysSolver)
   {
     this->WaysSolver = this->another();
-  }
-  if (!this->Ways)
-  {
     this->Ways.emplace(this->mesh().numberOfVertices());
   }
   this->Ways->reset();
-  marches.beginNext();
+  learnTargets(limit, request.partition);
+  const std::size_t taken = marches.beginNext();
   SolveOptions options = marches.get();
   options.excluded = excluded;
+  options.maximumDistance = limit.value();
   StopLimit limitOfWays(this->mesh(), options, *this->Ways);
   limitOfWays.setReaches(limit.reaches());
   const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   const Request ways{ together, request.closed, options, request.partition, request.hasCost };
-  return this->WaysSolver->marchFrom(starts, cost, ways, nullptr, limitOfWays, *this->Ways)
-    ? &*this->Ways
-    : nullptr;
+  const bool isFinished =
+    this->WaysSolver->marchFrom(starts, cost, ways, nullptr, limitOfWays, *this->Ways);
+  marches.goOn(taken);
+  return isFinished ? &*this->Ways : nullptr;
+}
+
+bool MarchingSolver::finishWithinBounds(const Request& request, bool areDense, bool isFinished,
+  OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
+{
+  takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
+  if (!request.hasCost && areDense && isFinished)
+  {
+    marches.beginNext();
+    isFinished = lowerAlongEdges(this->mesh(), request.closed, marches.get(),
+      this->LabelsWithin.atEnds(), request.partition, limit, field);
+  }
+  learnTargets(limit, request.partition);
+  this->LabelsWithin.clear();
+  return isFinished;
 }
 
 template <class Cost>
@@ -315,54 +349,43 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
   StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());
   const Request first{ together, request.closed, options, request.partition, request.hasCost };
-  bool finished =
-    this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field);
-  if (finished)
+  if (!this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field))
   {
-    if (areDense)
-    {
-      const double least = leastSeedValue(labels);
-      const double farthest = farthestOf(field, request.partition);
-      const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
-      std::vector<double> reaches(labels.size(), DistanceField::Unreached);
-      if (request.hasCost ||
-        !labelsAreSpread(this->mesh(), request.front, farthest, request.partition))
-      {
-        reaches = labelReaches(
-          this->mesh(), request.front, request.options.cost, farthest, request.partition);
-      }
-      this->LabelsWithin.take(field, std::move(reaches),
-        [&](Index vertex)
-        {
-          return std::binary_search(hubs.begin(), hubs.end(), vertex)
-            ? ExcessAtHub * field.distance(vertex)
-            : LabelBounds::excess(cost.reach(vertex), field.distance(vertex) - least);
-        });
-    }
-    else
-    {
-      this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
-        [&](Index vertex) { return cost.margin(vertex); });
-    }
-    const double raisedGain = field.raisedGain();
-    field.reset();
-    field.noteRaisedGain(raisedGain);
-    marches.beginNext();
-    const Request second{ request.front, request.closed, options, request.partition,
-      request.hasCost };
-    finished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts), cost,
-      second, &this->LabelsWithin, limit, field);
-    takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
-    if (Cost::isUnit && areDense && finished)
-    {
-      marches.beginNext();
-      finished = lowerAlongEdges(this->mesh(), request.closed, options, this->LabelsWithin.atEnds(),
-        request.partition, limit, field);
-    }
-    learnTargets(limit, request.partition);
+    this->LabelsWithin.clear();
+    return false;
   }
-  this->LabelsWithin.clear();
-  return finished;
+  if (areDense)
+  {
+    const double least = leastSeedValue(labels);
+    const double farthest = farthestOf(field, request.partition);
+    const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
+    std::vector<double> reaches(labels.size(), DistanceField::Unreached);
+    if (request.hasCost ||
+      !labelsAreSpread(this->mesh(), request.front, farthest, request.partition))
+    {
+      reaches = labelReaches(
+        this->mesh(), request.front, request.options.cost, farthest, request.partition);
+    }
+    this->LabelsWithin.take(field, std::move(reaches),
+      [&](Index vertex)
+      {
+        return std::binary_search(hubs.begin(), hubs.end(), vertex)
+          ? ExcessAtHub * field.distance(vertex)
+          : LabelBounds::excess(cost.reach(vertex), field.distance(vertex) - least);
+      });
+  }
+  else
+  {
+    this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
+      [&](Index vertex) { return cost.margin(vertex); });
+  }
+  resetAfterMarch(field);
+  marches.beginNext();
+  const Request second{ request.front, request.closed, options, request.partition,
+    request.hasCost };
+  const bool isFinished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts),
+    cost, second, &this->LabelsWithin, limit, field);
+  return this->finishWithinBounds(request, areDense, isFinished, marches, limit, field);
 }
 
 }

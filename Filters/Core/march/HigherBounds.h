@@ -18,8 +18,9 @@ class StopLimit;
  * To be called after a march within bounds: has them checked, and goes on where they were too low.
  * Collective.
  * @param bounds  null if there are none
- * @param values  goBackTo(vertex) makes empty queues go back to all values of a vertex, and
- *                queueAgain(vertex) puts these into them once more
+ * @param values  takeHigherBounds() reads the bounds anew, goBackTo(vertex) makes empty queues go
+ *                back to all values of a vertex, and queueAgain(vertex) puts these into them once
+ * more
  * @return false when cancelled
  */
 template <class Front, class Values>
@@ -32,6 +33,7 @@ bool goOnWithinHigherBounds(LabelBounds* bounds, Front& front, Values& values, P
   }
   std::vector<Index> beside;
   const LabelBounds::Check found = bounds->check(field, beside);
+  values.takeHigherBounds();
   // As long as a queue is empty, it goes back without a step.
   for (const Index vertex : beside)
   {

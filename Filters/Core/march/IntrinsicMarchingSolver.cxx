@@ -153,7 +153,8 @@ struct IntrinsicMarchingSolver::Intrinsic
       this->closed.resize(this->numberOf.size());
       for (Index t = 0; t < this->closedFaces.size(); ++t)
       {
-        this->closed[this->numberOf[this->triangles.numberOf(t)]] = this->closedFaces[t];
+        // On the faces, too, one of several with the same corners closes them all.
+        this->closed[this->numberOf[this->triangles.numberOf(t)]] |= this->closedFaces[t];
       }
     }
   }

@@ -285,22 +285,21 @@ std::span<const StartValue> LabelBounds::within(
   return within;
 }
 
-std::span<double> LabelBounds::startOfAll(std::size_t vertices, std::size_t labels)
+void LabelBounds::startBlocks(std::size_t vertices, std::size_t labels)
 {
-  this->OfVertices.resize(vertices);
-  this->AreOfAll = true;
+  this->OfVertices.resize(vertices, DistanceField::Unreached);
   this->OfLabels.assign(labels, DistanceField::Unreached);
   this->AreInside.clear();
-  return this->OfVertices;
 }
 
 void LabelBounds::clear()
 {
-  if (this->AreOfAll)
+  for (const auto& [begin, end] : this->Blocks)
   {
-    std::fill(this->OfVertices.begin(), this->OfVertices.end(), DistanceField::Unreached);
-    this->AreOfAll = false;
+    std::fill(
+      this->OfVertices.begin() + begin, this->OfVertices.begin() + end, DistanceField::Unreached);
   }
+  this->Blocks.clear();
   this->Checks = nullptr;
   for (const Index vertex : this->Reached)
   {

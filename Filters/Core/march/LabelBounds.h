@@ -90,12 +90,25 @@ public:
     }
   }
 
-  /** Begins with bounds of vertices alone, without a first march. @return those of all vertices, to
-   * be set */
-  std::span<double> startOfAll(std::size_t vertices, std::size_t labels);
+  /** Begins with bounds of vertices alone, without a first march: those of addBlock(). */
+  void startBlocks(std::size_t vertices, std::size_t labels);
+  /** Adds vertices with numbers from @p first on. @return their bounds, to be set */
+  std::span<double> addBlock(Index first, std::size_t count)
+  {
+    this->Blocks.push_back({ first, first + static_cast<Index>(count) });
+    return std::span(this->OfVertices).subspan(first, count);
+  }
+  /** Numbers of vertices: the first one, and the one behind the last. */
+  struct Block
+  {
+    Index begin;
+    Index end;
+  };
+  std::span<const Block> blocks() const { return this->Blocks; }
   /** Sets a bound anew. */
   void setOfVertex(Index vertex, double bound) { this->OfVertices[vertex] = bound; }
-  /** After startOfAll(): notes the distance that a vertex has in a first march of a part. */
+  void setOfLabels(std::vector<double> bounds) { this->OfLabels = std::move(bounds); }
+  /** After startBlocks(): notes the distance that a vertex has in a first march of a part. */
   void setFirst(Index vertex, double distance)
   {
     this->First.resize(this->OfVertices.size(), DistanceField::Unreached);
@@ -197,8 +210,7 @@ private:
   std::vector<Index> Reached;
   std::vector<double> First;
   std::vector<double> OfVertices;
-  /** Whether OfVertices was set without a first march, for all vertices. */
-  bool AreOfAll = false;
+  std::vector<Block> Blocks;
   std::vector<double> OfLabels;
   std::vector<Index> AtEnds;
   Checking Checks;

@@ -119,6 +119,12 @@ bool labelsHaveRoom(const TriangleMesh& mesh, const SeedFront& front, Partition&
     VerticesOfSparseLabel * static_cast<double>(front.labels.size());
 }
 
+double labelSpacing(const TriangleMesh& mesh, const SeedFront& front, Partition& partition)
+{
+  const SurfaceSize size = sizeOf(mesh, partition);
+  return std::sqrt(size.vertices / static_cast<double>(front.labels.size())) * size.meanEdge;
+}
+
 bool labelsAreSpread(
   const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition)
 {
@@ -127,9 +133,7 @@ bool labelsAreSpread(
   {
     return false;
   }
-  const SurfaceSize size = sizeOf(mesh, partition);
-  const double count = static_cast<double>(front.labels.size());
-  const double spacing = std::sqrt(size.vertices / count) * size.meanEdge;
+  const double spacing = labelSpacing(mesh, front, partition);
   return farthest <= SpacingsOfSpread * spacing &&
     PlaceGrid(round, spacing, [&](Index number) { return front.labels[number].position; })
       .meanInBucket() <= MostInCube;

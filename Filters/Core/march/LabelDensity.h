@@ -25,6 +25,11 @@ bool labelsAreDense(
 /** Whether there are at least 64 vertices for each label. Collective. */
 bool labelsHaveRoom(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
 
+/** The spacing of labels: the side of a square of as many vertices as there are for each.
+ * Collective.
+ */
+double labelSpacing(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
+
 /**
  * Whether round labels are spread so evenly that few compete for a vertex, also without
  * labelReaches(). With their spacing, the side of a square of as many vertices as there are for

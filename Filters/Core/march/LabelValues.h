@@ -50,9 +50,8 @@ public:
     {
       const Index bits = VertexState::labelBitsOf(static_cast<Index>(this->Fronts.size()));
       this->Fronts.emplace_back(label, bits, context.cost.smallest());
-      this->Fronts.back().reach =
-        bounds ? bounds->ofLabel(this->Fronts.back().number()) : DistanceField::Unreached;
     }
+    this->takeHigherBounds();
   }
 
   static constexpr bool hasOtherLabels = true;
@@ -198,6 +197,13 @@ public:
   }
 
   /** See goOnWithinHigherBounds(). */
+  void takeHigherBounds()
+  {
+    for (SourceFront& label : this->Fronts)
+    {
+      label.reach = this->Bounds ? this->Bounds->ofLabel(label.number()) : DistanceField::Unreached;
+    }
+  }
   void goBackTo(Index vertex)
   {
     const auto goBack = [&](const SourceFront& label, double value)

@@ -3,8 +3,8 @@
 #include "march/LineBounds.h"
 
 #include "base/SortUnique.h"
-#include "march/HubVertices.h"
 #include "march/LabelDensity.h"
+#include "march/LabelReach.h"
 #include "march/StraightLines.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
@@ -39,49 +39,68 @@ bool LineBounds::suit(const TriangleMesh& mesh, const SeedFront& front, Partitio
     std::adjacent_find(labels.begin(), labels.end(),
       [](const Label& a, const Label& b) { return a.seed == b.seed; }) == labels.end();
   return areAlike && areApart && !mesh.isIntrinsic() && labelsHaveRoom(mesh, front, partition) &&
-    labelsAreSpread(mesh, front, 0.0, partition) && !hasHubs(mesh, partition);
+    labelsAreSpread(mesh, front, 0.0, partition);
 }
 
-bool LineBounds::set(std::span<const StartValue> starts)
+void LineBounds::set(StraightLines& lines, std::span<const StartValue> starts)
 {
   const auto& [mesh, options, partition, front, cost, limit] = this->On;
   this->SeedValue = front.labels[0].value;
+  this->findMost(starts);
   std::vector<Vector3> places(front.labels.size());
   std::transform(front.labels.begin(), front.labels.end(), places.begin(),
     [](const Label& label) { return label.position; });
-  const std::span<double> bounds =
-    this->Bounds.startOfAll(mesh.numberOfVertices(), front.labels.size());
-  squareLeastLines(mesh, places, bounds);
-  double farthest = 0.0;
-  for (Index vertex = 0; vertex < bounds.size(); ++vertex)
-  {
-    const double line = std::sqrt(bounds[vertex]);
-    farthest = std::max(farthest, line);
-    bounds[vertex] = this->SeedValue + PartOfLine * line + PartOfReach * cost.reach(vertex);
-  }
-  const std::vector<double> all = partition.gather({ &farthest, 1 });
-  if (!labelsAreSpread(mesh, front, *std::max_element(all.begin(), all.end()), partition))
-  {
-    this->Bounds.clear();
-    return false;
-  }
+  // No value counts that is longer than the limit by some edges. On pieces these may be others'.
+  constexpr double edges = 8.0;
+  const double farthest = partition.isDivided()
+    ? DistanceField::Unreached
+    : limit.value() - this->SeedValue + edges * mesh.longestEdgeLength();
+  this->Bounds.startBlocks(mesh.numberOfVertices(), front.labels.size());
+  lines.measure(places, std::max(farthest, 0.0),
+    [&, &reachOf = cost](Index first, std::span<const double> squares)
+    {
+      const std::span<double> bounds = this->Bounds.addBlock(first, squares.size());
+      for (Index i = 0; i < bounds.size(); ++i)
+      {
+        bounds[i] = this->SeedValue +
+          std::min(this->Most,
+            PartOfLine * std::sqrt(squares[i]) + PartOfReach * reachOf.reach(first + i));
+      }
+    });
   // The nearest seed in space may be on another sheet.
+  const auto raise = [&](Index vertex, double bound)
+  { this->Bounds.setOfVertex(vertex, std::max(bound, this->Bounds.ofVertex(vertex))); };
   for (const StartValue& start : starts)
   {
     constexpr double rounding = 1.0 + 1e-9;
-    bounds[start.vertex] =
-      std::max(bounds[start.vertex], rounding * (this->SeedValue + start.value));
+    raise(start.vertex, rounding * (this->SeedValue + start.value));
   }
   std::vector<StartValue> shared;
   for (const Index vertex : partition.sharedVertices())
   {
-    shared.push_back({ vertex, 0, bounds[vertex], false });
+    shared.push_back({ vertex, 0, this->Bounds.ofVertex(vertex), false });
   }
   for (const StartValue& other : partition.exchange(shared))
   {
-    bounds[other.vertex] = std::max(bounds[other.vertex], other.value);
+    raise(other.vertex, other.value);
   }
-  return true;
+}
+
+void LineBounds::findMost(std::span<const StartValue> starts)
+{
+  constexpr double mostSpacings = 2.0;
+  double most = mostSpacings * labelSpacing(this->On.mesh, this->On.front, this->On.partition);
+  for (const StartValue& start : starts)
+  {
+    most = std::max(most, start.value);
+  }
+  this->Most = this->mostOfAll(most);
+}
+
+double LineBounds::mostOfAll(double own) const
+{
+  const std::vector<double> all = this->On.partition.gather({ &own, 1 });
+  return *std::max_element(all.begin(), all.end());
 }
 
 double LineBounds::excess(Index vertex, double distance) const
@@ -93,15 +112,18 @@ std::vector<Index> LineBounds::lowIn(const DistanceField& field) const
 {
   const auto& [mesh, options, partition, front, cost, limit] = this->On;
   std::vector<Index> low;
-  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  for (const auto& [begin, end] : this->Bounds.blocks())
   {
-    const double bound = this->Bounds.ofVertex(vertex);
-    const double distance = field.distance(vertex);
-    const bool isLow = !(distance + this->excess(vertex, distance) <= bound);
-    // What is beyond the limit does not count anyway.
-    if (isLow && (!limit.isPossible() || bound < limit.with(vertex)))
+    for (Index vertex = begin; vertex < end; ++vertex)
     {
-      low.push_back(vertex);
+      const double bound = this->Bounds.ofVertex(vertex);
+      const double distance = field.distance(vertex);
+      const bool isLow = !(distance + this->excess(vertex, distance) <= bound);
+      // What is beyond the limit does not count anyway.
+      if (isLow && (!limit.isPossible() || bound < limit.with(vertex)))
+      {
+        low.push_back(vertex);
+      }
     }
   }
   // Rounding may tell otherwise on another piece.
@@ -152,6 +174,7 @@ std::vector<StartValue> LineBounds::startsOfWays(const DistanceField& field,
 
 bool LineBounds::raiseTo(const DistanceField& ways, std::span<const Index> low)
 {
+  this->boundLabels(ways);
   bool isAny = false;
   const auto raise = [&](Index vertex, double bound)
   {
@@ -179,27 +202,19 @@ bool LineBounds::raiseTo(const DistanceField& ways, std::span<const Index> low)
 LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Index>& beside)
 {
   const auto& [mesh, options, partition, front, cost, limit] = this->On;
-  const auto mostOfAll = [&partition = partition](double own)
-  {
-    const std::vector<double> all = partition.gather({ &own, 1 });
-    return *std::max_element(all.begin(), all.end());
-  };
   const std::vector<Index> low = this->lowIn(field);
-  if (mostOfAll(static_cast<double>(low.size())) == 0.0)
+  if (this->mostOfAll(static_cast<double>(low.size())) == 0.0)
   {
     return LabelBounds::Check::Passed;
   }
   std::vector<std::uint8_t> isLow(mesh.numberOfVertices());
-  for (const Index vertex : low)
-  {
-    isLow[vertex] = 1;
-  }
-  const std::vector<StartValue> starts = this->startsOfWays(field, low, isLow);
   std::vector<std::uint8_t> excluded(mesh.numberOfVertices(), 1);
   for (const Index vertex : low)
   {
+    isLow[vertex] = 1;
     excluded[vertex] = options.isExcluded(vertex) ? 1 : 0;
   }
+  const std::vector<StartValue> starts = this->startsOfWays(field, low, isLow);
   for (const StartValue& start : starts)
   {
     excluded[start.vertex] = 0;
@@ -209,23 +224,28 @@ LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Ind
   {
     return LabelBounds::Check::Cancelled;
   }
-  double farthest = 0.0;
-  for (const Index vertex : ways->reached())
-  {
-    farthest = std::max(farthest, ways->distance(vertex) - this->SeedValue);
-  }
-  this->AreUseless = !labelsAreSpread(mesh, front, mostOfAll(farthest), partition);
-  if (this->AreUseless)
-  {
-    return LabelBounds::Check::Passed;
-  }
-  if (mostOfAll(this->raiseTo(*ways, low) ? 1.0 : 0.0) == 0.0)
+  if (this->mostOfAll(this->raiseTo(*ways, low) ? 1.0 : 0.0) == 0.0)
   {
     return LabelBounds::Check::Passed;
   }
   std::transform(starts.begin(), starts.end(), std::back_inserter(beside),
     [](const StartValue& start) { return start.vertex; });
   return LabelBounds::Check::Raised;
+}
+
+void LineBounds::boundLabels(const DistanceField& ways)
+{
+  double farthest = 0.0;
+  for (const Index vertex : ways.reached())
+  {
+    farthest = std::max(farthest, ways.distance(vertex));
+  }
+  std::vector<double> reaches =
+    labelReaches(this->On.mesh, this->On.front, {}, this->mostOfAll(farthest), this->On.partition);
+  // Not less than any value so far, so that this bound is no lower either.
+  std::for_each(
+    reaches.begin(), reaches.end(), [&](double& reach) { reach = std::max(reach, this->Most); });
+  this->Bounds.setOfLabels(std::move(reaches));
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "base/Index.h"
 #include "march/LabelBounds.h"
+#include "march/StraightLines.h"
 #include "march/TriangleCost.h"
 #include "solve/DistanceField.h"
 #include "solve/SeedFront.h"
@@ -27,15 +28,16 @@ struct SolveOptions;
 /**
  * Bounds of dense labels that need no first march. At cost 1 no distance is less than the straight
  * line through space to the nearest seed, and on a surface that is flat from one seed to the next
- * it is hardly more. So a part more than the line bounds the values that count.
+ * it is hardly more. So a part more than the line bounds the values that count, up to twice the
+ * spacing of labels.
  *
  * Whether it did is known after the march: where the least value of a vertex with the usual excess
  * is within the bound, no value that counts was kept away. Elsewhere, behind folds, holes and
- * barriers, a first march goes on from the vertices where it was, and raises the bounds: to its
- * distances with the excess. Then the march of labels goes on. Higher bounds only add values, and
- * updates are monotone, so it comes to the field that it would have found with these bounds from
- * the start, which does not depend on its order. No vertex is marched over more often than by two
- * marches all over.
+ * barriers and far from all seeds, a first march goes on from the vertices where it was, and raises
+ * the bounds: to its distances with the excess; beyond twice the spacing labels end with
+ * labelReaches(). Then the march of labels goes on. Higher bounds only add values, and updates are
+ * monotone, so it comes to the field that it would have found with these bounds from the start,
+ * which does not depend on its order. Neither does it depend on a stop beyond.
  */
 class LineBounds
 {
@@ -65,27 +67,27 @@ public:
 
   /**
    * Whether a front's labels can be bounded so: round ones of different seeds with the same value,
-   * with space enough for each, on a surface without hubs (see hubVertices()) that is not
-   * intrinsic. Collective.
+   * with space enough for each, on a surface that is not intrinsic. Collective.
+   * @pre no vertex is a hub (see hubVertices())
    */
   static bool suit(const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
 
-  /** Sets the bounds, none less than a start at its vertex.
-   * @return false, with nothing done, where
-   * labels are not spread over the surface. Collective. */
-  bool set(std::span<const StartValue> starts);
+  /** Sets the bounds, none less than a start at its vertex. Collective. @param lines  of the mesh
+   */
+  void set(StraightLines& lines, std::span<const StartValue> starts);
 
   /**
-   * Raises the bounds that were too low in a march within them, unless so much is so far that
-   * labels are to be thinned out, see areUseless(). Collective.
+   * Raises the bounds that were too low in a march within them. Collective.
    * @param field   what the march has found
    * @param beside  gets the vertices whose values may now go on to others
    */
   LabelBounds::Check raise(const DistanceField& field, std::vector<Index>& beside);
-  /** Whether distances are so far beyond lines that two marches take less. */
-  bool areUseless() const { return this->AreUseless; }
 
 private:
+  /** Finds the largest bound without a seed's value. Collective. */
+  void findMost(std::span<const StartValue> starts);
+  /** The largest of the numbers of all pieces. Collective. */
+  double mostOfAll(double own) const;
   double excess(Index vertex, double distance) const;
   /** The vertices whose bounds were too low in a march. */
   std::vector<Index> lowIn(const DistanceField& field) const;
@@ -93,6 +95,8 @@ private:
    * beside them. @param isLow  a flag for each vertex */
   std::vector<StartValue> startsOfWays(const DistanceField& field, std::span<const Index> low,
     const std::vector<std::uint8_t>& isLow) const;
+  /** Sets bounds of labels. Collective. */
+  void boundLabels(const DistanceField& ways);
   /** Raises bounds to ways. Collective. @return whether any is now higher on this piece */
   bool raiseTo(const DistanceField& ways, std::span<const Index> low);
 
@@ -100,7 +104,7 @@ private:
   LabelBounds& Bounds;
   Marching March;
   double SeedValue = 0.0;
-  bool AreUseless = false;
+  double Most = 0.0;
 };
 
 }

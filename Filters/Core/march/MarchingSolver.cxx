@@ -27,6 +27,7 @@ bool MarchingSolver::renewFor(const TriangleMesh& mesh)
   this->Bounds = std::make_shared<UpdateBounds>(mesh);
   this->UnitReaches.reset();
   this->DiscSolver.reset();
+  this->Lines.reset();
   this->WaysSolver.reset();
   return true;
 }

@@ -4,6 +4,7 @@
 #define geodesic_MarchingSolver_h
 
 #include "march/LabelBounds.h"
+#include "march/StraightLines.h"
 #include "march/TriangleCost.h"
 #include "march/UpdateBounds.h"
 #include "solve/DistanceField.h"
@@ -70,13 +71,19 @@ private:
   template <class Cost>
   bool marchWithinBounds(std::span<const StartValue> starts, const Cost& cost,
     const Request& request, bool areDense, StopLimit& limit, DistanceField& field);
-  /** A march within LineBounds. @return nothing, with the field reset, where they are useless */
-  std::optional<bool> marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
+  /** A march within LineBounds. */
+  bool marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
     const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
-  /** The distances at some vertices from others, all labels together, see LineBounds::Marching. */
+  /** See LineBounds::Marching. */
   const DistanceField* marchWays(std::span<const StartValue> starts,
     std::span<const std::uint8_t> excluded, const UnitCost& cost, const Request& request,
-    OptionsOfMarches& marches, const StopLimit& limit);
+    OptionsOfMarches& marches, StopLimit& limit);
+  /** Completes a field that was found within bounds, see takeFirstMarch() and lowerAlongEdges(),
+   * and removes the bounds. @return false when cancelled */
+  bool finishWithinBounds(const Request& request, bool areDense, bool isFinished,
+    OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
+  /** Whether there are hubVertices(); found at the first run that asks. Collective. */
+  bool hasHubs(Partition& partition);
   /** A first march, and one within the bounds that it gives. @pre LabelBounds::begin() */
   template <class Cost>
   bool marchTwice(std::span<const StartValue> starts, const Cost& cost, const Request& request,
@@ -97,7 +104,10 @@ private:
   std::unique_ptr<FrontSolver> DiscSolver;
   /** Kept for its memory. */
   LabelBounds LabelsWithin;
-  /** Finds where straight lines say too little, see LineBounds; made where they do. */
+  std::optional<bool> HasHubs;
+  /** Made at the first run within LineBounds. */
+  std::optional<StraightLines> Lines;
+  /** For where they say too little; made at the first run that needs it, with its field. */
   std::unique_ptr<MarchingSolver> WaysSolver;
   std::optional<DistanceField> Ways;
 };

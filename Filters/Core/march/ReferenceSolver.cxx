@@ -118,7 +118,8 @@ public:
     this->propose(vertex, label, value);
   }
 
-  /** See goOnWithinHigherBounds(). */
+  /** See goOnWithinHigherBounds(). Bounds are read where they are needed. */
+  void takeHigherBounds() {}
   void goBackTo(Index vertex) { this->Queue.goBackTo(this->Field.distance(vertex) - this->First); }
   void queueAgain(Index vertex)
   {

@@ -44,19 +44,8 @@ std::vector<Index> ranksOf(std::span<const Vector3> positions)
 struct RankedTriangle
 {
   Triangle ranks;
-  bool isFixed;
   Triangle corners;
   Index onMesh;
-
-  /** Whether another one is the same: both lie on each other, and both or none of them stay. */
-  bool operator==(const RankedTriangle& other) const
-  {
-    return this->ranks == other.ranks && this->isFixed == other.isFixed;
-  }
-  bool operator<(const RankedTriangle& other) const
-  {
-    return std::tie(this->ranks, this->isFixed) < std::tie(other.ranks, other.isFixed);
-  }
 };
 
 /** Whether the angles opposite to an edge sum to more than a half turn.
@@ -87,7 +76,7 @@ IntrinsicTriangles::IntrinsicTriangles(const TriangleMesh& mesh, const std::vect
 
 void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
 {
-  this->takeTriangles(isFixed);
+  this->takeTriangles();
   const std::size_t triangles = this->Corners.size();
   this->Lengths.resize(3 * triangles);
   this->Twins.assign(3 * triangles, Fixed);
@@ -115,7 +104,7 @@ void IntrinsicTriangles::makeDelaunay(const std::vector<bool>& isFixed)
   }
 }
 
-void IntrinsicTriangles::takeTriangles(const std::vector<bool>& isFixed)
+void IntrinsicTriangles::takeTriangles()
 {
   const std::vector<Index> ranks = ranksOf(this->Mesh.positions());
   std::vector<RankedTriangle> ranked(this->Mesh.numberOfTriangles());
@@ -124,16 +113,16 @@ void IntrinsicTriangles::takeTriangles(const std::vector<bool>& isFixed)
     Triangle corners = this->Mesh.triangle(t);
     std::sort(
       corners.begin(), corners.end(), [&](Index a, Index b) { return ranks[a] < ranks[b]; });
-    ranked[t] = { { ranks[corners[0]], ranks[corners[1]], ranks[corners[2]] },
-      !isFixed.empty() && isFixed[t], corners, t };
+    ranked[t] = { { ranks[corners[0]], ranks[corners[1]], ranks[corners[2]] }, corners, t };
   }
   Interruption::check();
-  std::sort(ranked.begin(), ranked.end());
+  std::sort(ranked.begin(), ranked.end(),
+    [](const RankedTriangle& s, const RankedTriangle& t) { return s.ranks < t.ranks; });
   this->Numbers.resize(ranked.size());
   this->Corners.clear();
   for (const RankedTriangle& triangle : ranked)
   {
-    if (&triangle == ranked.data() || !(triangle == *(&triangle - 1)))
+    if (&triangle == ranked.data() || triangle.ranks != (&triangle - 1)->ranks)
     {
       this->Corners.push_back(triangle.corners);
     }
@@ -148,11 +137,7 @@ void IntrinsicTriangles::linkTwins(const std::vector<bool>& isFixed)
   stays.resize(this->Mesh.numberOfTriangles());
   for (const auto& [triangle, first] : edges.repetitions())
   {
-    if (this->Numbers[triangle] != this->Numbers[first])
-    {
-      stays[triangle] = true;
-      stays[first] = true;
-    }
+    stays[first] = stays[first] || stays[triangle];
   }
   for (Index vertex = 0; vertex < this->Mesh.numberOfVertices(); ++vertex)
   {

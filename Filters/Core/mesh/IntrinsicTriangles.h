@@ -59,7 +59,7 @@ public:
   Index numberOfVertices() const { return static_cast<Index>(this->LeastEdges.size()); }
   std::span<const Triangle> triangles() const { return this->Corners; }
   /** The number of a triangle of the mesh among these; triangles with the same corners have the
-   * same one unless only some are fixed. If it is fixed, it has its corners still. */
+   * same one. If one of these is fixed, it has its corners still. */
   Index numberOf(Index triangle) const { return this->Numbers[triangle]; }
   /** The length of an edge of a triangle, on the surface. Time O(1). */
   double length(Index a, Index b) const;
@@ -116,8 +116,8 @@ private:
   /** Makes the triangulation without new vertices. */
   void makeDelaunay(const std::vector<bool>& isFixed);
   /** Takes over the triangles of the mesh, those with the same corners once, in an order that
-   * positions alone decide. @param isFixed  by the mesh's numbers */
-  void takeTriangles(const std::vector<bool>& isFixed);
+   * positions alone decide. */
+  void takeTriangles();
   /** @param isFixed  by the mesh's numbers */
   void linkTwins(const std::vector<bool>& isFixed);
   /** Flips the edges that wait, and those beside them, until none is to be flipped. */

@@ -32,8 +32,16 @@ public:
   OptionsOfMarches& operator=(const OptionsOfMarches&) = delete;
 
   const SolveOptions& get() const { return this->Own; }
-  /** To be called between two marches. */
-  void beginNext() { this->Before = this->Steps; }
+  /** To be called between two marches. @return the steps of the one before, as far as known */
+  std::size_t beginNext()
+  {
+    const std::size_t taken = this->Steps - this->Before;
+    this->Before = this->Steps;
+    return taken;
+  }
+  /** To be called where a march goes on after another one. @param taken  its steps until then, as
+   * beginNext() returned them */
+  void goOn(std::size_t taken) { this->Before = this->Steps - taken; }
 
 private:
   SolveOptions Own;
