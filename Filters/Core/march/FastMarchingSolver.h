@@ -76,7 +76,8 @@ struct MarchContext;
  *
  * Time O(n) on meshes whose edges do not vary wildly. Memory besides the mesh and its UpdateBounds:
  * 24 bytes a vertex for one label; for several labels 16 bytes a vertex more, and 21 for each
- * secondary value beyond the first of a vertex, on threads 24 to 48.
+ * secondary value beyond the first of a vertex, on threads 24 to 48. Where labels are within
+ * LineBounds that had to be raised, 30 bytes a vertex more.
  */
 class FastMarchingSolver : public MarchingSolver
 {
