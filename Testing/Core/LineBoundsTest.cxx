@@ -433,6 +433,28 @@ TEST(LineBounds, MayBeCancelledAtAnyTime)
   }
 }
 
+// Seeds that have no room, or too much of it.
+TEST(LineBounds, AllPointsMayBeInOnePlaceOrFarApart)
+{
+  for (const double factor : { 0.0, 1e-28, 1e27 })
+  {
+    Surface surface = wavyGrid(60);
+    for (Vector3& point : surface.points)
+    {
+      point = factor * point;
+    }
+    const auto mesh = meshOf(surface);
+    const auto seeds = randomSeeds(*mesh, 50);
+    const auto found = distances<FastMarchingSolver>(mesh, seeds);
+    const auto reference = distances<ReferenceSolver>(mesh, seeds);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_NEAR(found[i], reference[i], 1e-9 * largestOf(reference)) << factor;
+      ASSERT_LE(found[i], factor * 100.0);
+    }
+  }
+}
+
 // Values far above all distances leave the work as it is.
 TEST(LineBounds, EqualValuesOfSeedsDoNotMatter)
 {

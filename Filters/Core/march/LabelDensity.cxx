@@ -134,7 +134,7 @@ bool labelsAreSpread(
     return false;
   }
   const double spacing = labelSpacing(mesh, front, partition);
-  return farthest <= SpacingsOfSpread * spacing &&
+  return spacing > 0.0 && farthest <= SpacingsOfSpread * spacing &&
     PlaceGrid(round, spacing, [&](Index number) { return front.labels[number].position; })
       .meanInBucket() <= MostInCube;
 }
