@@ -116,6 +116,7 @@ void takeSeedsOfNeighbours(
 {
   const auto vertices = partition.sharedVertices();
   const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
+  std::size_t left = gaps.size();
   while (true)
   {
     std::vector<StartValue> found;
@@ -135,20 +136,23 @@ void takeSeedsOfNeighbours(
     std::vector<StartValue> shared;
     std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
       [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
-    const std::vector<StartValue> others = partition.exchange(shared);
-    found.insert(found.end(), others.begin(), others.end());
-    std::sort(found.begin(), found.end(),
-      [](const StartValue& x, const StartValue& y)
-      { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
+    if (const auto others = partition.exchange(shared); !others.empty())
+    {
+      found.insert(found.end(), others.begin(), others.end());
+      std::sort(found.begin(), found.end(),
+        [](const StartValue& x, const StartValue& y)
+        { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
+    }
     for (const StartValue& nearest : found)
     {
       if (field.isReached(nearest.vertex) && field.nearestSeed(nearest.vertex) == NoIndex)
       {
         field.setNearestSeed(nearest.vertex, nearest.label);
+        --left;
       }
     }
     // In the first round all were looked at: others can only have become possible by these.
-    gaps = gapsBeside(mesh, found, field);
+    gaps = left > 0 ? gapsBeside(mesh, found, field) : std::vector<Index>();
   }
 }
 
