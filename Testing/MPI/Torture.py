@@ -5,8 +5,9 @@
 usage: mpiexec -n N pvbatch --sym Torture.py OUR_PLUGIN FIRST COUNT [NUMBER...]       (N > 1)
 With TORTURE_VERBOSE set it prints each case before it runs; with TORTURE_HANG the last rank hangs in the first case.
 Runs the cases FIRST to FIRST + COUNT - 1, and those with the other numbers. A case is the same for the same number and
-N. The plugin must be built with SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute (or
-TORTURE_SECONDS) ends the run, with the stacks of all ranks.
+N; those from LARGE on have so many points and seeds that fast marching takes these for dense. The plugin must be built
+with SURFACEGEODESICS_INJECT_FAULTS. A case that does not end within a minute (or TORTURE_SECONDS) ends the run, with
+the stacks of all ranks.
 """
 
 import copy
@@ -36,6 +37,7 @@ harness.load(PLUGIN)
 RANK = pieces.controller().GetLocalProcessId()
 RANKS = harness.RANKS
 UNREACHED = 1e300
+LARGE = 100000
 SECONDS = int(os.environ.get("TORTURE_SECONDS", 60))
 # pvbatch replaces sys.stderr by an object that has no file.
 STDERR = os.fdopen(os.dup(2), "w")
@@ -87,6 +89,7 @@ class Case:
     """A surface with the rank of each triangle, and a request on it."""
 
     def __init__(self, number):
+        self.is_large = number >= LARGE
         self.random = np.random.default_rng([number, RANKS])
         self.more = np.random.default_rng([number, RANKS, 1])
         self.make_surface()
@@ -97,10 +100,11 @@ class Case:
         random = self.random
         kind = random.choice(["grid", "grid", "strips", "strips", "torus", "sphere", "apart"])
         cut = random.choice(["slabs", "slabs", "random", "halves", "first", "last"])
+        more = 60 if self.is_large else 0
         if kind == "torus":
-            points, cells = pieces.torus(int(random.integers(3, 40)), int(random.integers(3, 20)))
+            points, cells = pieces.torus(*(more + int(random.integers(3, most)) for most in (40, 20)))
         elif kind == "sphere":
-            points, cells = pieces.sphere(int(random.integers(0, 4)))
+            points, cells = pieces.sphere(int(random.integers(0, 4)) + (2 if self.is_large else 0))
         elif kind == "strips":
             # A rank each, of squares of very different sizes, that meet at some points only.
             points, cells, owner = [], [], []
@@ -115,7 +119,7 @@ class Case:
             self.owner = np.concatenate(owner)
             points, cells = pieces.weld(points, cells)
         else:
-            points, cells = grid_over(0.0, 1.0, int(random.integers(2, 50)), int(random.integers(2, 50)))
+            points, cells = grid_over(0.0, 1.0, *(more + int(random.integers(2, 50)) for _ in range(2)))
             points = bent(points, random)
             if kind == "apart":
                 cells = np.vstack([cells, cells + len(points)])
@@ -143,7 +147,8 @@ class Case:
             self.cost = np.exp(random.normal(0.0, 1.0, count))
         if kind == "bad":
             self.cost[random.integers(count)] = -1.0
-        self.wall = random.random(len(self.cells)) < 0.05 if random.random() < 0.25 else None
+        part_of_wall = 0.003 if self.is_large else 0.05
+        self.wall = random.random(len(self.cells)) < part_of_wall if random.random() < 0.25 else None
         self.has_ids = random.random() < 0.3
         self.has_ghosts = self.more.random() < 0.2
         self.name += (f", cost {kind}, wall {self.wall is not None}, ids {self.has_ids}, "
@@ -167,7 +172,8 @@ class Case:
             options["HeightOffset"] = float(random.choice([0.0, 0.1]))
         else:
             options["ComputeNearestSeed"] = 1
-            options["SeedPositions"] = self.places(int(random.choice([1, 1, 2, 5, 40]))).ravel().tolist()
+            seeds = int(random.choice([1, 1, 2, 5, 40])) + (60 if self.is_large else 0)
+            options["SeedPositions"] = self.places(seeds).ravel().tolist()
             if random.random() < 0.2:
                 options.update(UseMaximumDistance=1, MaximumDistance=float(random.random()))
             if random.random() < 0.2:
