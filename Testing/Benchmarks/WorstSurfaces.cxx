@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace geodesic::testing
@@ -99,19 +98,6 @@ Surface cube(Index cells)
   return surface;
 }
 
-/** A square grid whose points are raised at random: most of them are tips or saddles. */
-Surface saddles(Index cells)
-{
-  Surface surface = planeGrid(cells, cells, cells, cells);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> height(-0.7, 0.7);
-  for (Vector3& point : surface.points)
-  {
-    point.z = height(random);
-  }
-  return surface;
-}
-
 WorstSurface atEnds(Surface surface)
 {
   const Index last = static_cast<Index>(surface.points.size()) - 1;
@@ -123,16 +109,6 @@ WorstSurface scan(const Surface& whole, bool tiny)
   return atEnds(tiny ? icosphere(2) : whole);
 }
 
-}
-
-Surface hillyGrid(Index columns, Index rows)
-{
-  Surface surface = planeGrid(columns, rows, columns, rows);
-  for (Vector3& point : surface.points)
-  {
-    point.z = 3.0 * std::sin(point.x / 9.0) * std::cos(point.y / 7.0);
-  }
-  return surface;
 }
 
 Surface ordinarySurface(std::size_t points)
@@ -210,7 +186,7 @@ WorstSurface worstSurface(const std::string& name, bool tiny)
       [](bool small)
       { return atEnds(jitteredGrid(small ? 40 : 1265, small ? 4 : 126, 1.0, 1.0, 0.4, 1)); } },
     { "cube 10k", [](bool small) { return atEnds(cube(small ? 4 : 41)); } },
-    { "saddles 10k", [](bool small) { return atEnds(saddles(small ? 9 : 99)); } },
+    { "saddles 10k", [](bool small) { return atEnds(roughGrid(small ? 9 : 99)); } },
     { "hilly grid 1M",
       [](bool small) { return atEnds(small ? hillyGrid(49, 49) : hillyGrid(999, 999)); } },
     { "parts 100k", [](bool small) { return atEnds(trianglesApart(small ? 100 : 100000)); } },

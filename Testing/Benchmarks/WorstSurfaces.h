@@ -24,8 +24,6 @@ struct WorstSurface
  */
 WorstSurface worstSurface(const std::string& name, bool tiny);
 
-/** Unit squares, z = 3 sin(x/9) cos(y/7). */
-Surface hillyGrid(Index columns, Index rows);
 /** The hilly square of about as many points: what a surface without difficulties takes. */
 Surface ordinarySurface(std::size_t points);
 /** Triangles that share no points. */

@@ -116,6 +116,28 @@ Surface jitteredGrid(
   return surface;
 }
 
+Surface hillyGrid(Index columns, Index rows)
+{
+  Surface surface = planeGrid(columns, rows, columns, rows);
+  for (Vector3& point : surface.points)
+  {
+    point.z = 3.0 * std::sin(point.x / 9.0) * std::cos(point.y / 7.0);
+  }
+  return surface;
+}
+
+Surface roughGrid(Index cells)
+{
+  Surface surface = planeGrid(cells, cells, cells, cells);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> height(-0.7, 0.7);
+  for (Vector3& point : surface.points)
+  {
+    point.z = height(random);
+  }
+  return surface;
+}
+
 Surface icosphere(int levels)
 {
   const double golden = std::numbers::phi;

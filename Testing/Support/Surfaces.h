@@ -25,6 +25,10 @@ Surface planeGrid(Index columns, Index rows, double width, double height);
  */
 Surface jitteredGrid(
   Index columns, Index rows, double width, double height, double fraction, unsigned seed);
+/** Unit squares, z = 3 sin(x/9) cos(y/7). */
+Surface hillyGrid(Index columns, Index rows);
+/** Unit squares whose points are raised at random: most of them are tips or saddles. */
+Surface roughGrid(Index cells);
 /** Unit sphere: an icosahedron whose triangles are cut in four @p levels times; 10 4^levels + 2
  * points. */
 Surface icosphere(int levels);

@@ -9,9 +9,10 @@ namespace geodesic
 {
 
 /**
- * Counts the steps of what walks over a mesh outside of fast marching: entries of rings, triangles
- * and faces of strips that are looked at, windows that cross a triangle. Tests tell from it how
- * work grows with the input, which a clock tells less surely. Each thread has a count of its own.
+ * Counts the steps of what walks over a mesh beside fast marching: entries of rings, triangles and
+ * faces of strips and vertices without a seed that are looked at, windows that cross a triangle.
+ * Tests tell from it how work grows with the input, which a clock tells less surely. Each thread
+ * has a count of its own.
  */
 class WorkCount
 {

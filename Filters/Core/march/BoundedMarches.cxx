@@ -4,6 +4,7 @@
 #include "march/MarchingSolver.h"
 
 #include "base/SortUnique.h"
+#include "base/WorkCount.h"
 #include "march/EdgeLowering.h"
 #include "march/HubVertices.h"
 #include "march/LabelDensity.h"
@@ -31,6 +32,9 @@ namespace
 
 /** LabelBounds::excess() at hubVertices(), in parts of the distance: what rounding makes. */
 constexpr double ExcessAtHub = 1e-9;
+
+/** A front of all labels together, for a first march. */
+const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
 
 /** Resets a field for another march of the same run. */
 void resetAfterMarch(DistanceField& field)
@@ -119,6 +123,7 @@ void takeSeedsOfNeighbours(
   std::size_t left = gaps.size();
   while (true)
   {
+    WorkCount::add(gaps.size());
     std::vector<StartValue> found;
     for (const Index vertex : gaps)
     {
@@ -319,8 +324,7 @@ const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> start
   options.maximumDistance = limit.value();
   StopLimit limitOfWays(this->mesh(), options, *this->Ways);
   limitOfWays.setReaches(limit.reaches());
-  const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
-  const Request ways{ together, request.closed, options, request.partition, request.hasCost };
+  const Request ways{ Together, request.closed, options, request.partition, request.hasCost };
   const bool isFinished =
     this->WaysSolver->marchFrom(starts, cost, ways, nullptr, limitOfWays, *this->Ways);
   marches.goOn(taken);
@@ -349,10 +353,9 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
 {
   const std::vector<Label>& labels = request.front.labels;
   const SolveOptions& options = marches.get();
-  const SeedFront together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
   StopLimit firstLimit(this->mesh(), options, field);
   firstLimit.setReaches(limit.reaches());
-  const Request first{ together, request.closed, options, request.partition, request.hasCost };
+  const Request first{ Together, request.closed, options, request.partition, request.hasCost };
   if (!this->marchFrom(this->LabelsWithin.starts(), cost, first, nullptr, firstLimit, field))
   {
     this->LabelsWithin.clear();
