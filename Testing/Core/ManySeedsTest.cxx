@@ -500,7 +500,8 @@ TEST(ManySeeds, SparseOnesAreNotDense)
     return points;
   };
   EXPECT_FALSE(areDense(*mesh, seedsAt(*mesh, pointsEvery(25))));
-  EXPECT_TRUE(areDense(*mesh, seedsAt(*mesh, pointsEvery(5))));
+  EXPECT_FALSE(areDense(*mesh, seedsAt(*mesh, pointsEvery(20))));
+  EXPECT_TRUE(areDense(*mesh, seedsAt(*mesh, pointsEvery(10))));
   EXPECT_TRUE(areDense(*mesh, seedsAt(*mesh, rowOf(201, 100))));
   EXPECT_FALSE(areDense(*mesh, seedsAt(*mesh, { 0, 1, 2, 3 })));
 }

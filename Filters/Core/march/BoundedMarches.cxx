@@ -33,6 +33,9 @@ namespace
 /** LabelBounds::excess() at hubVertices(), in parts of the distance: what rounding makes. */
 constexpr double ExcessAtHub = 1e-9;
 
+/** The same in gaps, where no label came within the excess: in edges. */
+constexpr double ExcessInGap = 1.0;
+
 /** A front of all labels together, for a first march. */
 const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
 
@@ -220,6 +223,38 @@ void takeFirstMarch(const TriangleMesh& mesh, const LabelBounds& bounds, bool ar
   takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
 }
 
+/**
+ * Raises the bounds of vertices that no label has reached within them: the first march mixes labels
+ * that crowd, and may be shorter than each of them. Collective.
+ * @param excessOf  tells how much a distance in such a gap may exceed that of the first march
+ * @param beside    gets the vertices next to gaps whose labels may now go on
+ */
+template <class ExcessOf>
+LabelBounds::Check raiseInGaps(const TriangleMesh& mesh, const ExcessOf& excessOf,
+  Partition& partition, LabelBounds& bounds, const DistanceField& field, std::vector<Index>& beside)
+{
+  for (const Index vertex : bounds.reached())
+  {
+    if (field.isReached(vertex))
+    {
+      continue;
+    }
+    bounds.setOfVertex(vertex, bounds.first(vertex) + excessOf(vertex));
+    for (const RingEntry& entry : mesh.ring(vertex))
+    {
+      if (field.isReached(entry.neighbour()))
+      {
+        beside.push_back(entry.neighbour());
+      }
+    }
+  }
+  sortUnique(beside);
+  const double count = static_cast<double>(beside.size());
+  const std::vector<double> all = partition.gather({ &count, 1 });
+  return *std::max_element(all.begin(), all.end()) > 0.0 ? LabelBounds::Check::Raised
+                                                         : LabelBounds::Check::Passed;
+}
+
 }
 
 template <class Cost>
@@ -290,21 +325,29 @@ bool MarchingSolver::marchWithinLines(std::span<const StartValue> starts, const 
     request.hasCost };
   const std::span<const StartValue> counting =
     bounds.within(this->mesh(), request.front.labels, starts);
-  bool isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
-  if (isFinished)
-  {
-    // A march on threads does not go on from where it was.
-    std::vector<Index> beside;
-    const LabelBounds::Check found = bounds.check(field, beside);
-    isFinished = found != LabelBounds::Check::Cancelled;
-    if (found == LabelBounds::Check::Raised)
-    {
-      resetAfterMarch(field);
-      marches.beginNext();
-      isFinished = this->marchFrom(counting, cost, within, &bounds, limit, field);
-    }
-  }
+  const bool isFinished = this->marchLabels(counting, cost, within, marches, limit, field);
   return this->finishWithinBounds(request, true, isFinished, marches, limit, field);
+}
+
+template <class Cost>
+bool MarchingSolver::marchLabels(std::span<const StartValue> starts, const Cost& cost,
+  const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
+{
+  LabelBounds& bounds = this->LabelsWithin;
+  if (!this->marchFrom(starts, cost, request, &bounds, limit, field))
+  {
+    return false;
+  }
+  // A march on threads does not go on from where it was.
+  std::vector<Index> beside;
+  const LabelBounds::Check found = bounds.check(field, beside);
+  if (found != LabelBounds::Check::Raised)
+  {
+    return found == LabelBounds::Check::Passed;
+  }
+  resetAfterMarch(field);
+  marches.beginNext();
+  return this->marchFrom(starts, cost, request, &bounds, limit, field);
 }
 
 const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> starts,
@@ -361,25 +404,49 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
     this->LabelsWithin.clear();
     return false;
   }
+  std::vector<Index> hubs;
+  const auto isHub = [&](Index vertex)
+  { return std::binary_search(hubs.begin(), hubs.end(), vertex); };
   if (areDense)
   {
     const double least = leastSeedValue(labels);
     const double farthest = farthestOf(field, request.partition);
-    const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
+    hubs = hubVertices(this->mesh(), field.reached(), request.partition);
+    const bool areSpread = !request.hasCost &&
+      labelsAreSpread(this->mesh(), request.front, farthest - least, request.partition);
     std::vector<double> reaches(labels.size(), DistanceField::Unreached);
-    if (request.hasCost ||
-      !labelsAreSpread(this->mesh(), request.front, farthest, request.partition))
+    if (!areSpread)
     {
       reaches = labelReaches(
         this->mesh(), request.front, request.options.cost, farthest, request.partition);
     }
-    this->LabelsWithin.take(field, std::move(reaches),
-      [&](Index vertex)
+    const bool compete =
+      !areSpread && labelsCompeteInTriangles(this->mesh(), request.front, request.partition);
+    const auto excessOf = [&](Index vertex)
+    {
+      if (isHub(vertex))
       {
-        return std::binary_search(hubs.begin(), hubs.end(), vertex)
-          ? ExcessAtHub * field.distance(vertex)
-          : LabelBounds::excess(cost.reach(vertex), field.distance(vertex) - least);
-      });
+        return ExcessAtHub * field.distance(vertex);
+      }
+      return compete && this->LabelsWithin.hasStart(vertex)
+        ? LabelBounds::excessAtStart(cost.reach(vertex))
+        : LabelBounds::excess(cost.reach(vertex), field.distance(vertex) - least);
+    };
+    this->LabelsWithin.take(field, std::move(reaches), excessOf);
+    if (!areSpread)
+    {
+      this->LabelsWithin.setChecking(
+        [&](const DistanceField& found, std::vector<Index>& beside)
+        {
+          const auto excessInGap = [&](Index vertex)
+          {
+            return isHub(vertex) ? ExcessAtHub * this->LabelsWithin.first(vertex)
+                                 : ExcessInGap * cost.reach(vertex);
+          };
+          return raiseInGaps(
+            this->mesh(), excessInGap, request.partition, this->LabelsWithin, found, beside);
+        });
+    }
   }
   else
   {
@@ -390,8 +457,8 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
   marches.beginNext();
   const Request second{ request.front, request.closed, options, request.partition,
     request.hasCost };
-  const bool isFinished = this->marchFrom(this->LabelsWithin.within(this->mesh(), labels, starts),
-    cost, second, &this->LabelsWithin, limit, field);
+  const bool isFinished = this->marchLabels(
+    this->LabelsWithin.within(this->mesh(), labels, starts), cost, second, marches, limit, field);
   return this->finishWithinBounds(request, areDense, isFinished, marches, limit, field);
 }
 

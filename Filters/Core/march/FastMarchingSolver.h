@@ -122,9 +122,11 @@ private:
   /** Whether the fronts of a march are of one label, and start all over the surface, so that groups
    * are to be those of vertices. */
   bool isDense(std::span<const StartValue> starts, const Request& request) const;
-  /** Empties queues for a march. @param groups  see FrontQueues::start() */
+  /** Empties queues for a march. @param groups  see FrontQueues::start() @param partOfWidth  the
+   * width of buckets, in the usual one */
   template <class Cost>
-  void startQueues(FrontQueues& queues, const Cost& cost, std::size_t groups) const;
+  void startQueues(
+    FrontQueues& queues, const Cost& cost, std::size_t groups, double partOfWidth = 1.0) const;
   /** The same with the groups that suit the march. @param bounds  as above */
   template <class Cost>
   void startQueues(FrontQueues& queues, const Cost& cost, std::span<const StartValue> starts,

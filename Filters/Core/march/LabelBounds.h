@@ -53,9 +53,16 @@ bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Pa
 class LabelBounds
 {
 public:
-  /** How much a distance that counts may exceed the least one where labels are dense. @param reach
-   * of the vertex, see UnitCost::reach() @param distance  the least one, less the seeds' value */
-  static double excess(double reach, double distance) { return 0.15 * reach + 0.01 * distance; }
+  /** How much a distance that counts may exceed the least one where labels are dense. Near the
+   * seeds it grows with the distance, as labels end there in whose place others are farther; beyond
+   * that the first march is the slower one (see above). @param reach  of the vertex, see
+   * UnitCost::reach() @param distance  the least one, less the seeds' value */
+  static double excess(double reach, double distance)
+  {
+    return std::min(0.15 * reach + 0.01 * distance, 0.3 * reach);
+  }
+  /** The same at a start of labels that compete, see labelsCompeteInTriangles(). */
+  static double excessAtStart(double reach) { return 0.5 * reach; }
 
   /**
    * Prepares a first march: sets its starts. Collective.
@@ -68,6 +75,9 @@ public:
   /** Whether no front passes any vertex that has a start, as where all vertices are seeds.
    * Collective. */
   bool areAllInside(Partition& partition) const;
+
+  /** Whether a label starts at a vertex. */
+  bool hasStart(Index vertex) const { return this->PlaceOfStart[vertex] != NoIndex; }
 
   /**
    * Takes over the field of the first march, and sets the bounds.

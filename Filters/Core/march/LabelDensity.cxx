@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "march/LabelDensity.h"
 
+#include "base/WorkCount.h"
 #include "march/PlaceGrid.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
@@ -19,10 +20,12 @@ namespace
 
 constexpr std::size_t MostSparseLabels = 24;
 constexpr double VerticesOfSparseLabel = 64.0;
-constexpr double EdgesBetweenSparseLabels = 8.0;
+constexpr double EdgesBetweenSparseLabels = 14.0;
 constexpr std::size_t CloseLabelsOfSparse = 4;
 constexpr double SpacingsOfSpread = 2.0;
 constexpr double MostInCube = 8.0;
+/** The mean of edges of one size is at most this many times their harmonic mean. */
+constexpr double MostOfOneSize = 1.5;
 
 /** The size of a surface in all its pieces. */
 struct SurfaceSize
@@ -59,6 +62,33 @@ SurfaceSize sizeOf(const TriangleMesh& mesh, Partition& partition)
   return size;
 }
 
+/** Whether the vertices' longest edges differ much, as those of CAD programs do. Collective. */
+bool edgesAreSpread(const TriangleMesh& mesh, Partition& partition)
+{
+  if (!partition.isDivided())
+  {
+    return mesh.spreadOfEdges() > MostOfOneSize;
+  }
+  // How many edges there are, their sum, and that of their inverses.
+  std::array<double, 3> sums{};
+  for (Index vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (const double edge = partition.longestSides()[vertex]; partition.owns(vertex) && edge > 0.0)
+    {
+      sums[0] += 1.0;
+      sums[1] += edge;
+      sums[2] += 1.0 / edge;
+    }
+  }
+  const std::vector<double> all = partition.gather(sums);
+  sums = {};
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    sums[i % sums.size()] += all[i];
+  }
+  return sums[1] * sums[2] > MostOfOneSize * sums[0] * sums[0];
+}
+
 std::vector<Index> roundOf(const std::vector<Label>& labels)
 {
   std::vector<Index> round;
@@ -72,7 +102,8 @@ std::vector<Index> roundOf(const std::vector<Label>& labels)
   return round;
 }
 
-/** Counts the round labels that start closer to another one than @p distance. */
+/** Counts the round labels that start closer to another one than @p distance. Time O(k) for k
+ * labels, also where they crowd. */
 std::size_t countClose(const std::vector<Label>& labels, double distance)
 {
   const std::vector<Index> round = roundOf(labels);
@@ -81,11 +112,12 @@ std::size_t countClose(const std::vector<Label>& labels, double distance)
   return static_cast<std::size_t>(std::count_if(round.begin(), round.end(),
     [&](Index number)
     {
-      bool isClose = false;
-      grid.visitNear(placeOf(number), distance,
+      return grid.anyNear(placeOf(number), distance,
         [&](Index other)
-        { isClose |= other != number && norm(placeOf(other) - placeOf(number)) < distance; });
-      return isClose;
+        {
+          WorkCount::add(1);
+          return other != number && norm(placeOf(other) - placeOf(number)) < distance;
+        });
     }));
 }
 
@@ -137,6 +169,12 @@ bool labelsAreSpread(
   return spacing > 0.0 && farthest <= SpacingsOfSpread * spacing &&
     PlaceGrid(round, spacing, [&](Index number) { return front.labels[number].position; })
       .meanInBucket() <= MostInCube;
+}
+
+bool labelsCompeteInTriangles(
+  const TriangleMesh& mesh, const SeedFront& front, Partition& partition)
+{
+  return roundOf(front.labels).size() == front.labels.size() || edgesAreSpread(mesh, partition);
 }
 
 }

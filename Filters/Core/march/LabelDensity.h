@@ -13,7 +13,7 @@ struct SeedFront;
 /**
  * Whether the labels of a front are so dense that the values which count are to be bounded (see
  * LabelBounds). Up to 24 labels are never dense. More of them are if there are fewer than 64
- * vertices for each, or if more than 24 labels and more than a quarter of all start within 8 mean
+ * vertices for each, or if more than 24 labels and more than a quarter of all start within 14 mean
  * edges of another, or if costs are spread. It depends on the input alone, and all pieces of the
  * surface agree. Collective.
  * @param costsAreSpread  whether costs differ so much that the margins of dear vertices hold nearly
@@ -36,10 +36,19 @@ double labelSpacing(const TriangleMesh& mesh, const SeedFront& front, Partition&
  * each label, no vertex is farther from all of them than twice the spacing, and in the mean at most
  * 8 labels share a cube of space of that side; of random ones some 3 to 5 do. Where edges differ
  * much, as needles or coarse parts do, the spacing is too large, and more share a cube. Collective.
- * @param farthest  the largest distance of a vertex, at cost 1, with the values of seeds
+ * @param farthest  the largest distance of a vertex, at cost 1, less the least value of a seed
  */
 bool labelsAreSpread(
   const TriangleMesh& mesh, const SeedFront& front, double farthest, Partition& partition);
+
+/**
+ * Whether, of the labels that start in one triangle, the nearest one of what is behind a side may
+ * be farther than others from both ends of the side by much of its length. So it is with points
+ * that crowd in a triangle, and with lines across triangles that are long beside the spacing of
+ * their points, as where edges differ much. Collective.
+ */
+bool labelsCompeteInTriangles(
+  const TriangleMesh& mesh, const SeedFront& front, Partition& partition);
 
 }
 

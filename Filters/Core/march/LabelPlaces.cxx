@@ -60,10 +60,24 @@ Vector3 alignedSum(std::vector<Vector3>& normals)
   return sum;
 }
 
+/** Rings of vertices go round either way: -1 for one against the order of the corners of @p
+ * triangle, which is one of those round the vertex; else 1. */
+double turnOf(const TriangleMesh& mesh, Index vertex, Index triangle)
+{
+  const Triangle& corners = mesh.triangle(triangle);
+  const auto at = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
+  const Index next = corners[static_cast<std::size_t>((at + 1) % 3)];
+  const Index last = corners[static_cast<std::size_t>((at + 2) % 3)];
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  const auto isAgainst = [&](const RingEntry& first, const RingEntry& second)
+  { return first.neighbour() == last && second.neighbour() == next; };
+  return std::adjacent_find(ring.begin(), ring.end(), isAgainst) == ring.end() ? 1.0 : -1.0;
+}
+
 /** As alignedSum() of the normals at a vertex where the surface is so flat that their order hardly
  * changes a bit of it: each is within nearly 45 degrees of the sum, so that none has to be turned.
- * Nothing if it is not as flat as that. */
-std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
+ * Nothing if it is not as flat as that. @param triangle  one of those round the vertex */
+std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex, Index triangle)
 {
   const std::span<const RingEntry> ring = mesh.ring(vertex);
   if (ring.size() > MostOfFlat + 1 || mesh.isIntrinsic() || !isSimpleFan(ring))
@@ -91,7 +105,7 @@ std::optional<Vector3> flatSumAt(const TriangleMesh& mesh, Index vertex)
       const double along = dot(normal, sum);
       return along > 0.0 && 2.0 * along * along > square * dot(normal, normal);
     });
-  return isFlat ? std::optional(sum) : std::nullopt;
+  return isFlat ? std::optional(turnOf(mesh, vertex, triangle) * sum) : std::nullopt;
 }
 
 /** Appends the normals of this piece's triangles at a point: those of which it is a corner, or on
@@ -122,6 +136,7 @@ void appendNormalsAt(
     }
     return;
   }
+  const double turn = turnOf(mesh, centre, point.triangle);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (ring[i].opensTriangle())
@@ -129,7 +144,7 @@ void appendNormalsAt(
       const Triangle triangle{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
       if (std::find(triangle.begin(), triangle.end(), other) != triangle.end())
       {
-        normals.push_back(normalOf(mesh, triangle));
+        normals.push_back(turn * normalOf(mesh, triangle));
       }
     }
   }
@@ -151,8 +166,9 @@ void findNormalsAt(
   const TriangleMesh& mesh, const SurfacePoint& point, bool isShared, std::vector<Vector3>& normals)
 {
   const Carriers carriers = carriersOf(mesh, point);
-  if (const auto sum =
-        isShared || carriers.size() > 1 ? std::nullopt : flatSumAt(mesh, carriers[0]))
+  if (const auto sum = isShared || carriers.size() > 1
+      ? std::nullopt
+      : flatSumAt(mesh, carriers[0], point.triangle))
   {
     normals.push_back(*sum);
     return;

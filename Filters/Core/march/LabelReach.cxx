@@ -36,6 +36,9 @@ constexpr double CubeInRadii = 2.0;
 constexpr double LeastCosine = 0.7;
 /** A label closer than this many edges to another one, of no larger value, ends where it starts. */
 constexpr double LeastSpacing = 0.1;
+/** Moves what is often the same for many places, as 0 and 1 are, away from where one cube ends and
+ * the next begins. What rounding leaves of such a number would decide there. */
+constexpr double Offset = 0.377;
 /** A straight front goes on for this many squares of its length, and for two edges at least. */
 constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
@@ -44,7 +47,7 @@ constexpr double LeastReachOfStraight = 2.0;
  * different cubes hardly ever have the same one. */
 std::uint64_t cubeOf(const LabelPlace& place)
 {
-  const double exponent = std::floor(std::log2(place.edge));
+  const double exponent = std::floor(std::log2(place.edge) - Offset);
   const double perSide = std::sqrt(3.0) / (LeastSpacing * std::exp2(exponent));
   std::uint64_t cube = 0;
   for (const double x : { exponent, place.position.x * perSide, place.position.y * perSide,
@@ -52,7 +55,7 @@ std::uint64_t cubeOf(const LabelPlace& place)
   {
     // Fibonacci hashing, see Knuth, The Art of Computer Programming 3, section 6.4.
     constexpr std::uint64_t goldenRatio = 0x9e3779b97f4a7c15u;
-    cube = (cube ^ std::bit_cast<std::uint64_t>(std::floor(x))) * goldenRatio;
+    cube = (cube ^ std::bit_cast<std::uint64_t>(std::floor(x + Offset))) * goldenRatio;
     cube ^= cube >> 32;
   }
   return cube;

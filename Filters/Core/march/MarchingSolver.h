@@ -74,6 +74,10 @@ private:
   /** A march within LineBounds. */
   bool marchWithinLines(std::span<const StartValue> starts, const UnitCost& cost,
     const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
+  /** A march of labels within LabelsWithin, which are checked after it. */
+  template <class Cost>
+  bool marchLabels(std::span<const StartValue> starts, const Cost& cost, const Request& request,
+    OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
   /** See LineBounds::Marching. */
   const DistanceField* marchWays(std::span<const StartValue> starts,
     std::span<const std::uint8_t> excluded, const UnitCost& cost, const Request& request,

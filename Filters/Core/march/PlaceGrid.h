@@ -54,6 +54,18 @@ public:
   template <class Visit>
   void visitNear(const Vector3& centre, double radius, const Visit& visit) const
   {
+    this->anyNear(centre, radius,
+      [&](Index number)
+      {
+        visit(number);
+        return false;
+      });
+  }
+
+  /** Whether a test holds for any of these places; those behind it are not looked at. */
+  template <class Test>
+  bool anyNear(const Vector3& centre, double radius, const Test& test) const
+  {
     const Vector3 reach{ radius, radius, radius };
     const Cube first = this->cubeOf(centre - reach);
     const Cube last = this->cubeOf(centre + reach);
@@ -63,10 +75,14 @@ public:
       {
         for (std::int64_t z = first[2]; z <= last[2]; ++z)
         {
-          this->visitCube(keyOf({ x, y, z }), visit);
+          if (this->anyInCube(keyOf({ x, y, z }), test))
+          {
+            return true;
+          }
         }
       }
     }
+    return false;
   }
 
   /** How many places share a bucket, in the mean over the places: those in a cube, and some of
@@ -86,17 +102,14 @@ private:
   using Cube = std::array<std::int64_t, 3>;
   static constexpr int Bits = 21;
 
-  template <class Visit>
-  void visitCube(std::uint64_t key, const Visit& visit) const
+  template <class Test>
+  bool anyInCube(std::uint64_t key, const Test& test) const
   {
     const std::size_t bucket = this->bucketOf(key);
-    for (Index i = this->Starts[bucket]; i < this->Starts[bucket + 1]; ++i)
-    {
-      if (this->Members[i].first == key)
-      {
-        visit(this->Members[i].second);
-      }
-    }
+    return std::any_of(this->Members.begin() + this->Starts[bucket],
+      this->Members.begin() + this->Starts[bucket + 1],
+      [&](const std::pair<std::uint64_t, Index>& member)
+      { return member.first == key && test(member.second); });
   }
   /** Fibonacci hashing, see Knuth, The Art of Computer Programming 3, section 6.4. */
   std::size_t bucketOf(std::uint64_t key) const

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeds that crowd: many in a triangle, or along the long triangles of a CAD program. Of those that
+// start in one triangle the nearest one of what is behind a side may be farther than others from
+// both of its ends (see LabelBounds::excessAtStart()).
+
+#include "ExactDistances.h"
+#include "Solving.h"
+#include "Surfaces.h"
+#include "base/WorkCount.h"
+#include "march/FastMarchingSolver.h"
+#include "march/LabelDensity.h"
+#include "march/LabelPlaces.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/ClosedTriangles.h"
+#include "solve/Partition.h"
+#include "solve/SeedFront.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace geodesic;
+using namespace geodesic::testing;
+
+namespace
+{
+
+/** Points in the triangles at a vertex. */
+std::vector<Seed> crowdRound(const TriangleMesh& mesh, Index vertex, int count)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 0.5);
+  const auto ring = mesh.ring(vertex);
+  std::vector<Seed> seeds;
+  for (int i = 0; i < count; ++i)
+  {
+    SurfacePoint point = mesh.pointAtVertex(ring[i % ring.size()].neighbour());
+    const double first = uniform(random);
+    const double second = uniform(random);
+    point.weights = { first, second, 1.0 - first - second };
+    seeds.push_back(Seed::atPoint(point));
+  }
+  return seeds;
+}
+
+/** Points in some triangles next to each other. */
+std::vector<Seed> crowdIn(const TriangleMesh& mesh, Index triangles, int count)
+{
+  const auto centreOf = [&](Index triangle) {
+    return mesh.positionOf(SurfacePoint{ triangle, { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
+  };
+  const Vector3 centre = centreOf(mesh.numberOfTriangles() / 3);
+  std::vector<Index> nearest(mesh.numberOfTriangles());
+  std::iota(nearest.begin(), nearest.end(), Index{ 0 });
+  std::partial_sort(nearest.begin(), nearest.begin() + triangles, nearest.end(),
+    [&](Index a, Index b) { return norm(centreOf(a) - centre) < norm(centreOf(b) - centre); });
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 0.5);
+  std::vector<Seed> seeds;
+  for (int i = 0; i < count; ++i)
+  {
+    const Index triangle = nearest[random() % triangles];
+    const double first = uniform(random);
+    const double second = uniform(random);
+    seeds.push_back(Seed::atPoint({ triangle, { first, second, 1.0 - first - second } }));
+  }
+  return seeds;
+}
+
+/** The points where a curve crosses the edges of a surface, each for itself. */
+template <class Height>
+std::vector<Seed> crossings(const TriangleMesh& mesh, const Height& height)
+{
+  std::vector<Seed> seeds;
+  for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
+  {
+    const auto& corners = mesh.triangle(triangle);
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const double here = height(mesh.position(corners[i]));
+      const double there = height(mesh.position(corners[j]));
+      if (here < 0.0 && there >= 0.0)
+      {
+        SurfacePoint point{ triangle, {} };
+        point.weights[i] = there / (there - here);
+        point.weights[j] = 1.0 - point.weights[i];
+        seeds.push_back(Seed::atPoint(point));
+      }
+    }
+  }
+  return seeds;
+}
+
+/** A seventh of an edge in the mean, half an edge anywhere. */
+void expectRoughlyTheLeast(const std::shared_ptr<const TriangleMesh>& mesh,
+  const std::vector<Seed>& seeds, double largest = 0.5)
+{
+  const DifferenceToLeast difference = differenceToLeast(mesh, seeds);
+  EXPECT_LE(difference.mean, 0.14);
+  EXPECT_LE(difference.largest, largest);
+}
+
+}
+
+TEST(CrowdedSeeds, ThoseInOneTriangleAreNearTheLeast)
+{
+  for (const Surface& surface :
+    { delaunayPlane(3000, 3), hillyGrid(50, 50), roughGrid(50), torus(60, 30, 2.0, 0.7) })
+  {
+    const auto mesh = meshOf(surface);
+    expectRoughlyTheLeast(mesh, crowdRound(*mesh, 40, 100));
+  }
+}
+
+// The first march mixes labels and may be shorter than each of them: then none came within its
+// bounds, and what is behind had the distances of that march, which is slow beside points.
+TEST(CrowdedSeeds, NoGapIsLeftBehindThem)
+{
+  const auto mesh = meshOf(hillyGrid(100, 100));
+  for (const Index triangles : { 20u, 30u })
+  {
+    expectRoughlyTheLeast(mesh, crowdIn(*mesh, triangles, 80), 0.6);
+  }
+}
+
+TEST(CrowdedSeeds, ThoseAcrossLongTrianglesAreNearTheLeast)
+{
+  const auto mesh = meshOf(boxWithFillets(8));
+  double size = 0.0;
+  for (const Vector3& position : mesh->positions())
+  {
+    size = std::max(size, norm(position - mesh->positions()[0]));
+  }
+  const std::vector<Seed> seeds = crossings(*mesh,
+    [&](const Vector3& p) {
+      return std::sin(6.0 * p.x / size + 1.0) + std::cos(5.0 * p.y / size) - 3.0 * p.z / size - 0.4;
+    });
+  ASSERT_GT(seeds.size(), 100u);
+  expectRoughlyTheLeast(mesh, seeds);
+}
+
+// Whether they are dense was told by looking from each at all others.
+TEST(CrowdedSeeds, WhetherTheyAreDenseIsSoonTold)
+{
+  const auto mesh = meshOf(planeGrid(400, 400, 400.0, 400.0));
+  const std::vector<Seed> seeds = crowdRound(*mesh, 80000, 2000);
+  Partition partition;
+  SeedFront front;
+  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, partition, front);
+  const std::size_t before = WorkCount::steps();
+  EXPECT_TRUE(labelsAreDense(*mesh, front, false, partition));
+  EXPECT_LT(WorkCount::steps() - before, 10 * seeds.size());
+}
+
+// Which labels stand for each other depends on the side of the surface that they are on. Where
+// triangles are not oriented alike, rings of vertices go round as the numbers of points have it.
+TEST(CrowdedSeeds, EachFacesAsTheTriangleOfItsSeed)
+{
+  Surface surface = planeGrid(20, 20, 20.0, 20.0);
+  for (std::size_t triangle = 0; triangle < surface.triangles.size(); triangle += 3)
+  {
+    std::swap(surface.triangles[triangle][0], surface.triangles[triangle][1]);
+  }
+  std::vector<Index> newId;
+  const auto mesh = meshOf(shuffled(surface, 5, newId));
+  std::vector<Seed> seeds;
+  std::vector<double> sides;
+  for (Index triangle = 0; triangle < mesh->numberOfTriangles(); ++triangle)
+  {
+    const Triangle& corners = mesh->triangle(triangle);
+    const Vector3 first = mesh->position(corners[1]) - mesh->position(corners[0]);
+    const Vector3 second = mesh->position(corners[2]) - mesh->position(corners[0]);
+    for (const auto& weights :
+      { std::array{ 0.0, 1.0, 0.0 }, std::array{ 0.0, 0.4, 0.6 }, std::array{ 0.2, 0.3, 0.5 } })
+    {
+      seeds.push_back(Seed::atPoint({ triangle, weights }));
+      sides.push_back(cross(first, second).z > 0.0 ? 1.0 : -1.0);
+    }
+  }
+  Partition partition;
+  SeedFront front;
+  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, partition, front);
+  const std::vector<LabelPlace> places = labelPlaces(*mesh, front, {}, partition);
+  ASSERT_EQ(places.size(), sides.size());
+  for (std::size_t label = 0; label < places.size(); ++label)
+  {
+    EXPECT_EQ(places[label].normal.z, sides[label]);
+  }
+}
+
+// Those within a cube of a grid count as one. Many coordinates are 0.
+TEST(CrowdedSeeds, WhatRoundingLeavesDoesNotMatter)
+{
+  Surface grid = planeGrid(20, 20, 20.0, 20.0);
+  for (Vector3& point : grid.points)
+  {
+    point = point - Vector3{ 10.2, 10.3, 0.0 };
+  }
+  const auto mesh = meshOf(grid);
+  const auto fieldOf = [&](double rest)
+  {
+    std::vector<Seed> seeds;
+    for (int i = 0; i < 60; ++i)
+    {
+      const Vector3 position{ i % 2 == 0 ? rest : 0.04, 0.01 * i, 0.0 };
+      seeds.push_back(Seed::atPosition(position, seedNear(mesh, position).points));
+    }
+    FastMarchingSolver solver(mesh);
+    const auto distances = solver.solve(seeds).distances();
+    return std::vector<double>(distances.begin(), distances.end());
+  };
+  const std::vector<double> field = fieldOf(0.0);
+  const std::vector<double> other = fieldOf(-1e-18);
+  for (std::size_t vertex = 0; vertex < field.size(); ++vertex)
+  {
+    EXPECT_NEAR(field[vertex], other[vertex], 1e-10);
+  }
+}
