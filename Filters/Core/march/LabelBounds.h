@@ -39,8 +39,8 @@ bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Pa
  * the order of the march decides which ones those are: as long as the least value is missing a
  * farther label is kept, and may go on to a dear vertex where it is the least one. So in both cases
  * a value counts only if it is neither above the bound of its vertex nor above the one of its
- * label. All bounds are fixed before the march, so the field does not depend on its order; a check()
- * after it may raise some, and it goes on (see HigherBounds.h).
+ * label. All bounds are fixed before the march, so the field does not depend on its order; a
+ * check() after it may raise some, and it goes on (see HigherBounds.h).
  *
  * The bound of a vertex is its distance in a *first march*, in which all labels together are one
  * straight front, and an excess(); values a little above the least one are needed near borders. Or
