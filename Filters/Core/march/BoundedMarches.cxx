@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -30,11 +31,9 @@ namespace geodesic
 namespace
 {
 
-/** LabelBounds::excess() at hubVertices(), in parts of the distance: what rounding makes. */
-constexpr double ExcessAtHub = 1e-9;
-
-/** The same in gaps, where no label came within the excess: in edges. */
-constexpr double ExcessInGap = 1.0;
+constexpr LabelThinning OfCompeting{ .mostError = 0.05, .allowance = 0.5, .excess = 0.08 };
+/** Beside lines are many labels, each of which is the nearest for less. */
+constexpr LabelThinning OfLines{ .mostError = 0.1, .allowance = 0.4, .excess = 0.05 };
 
 /** A front of all labels together, for a first march. */
 const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
@@ -223,38 +222,6 @@ void takeFirstMarch(const TriangleMesh& mesh, const LabelBounds& bounds, bool ar
   takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
 }
 
-/**
- * Raises the bounds of vertices that no label has reached within them: the first march mixes labels
- * that crowd, and may be shorter than each of them. Collective.
- * @param excessOf  tells how much a distance in such a gap may exceed that of the first march
- * @param beside    gets the vertices next to gaps whose labels may now go on
- */
-template <class ExcessOf>
-LabelBounds::Check raiseInGaps(const TriangleMesh& mesh, const ExcessOf& excessOf,
-  Partition& partition, LabelBounds& bounds, const DistanceField& field, std::vector<Index>& beside)
-{
-  for (const Index vertex : bounds.reached())
-  {
-    if (field.isReached(vertex))
-    {
-      continue;
-    }
-    bounds.setOfVertex(vertex, bounds.first(vertex) + excessOf(vertex));
-    for (const RingEntry& entry : mesh.ring(vertex))
-    {
-      if (field.isReached(entry.neighbour()))
-      {
-        beside.push_back(entry.neighbour());
-      }
-    }
-  }
-  sortUnique(beside);
-  const double count = static_cast<double>(beside.size());
-  const std::vector<double> all = partition.gather({ &count, 1 });
-  return *std::max_element(all.begin(), all.end()) > 0.0 ? LabelBounds::Check::Raised
-                                                         : LabelBounds::Check::Passed;
-}
-
 }
 
 template <class Cost>
@@ -404,53 +371,43 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
     this->LabelsWithin.clear();
     return false;
   }
-  std::vector<Index> hubs;
-  const auto isHub = [&](Index vertex)
-  { return std::binary_search(hubs.begin(), hubs.end(), vertex); };
   if (areDense)
   {
     const double least = leastSeedValue(labels);
     const double farthest = farthestOf(field, request.partition);
-    hubs = hubVertices(this->mesh(), field.reached(), request.partition);
+    const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
+    const auto isHub = [&](Index vertex)
+    { return std::binary_search(hubs.begin(), hubs.end(), vertex); };
     const bool areSpread = !request.hasCost &&
       labelsAreSpread(this->mesh(), request.front, farthest - least, request.partition);
-    std::vector<double> reaches(labels.size(), DistanceField::Unreached);
+    const bool compete =
+      !areSpread && labelsCompeteInTriangles(this->mesh(), request.front, request.partition);
+    const LabelThinning& thinning = compete ? OfCompeting : OfLines;
+    std::vector<LabelReach> reaches(labels.size());
     if (!areSpread)
     {
       reaches = labelReaches(
-        this->mesh(), request.front, request.options.cost, farthest, request.partition);
+        this->mesh(), request.front, request.options.cost, farthest, thinning, request.partition);
     }
-    const bool compete =
-      !areSpread && labelsCompeteInTriangles(this->mesh(), request.front, request.partition);
-    const auto excessOf = [&](Index vertex)
+    const auto excessOf = [&](Index vertex) -> std::optional<double>
     {
       if (isHub(vertex))
       {
-        return ExcessAtHub * field.distance(vertex);
+        return std::nullopt;
       }
-      return compete && this->LabelsWithin.hasStart(vertex)
-        ? LabelBounds::excessAtStart(cost.reach(vertex))
-        : LabelBounds::excess(cost.reach(vertex), field.distance(vertex) - least);
+      const double reach = cost.reach(vertex);
+      if (compete && this->LabelsWithin.hasStart(vertex))
+      {
+        return LabelBounds::excessAtStart(reach);
+      }
+      return areSpread ? LabelBounds::excess(reach, field.distance(vertex) - least)
+                       : thinning.excess * reach;
     };
     this->LabelsWithin.take(field, std::move(reaches), excessOf);
-    if (!areSpread)
-    {
-      this->LabelsWithin.setChecking(
-        [&](const DistanceField& found, std::vector<Index>& beside)
-        {
-          const auto excessInGap = [&](Index vertex)
-          {
-            return isHub(vertex) ? ExcessAtHub * this->LabelsWithin.first(vertex)
-                                 : ExcessInGap * cost.reach(vertex);
-          };
-          return raiseInGaps(
-            this->mesh(), excessInGap, request.partition, this->LabelsWithin, found, beside);
-        });
-    }
   }
   else
   {
-    this->LabelsWithin.take(field, std::vector(labels.size(), DistanceField::Unreached),
+    this->LabelsWithin.take(field, std::vector<LabelReach>(labels.size()),
       [&](Index vertex) { return cost.margin(vertex); });
   }
   resetAfterMarch(field);

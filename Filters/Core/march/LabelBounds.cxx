@@ -259,7 +259,8 @@ std::span<const StartValue> LabelBounds::within(
     {
       continue;
     }
-    if (start.value + labels[start.label].value <= this->ofVertex(start.vertex))
+    if (start.value + labels[start.label].value <=
+      this->ofVertex(start.vertex, this->allowanceOf(start.label)))
     {
       within.push_back(start);
       within.back().isIdle = !this->AreInside.empty() &&
@@ -288,7 +289,7 @@ std::span<const StartValue> LabelBounds::within(
 void LabelBounds::startBlocks(std::size_t vertices, std::size_t labels)
 {
   this->OfVertices.resize(vertices, DistanceField::Unreached);
-  this->OfLabels.assign(labels, DistanceField::Unreached);
+  this->OfLabels.assign(labels, LabelReach());
   this->AreInside.clear();
 }
 

@@ -5,14 +5,17 @@
 
 #include "base/Index.h"
 #include "base/Platform.h"
+#include "march/LabelReach.h"
 #include "march/SourceFront.h"
 #include "solve/DistanceField.h"
 #include "solve/SeedFront.h"
 #include "solve/StartValue.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -82,11 +85,12 @@ public:
 
   /**
    * Takes over the field of the first march, and sets the bounds.
-   * @param ofLabels  bounds of labels
-   * @param excessOf  tells of a vertex how much more than its distance counts
+   * @param ofLabels  bounds of labels, see labelReaches()
+   * @param excessOf  tells of a vertex how much more than its distance counts; nothing where none
+   *                  but the least distance does, for any label
    */
   template <class ExcessOf>
-  void take(const DistanceField& first, std::vector<double> ofLabels, const ExcessOf& excessOf)
+  void take(const DistanceField& first, std::vector<LabelReach> ofLabels, const ExcessOf& excessOf)
   {
     this->OfLabels = std::move(ofLabels);
     this->Reached.assign(first.reached().begin(), first.reached().end());
@@ -97,7 +101,14 @@ public:
       const double distance = first.distance(vertex);
       this->First[vertex] = distance;
       this->notePassed(vertex, distance);
-      this->OfVertices[vertex] = distance + (this->isInside(vertex) ? 0.0 : excessOf(vertex));
+      if (const std::optional<double> excess = excessOf(vertex); this->isInside(vertex) || !excess)
+      {
+        this->OfVertices[vertex] = -(this->isInside(vertex) ? distance : Rounding * distance);
+      }
+      else
+      {
+        this->OfVertices[vertex] = distance + *excess;
+      }
     }
   }
 
@@ -118,7 +129,7 @@ public:
   std::span<const Block> blocks() const { return this->Blocks; }
   /** Sets a bound anew. */
   void setOfVertex(Index vertex, double bound) { this->OfVertices[vertex] = bound; }
-  void setOfLabels(std::vector<double> bounds) { this->OfLabels = std::move(bounds); }
+  void setOfLabels(std::vector<LabelReach> bounds) { this->OfLabels = std::move(bounds); }
   /** After startBlocks(): notes the distance that a vertex has in a first march of a part. */
   void setFirst(Index vertex, double distance)
   {
@@ -149,17 +160,23 @@ public:
   }
 
   /** The largest distance of a label that counts at a vertex, with the value of the label's seed.
-   */
-  double ofVertex(Index vertex) const { return this->OfVertices[vertex]; }
+   * @param allowance  of the label, see allowanceOf() */
+  double ofVertex(Index vertex, double allowance = 0.0) const
+  {
+    const double bound = this->OfVertices[vertex];
+    return std::signbit(bound) ? -bound : bound + allowance;
+  }
   /** Has the processor fetch what ofVertex() reads. */
   GEODESIC_INLINED void prefetch(Index vertex) const { prefetchToRead(&this->OfVertices[vertex]); }
   /** The largest value of a label that counts at a vertex, without the value of its seed. */
   double of(const SourceFront& label, Index vertex) const
   {
-    return std::min(this->ofVertex(vertex) - label.seedValue, label.reach);
+    return std::min(this->ofVertex(vertex, label.allowance) - label.seedValue, label.reach);
   }
   /** The largest value of a label that counts, without the value of its seed. */
-  double ofLabel(Index label) const { return this->OfLabels[label]; }
+  double ofLabel(Index label) const { return this->OfLabels[label].value; }
+  /** By how much a distance of a label that counts may exceed the bound of its vertex. */
+  double allowanceOf(Index label) const { return this->OfLabels[label].allowance; }
 
   /** The vertices that the first march reached, and their distances in it. */
   std::span<const Index> reached() const { return this->Reached; }
@@ -186,6 +203,9 @@ public:
   void clear();
 
 private:
+  /** Distances that differ by no more than this factor are the same. */
+  static constexpr double Rounding = 1.0 + 1e-9;
+
   /** Adds a start of all labels together; the least one of a vertex counts. */
   void addStart(const StartValue& start);
   /** Sorts Starts by vertex, as neighbours are near each other in memory then. */
@@ -220,9 +240,10 @@ private:
   std::vector<std::uint8_t> AreInside;
   std::vector<Index> Reached;
   std::vector<double> First;
+  /** Negative where no label has an allowance. */
   std::vector<double> OfVertices;
   std::vector<Block> Blocks;
-  std::vector<double> OfLabels;
+  std::vector<LabelReach> OfLabels;
   std::vector<Index> AtEnds;
   Checking Checks;
 };

@@ -25,8 +25,6 @@ namespace
 /** The first distance at which labels end, in edges; and the factor from each to the next. */
 constexpr double FirstReach = 3.0;
 constexpr double ReachStep = 1.5;
-/** The most by which a label that stays may be farther than one that ends, in edges. */
-constexpr double MostError = 0.1;
 /** The search for other labels goes as far as this many times the distance sideways at which the
  * error is the largest one. */
 constexpr double SearchRadius = 2.0;
@@ -42,6 +40,8 @@ constexpr double Offset = 0.377;
 /** A straight front goes on for this many squares of its length, and for two edges at least. */
 constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
+/** A label that is needed as far as this, in edges, has an allowance. */
+constexpr double LastingReach = 20.0;
 
 /** A number for the cube of a place, whose diagonal is at most the least spacing there. Places in
  * different cubes hardly ever have the same one. */
@@ -63,8 +63,8 @@ std::uint64_t cubeOf(const LabelPlace& place)
 
 /** Ends the labels that are close to another one of no larger value. Time O(k log k), and O(k)
  * where few are close. */
-void endCrowded(
-  const std::vector<LabelPlace>& places, std::vector<Index>& numbers, std::vector<double>& reaches)
+void endCrowded(const std::vector<LabelPlace>& places, std::vector<Index>& numbers,
+  std::vector<LabelReach>& reaches)
 {
   // Only labels that share a bucket may share a cube.
   std::vector<std::uint64_t> cubes;
@@ -98,10 +98,10 @@ void endCrowded(
     if (i != first && norm(place.position - other.position) <= LeastSpacing * place.edge &&
       dot(place.normal, other.normal) >= LeastCosine)
     {
-      reaches[number] = 0.0;
+      reaches[number].value = 0.0;
     }
   }
-  std::erase_if(numbers, [&](Index number) { return std::isfinite(reaches[number]); });
+  std::erase_if(numbers, [&](Index number) { return reaches[number].isFinite(); });
 }
 
 /** One step of the thinning: chooses which of some labels go on beyond a distance. */
@@ -111,13 +111,15 @@ public:
   /**
    * @param numbers   of the labels, in increasing order
    * @param reach     the distance, in edges
-   * @param farthest  labels whose distance is not less stay without a look at them
+   * @param error     the most by which a label that stays may be farther than one that ends
+   * @param farthest  of what lasts, labels whose distance is not less stay without a look at them
    */
   ThinningStep(const std::vector<LabelPlace>& places, const std::vector<Index>& numbers,
-    double reach, double farthest)
+    double reach, double error, double farthest)
     : Places(places)
     , Reach(reach)
-    , Radius(SearchRadius * std::sqrt(2.0 * MostError * reach))
+    , MostError(error)
+    , Radius(SearchRadius * std::sqrt(2.0 * error * reach))
     , MostRadius(this->Radius * meanEdge(places, numbers))
     , Grid(numbers, CubeInRadii * this->MostRadius,
         [&](Index number) { return places[number].position; })
@@ -125,7 +127,7 @@ public:
   {
     for (const Index number : numbers)
     {
-      if (!(reach * places[number].unit() < farthest))
+      if (reach >= LastingReach && !(reach * places[number].unit() < farthest))
       {
         this->States[number] = State::Stays;
       }
@@ -221,7 +223,7 @@ private:
     const LabelPlace& place = this->Places[number];
     const double radius = std::min(this->Radius * place.edge, this->MostRadius);
     const double reach = this->Reach * place.edge;
-    const double error = MostError * place.edge;
+    const double error = this->MostError * place.edge;
     const Vector3 axis =
       std::abs(place.normal.x) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
     const Vector3 side = cross(place.normal, axis);
@@ -287,6 +289,7 @@ private:
 
   const std::vector<LabelPlace>& Places;
   double Reach;
+  double MostError;
   /** Of the search, in edges; and its largest length. */
   double Radius;
   double MostRadius;
@@ -300,10 +303,11 @@ private:
 
 }
 
-std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
-  std::span<const double> cost, double farthest, Partition& partition)
+std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
+  std::span<const double> cost, double farthest, const LabelThinning& thinning,
+  Partition& partition)
 {
-  std::vector<double> reaches(front.labels.size(), std::numeric_limits<double>::infinity());
+  std::vector<LabelReach> reaches(front.labels.size());
   if (farthest == 0.0)
   {
     return reaches;
@@ -323,7 +327,7 @@ std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& fron
     if (front.labels[number].shape == FrontShape::Straight)
     {
       const double length = front.labels[number].length / place.edge;
-      reaches[number] =
+      reaches[number].value =
         edge * std::max(ReachOfSquaredLength * length * length, LeastReachOfStraight);
       continue;
     }
@@ -336,18 +340,27 @@ std::vector<double> labelReaches(const TriangleMesh& mesh, const SeedFront& fron
     mostEdges = std::max(mostEdges, farthest / edge);
   }
   endCrowded(places, numbers, reaches);
+  // What lasts must not depend on how far the field goes.
+  mostEdges = std::max(mostEdges, LastingReach);
   for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1; reach *= ReachStep)
   {
-    const ThinningStep step(places, numbers, reach, farthest);
+    const ThinningStep step(places, numbers, reach, thinning.mostError, farthest);
     std::erase_if(numbers,
       [&](Index number)
       {
         if (step.ends(number))
         {
-          reaches[number] = reach * places[number].unit();
+          reaches[number].value = reach * places[number].unit();
         }
         return step.ends(number);
       });
+  }
+  for (Index number = 0; number < reaches.size(); ++number)
+  {
+    if (!(reaches[number].value < LastingReach * places[number].unit()))
+    {
+      reaches[number].allowance = thinning.allowance * places[number].unit();
+    }
   }
   return reaches;
 }

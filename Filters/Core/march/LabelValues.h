@@ -202,6 +202,7 @@ public:
     for (SourceFront& label : this->Fronts)
     {
       label.reach = this->Bounds ? this->Bounds->ofLabel(label.number()) : DistanceField::Unreached;
+      label.allowance = this->Bounds ? this->Bounds->allowanceOf(label.number()) : 0.0;
     }
   }
   void goBackTo(Index vertex)

@@ -26,6 +26,8 @@ namespace
  * reach. On a hilly grid distances are 2 % more than lines in the mean. */
 constexpr double PartOfLine = 1.04;
 constexpr double PartOfReach = 0.5;
+/** Of far parts. Bounds there are as wide as if labels were not thinned. */
+constexpr LabelThinning OfFarParts{ .mostError = 0.1, .allowance = 0.0, .excess = 0.0 };
 
 }
 
@@ -240,11 +242,13 @@ void LineBounds::boundLabels(const DistanceField& ways)
   {
     farthest = std::max(farthest, ways.distance(vertex));
   }
-  std::vector<double> reaches =
-    labelReaches(this->On.mesh, this->On.front, {}, this->mostOfAll(farthest), this->On.partition);
-  // Not less than any value so far, so that this bound is no lower either.
-  std::for_each(
-    reaches.begin(), reaches.end(), [&](double& reach) { reach = std::max(reach, this->Most); });
+  std::vector<LabelReach> reaches = labelReaches(
+    this->On.mesh, this->On.front, {}, this->mostOfAll(farthest), OfFarParts, this->On.partition);
+  for (LabelReach& reach : reaches)
+  {
+    // Not less than any value so far, so that this bound is no lower either.
+    reach.value = std::max(reach.value, this->Most);
+  }
   this->Bounds.setOfLabels(std::move(reaches));
 }
 

@@ -246,7 +246,8 @@ private:
   {
     return this->Bounds &&
       (value > this->Bounds->ofLabel(label) ||
-        value + this->Labels[label].value > this->Bounds->ofVertex(vertex));
+        value + this->Labels[label].value >
+          this->Bounds->ofVertex(vertex, this->Bounds->allowanceOf(label)));
   }
 
   /** Stores the value of a number, lowers the field's distance to it, and queues the number unless

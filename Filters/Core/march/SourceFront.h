@@ -73,6 +73,8 @@ struct SourceFront
   double seedValue;
   /** The largest value that counts; see LabelBounds. */
   double reach = std::numeric_limits<double>::infinity();
+  /** By how much a distance that counts may exceed the bound of its vertex; see LabelBounds. */
+  double allowance = 0.0;
   StraightLineBound leastOf;
   Index labelBits;
   FrontShape shape;
