@@ -33,7 +33,7 @@ namespace
 
 constexpr LabelThinning OfCompeting{ .mostError = 0.05, .allowance = 0.5, .excess = 0.08 };
 /** Beside lines are many labels, each of which is the nearest for less. */
-constexpr LabelThinning OfLines{ .mostError = 0.1, .allowance = 0.4, .excess = 0.05 };
+constexpr LabelThinning OfLines{ .mostError = 0.08, .allowance = 0.4, .excess = 0.05 };
 
 /** A front of all labels together, for a first march. */
 const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
