@@ -214,6 +214,30 @@ TEST(CrowdedSeeds, ThoseAcrossLongTrianglesAreNearTheLeast)
   expectTheLeast(mesh, seeds);
 }
 
+// How far each matters is found between the marches, which takes longer than these where they are
+// many. Each report between them counts as one step; in a march a hundred are from one to the next.
+TEST(CrowdedSeeds, TheyMayBeCancelledBetweenTheMarches)
+{
+  const auto mesh = meshOf(hillyGrid(40, 40));
+  const std::vector<Seed> seeds = crowdIn(*mesh, 400, 3000);
+  FastMarchingSolver solver(mesh);
+  const std::vector<double> whole(
+    solver.solve(seeds).distances().begin(), solver.solve(seeds).distances().end());
+  std::size_t last = 0;
+  std::size_t between = 0;
+  SolveOptions options;
+  options.onProgress = [&](std::size_t taken)
+  {
+    between += taken == last + 1 ? 1 : 0;
+    last = taken;
+    return between < 3;
+  };
+  EXPECT_EQ(solver.solve(seeds, options).stopReason(), StopReason::Cancelled);
+  EXPECT_EQ(between, 3u);
+  const auto again = solver.solve(seeds).distances();
+  EXPECT_TRUE(std::equal(again.begin(), again.end(), whole.begin()));
+}
+
 // Whether they are dense was told by looking from each at all others.
 TEST(CrowdedSeeds, WhetherTheyAreDenseIsSoonTold)
 {

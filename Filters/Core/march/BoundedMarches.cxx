@@ -277,8 +277,8 @@ bool MarchingSolver::marchWithinLines(std::span<const StartValue> starts, const 
   const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
 {
   LabelBounds& bounds = this->LabelsWithin;
-  LineBounds lineBounds(
-    { this->mesh(), marches.get(), request.partition, request.front, cost, limit }, bounds,
+  LineBounds lineBounds({ this->mesh(), marches, request.partition, request.front, cost, limit },
+    bounds,
     [&](std::span<const StartValue> from, std::span<const std::uint8_t> excluded)
     { return this->marchWays(from, excluded, cost, request, marches, limit); });
   if (!this->Lines)
@@ -387,7 +387,13 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
     if (!areSpread)
     {
       reaches = labelReaches(
-        this->mesh(), request.front, request.options.cost, farthest, thinning, request.partition);
+        this->mesh(), request.front, request.options.cost, farthest, thinning,
+        [&] { return marches.goesOn(); }, request.partition);
+      if (marches.areCancelled(request.partition))
+      {
+        this->LabelsWithin.clear();
+        return false;
+      }
     }
     const auto excessOf = [&](Index vertex) -> std::optional<double>
     {

@@ -49,10 +49,10 @@ bool areSettled(const TriangleMesh& mesh, std::span<const StartValue> starts, Pa
  * straight front, and an excess(); values a little above the least one are needed near borders. Or
  * it is made of straight lines, see LineBounds. Where costs jump the excess is the margin, and
  * labels have no bounds. For dense labels it is less, and the bounds of labels are from
- * labelReaches(). Beside a single point the straight front is too slow: in a step of a height h it
- * loses c² / 8 h d at a distance d, with sides of length c, which
- * grows to some c² / 8 h times the logarithm of the distance. On rough surfaces it differs from
- * round fronts by a part of the distance.
+ * labelReaches(); distances of those that last may exceed bounds of vertices by an allowance.
+ * Beside a single point the straight front is too slow: in a step of a height h it loses c² / 8 h d
+ * at a distance d, with sides of length c, which grows to some c² / 8 h times the logarithm of the
+ * distance. On rough surfaces it differs from round fronts by a part of the distance.
  */
 class LabelBounds
 {

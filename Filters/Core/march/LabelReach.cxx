@@ -40,6 +40,8 @@ constexpr double Offset = 0.377;
 /** A straight front goes on for this many squares of its length, and for two edges at least. */
 constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
+/** How often goesOn() is called. */
+constexpr std::size_t LabelsOfReport = 512;
 /** A label that is needed as far as this, in edges, has an allowance. */
 constexpr double LastingReach = 20.0;
 
@@ -115,7 +117,7 @@ public:
    * @param farthest  of what lasts, labels whose distance is not less stay without a look at them
    */
   ThinningStep(const std::vector<LabelPlace>& places, const std::vector<Index>& numbers,
-    double reach, double error, double farthest)
+    double reach, double error, double farthest, const std::function<bool()>& goesOn)
     : Places(places)
     , Reach(reach)
     , MostError(error)
@@ -132,11 +134,11 @@ public:
         this->States[number] = State::Stays;
       }
     }
-    for (const Index number : numbers)
+    for (std::size_t i = 0; i < numbers.size() && (i % LabelsOfReport > 0 || goesOn()); ++i)
     {
-      if (this->States[number] == State::Open)
+      if (State& state = this->States[numbers[i]]; state == State::Open)
       {
-        this->States[number] = this->mayEnd(number) ? State::Ends : State::Stays;
+        state = this->mayEnd(numbers[i]) ? State::Ends : State::Stays;
       }
     }
   }
@@ -305,7 +307,7 @@ private:
 
 std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
   std::span<const double> cost, double farthest, const LabelThinning& thinning,
-  Partition& partition)
+  const std::function<bool()>& goesOn, Partition& partition)
 {
   std::vector<LabelReach> reaches(front.labels.size());
   if (farthest == 0.0)
@@ -342,9 +344,10 @@ std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& 
   endCrowded(places, numbers, reaches);
   // What lasts must not depend on how far the field goes.
   mostEdges = std::max(mostEdges, LastingReach);
-  for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1; reach *= ReachStep)
+  for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1 && goesOn();
+       reach *= ReachStep)
   {
-    const ThinningStep step(places, numbers, reach, thinning.mostError, farthest);
+    const ThinningStep step(places, numbers, reach, thinning.mostError, farthest, goesOn);
     std::erase_if(numbers,
       [&](Index number)
       {

@@ -3,6 +3,7 @@
 #ifndef geodesic_LabelReach_h
 #define geodesic_LabelReach_h
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -65,12 +66,14 @@ struct LabelReach
  *
  * @param cost      of each vertex; empty for 1
  * @param farthest  the largest distance; labels that may matter up to it get +infinity
+ * @param goesOn    called for each few hundred labels; when it returns false this ends, and what it
+ *                  returns is of no use
  * @return one value for each label. All pieces of the surface get the same ones. Collective.
  * Time O(k log k) for k labels.
  */
 std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& front,
   std::span<const double> cost, double farthest, const LabelThinning& thinning,
-  Partition& partition);
+  const std::function<bool()>& goesOn, Partition& partition);
 
 }
 

@@ -7,8 +7,8 @@
 #include "march/LabelReach.h"
 #include "march/StraightLines.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
-#include "solve/SolveOptions.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool LineBounds::suit(const TriangleMesh& mesh, const SeedFront& front, Partitio
 
 void LineBounds::set(StraightLines& lines, std::span<const StartValue> starts)
 {
-  const auto& [mesh, options, partition, front, cost, limit] = this->On;
+  const auto& [mesh, marches, partition, front, cost, limit] = this->On;
   this->SeedValue = front.labels[0].value;
   this->findMost(starts);
   std::vector<Vector3> places(front.labels.size());
@@ -112,7 +112,7 @@ double LineBounds::excess(Index vertex, double distance) const
 
 std::vector<Index> LineBounds::lowIn(const DistanceField& field) const
 {
-  const auto& [mesh, options, partition, front, cost, limit] = this->On;
+  const auto& [mesh, marches, partition, front, cost, limit] = this->On;
   std::vector<Index> low;
   for (const auto& [begin, end] : this->Bounds.blocks())
   {
@@ -203,7 +203,7 @@ bool LineBounds::raiseTo(const DistanceField& ways, std::span<const Index> low)
 
 LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Index>& beside)
 {
-  const auto& [mesh, options, partition, front, cost, limit] = this->On;
+  const auto& [mesh, marches, partition, front, cost, limit] = this->On;
   const std::vector<Index> low = this->lowIn(field);
   if (this->mostOfAll(static_cast<double>(low.size())) == 0.0)
   {
@@ -214,7 +214,7 @@ LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Ind
   for (const Index vertex : low)
   {
     isLow[vertex] = 1;
-    excluded[vertex] = options.isExcluded(vertex) ? 1 : 0;
+    excluded[vertex] = marches.get().isExcluded(vertex) ? 1 : 0;
   }
   const std::vector<StartValue> starts = this->startsOfWays(field, low, isLow);
   for (const StartValue& start : starts)
@@ -226,7 +226,12 @@ LabelBounds::Check LineBounds::raise(const DistanceField& field, std::vector<Ind
   {
     return LabelBounds::Check::Cancelled;
   }
-  if (this->mostOfAll(this->raiseTo(*ways, low) ? 1.0 : 0.0) == 0.0)
+  const bool isRaised = this->mostOfAll(this->raiseTo(*ways, low) ? 1.0 : 0.0) > 0.0;
+  if (marches.areCancelled(partition))
+  {
+    return LabelBounds::Check::Cancelled;
+  }
+  if (!isRaised)
   {
     return LabelBounds::Check::Passed;
   }
@@ -243,7 +248,8 @@ void LineBounds::boundLabels(const DistanceField& ways)
     farthest = std::max(farthest, ways.distance(vertex));
   }
   std::vector<LabelReach> reaches = labelReaches(
-    this->On.mesh, this->On.front, {}, this->mostOfAll(farthest), OfFarParts, this->On.partition);
+    this->On.mesh, this->On.front, {}, this->mostOfAll(farthest), OfFarParts,
+    [this] { return this->On.marches.goesOn(); }, this->On.partition);
   for (LabelReach& reach : reaches)
   {
     // Not less than any value so far, so that this bound is no lower either.

@@ -20,10 +20,10 @@
 namespace geodesic
 {
 
+class OptionsOfMarches;
 class Partition;
 class StopLimit;
 class TriangleMesh;
-struct SolveOptions;
 
 /**
  * Bounds of dense labels that need no first march. At cost 1 no distance is less than the straight
@@ -46,7 +46,7 @@ public:
   struct Run
   {
     const TriangleMesh& mesh;
-    const SolveOptions& options;
+    OptionsOfMarches& marches;
     Partition& partition;
     const SeedFront& front;
     const UnitCost& cost;

@@ -3,9 +3,12 @@
 #ifndef geodesic_OptionsOfMarches_h
 #define geodesic_OptionsOfMarches_h
 
+#include "solve/Partition.h"
 #include "solve/SolveOptions.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace geodesic
 {
@@ -32,6 +35,25 @@ public:
   OptionsOfMarches& operator=(const OptionsOfMarches&) = delete;
 
   const SolveOptions& get() const { return this->Own; }
+  /** To be called often by what takes long between marches: each time counts as a step. Once it was
+   * told to cancel it stays so. @return false when cancelled */
+  bool goesOn()
+  {
+    if (this->Own.onProgress && !this->IsCancelled)
+    {
+      const std::size_t taken = this->Steps - this->Before;
+      ++this->Before;
+      this->IsCancelled = !this->Own.onProgress(taken);
+    }
+    return !this->IsCancelled;
+  }
+  /** Whether goesOn() was told to cancel on any piece. Collective. */
+  bool areCancelled(Partition& partition) const
+  {
+    const double isCancelled = this->IsCancelled ? 1.0 : 0.0;
+    const std::vector<double> all = partition.gather({ &isCancelled, 1 });
+    return *std::max_element(all.begin(), all.end()) > 0.0;
+  }
   /** To be called between two marches. @return the steps of the one before, as far as known */
   std::size_t beginNext()
   {
@@ -47,6 +69,7 @@ private:
   SolveOptions Own;
   std::size_t Before = 0;
   std::size_t Steps = 0;
+  bool IsCancelled = false;
 };
 
 }
