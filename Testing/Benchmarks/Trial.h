@@ -37,6 +37,7 @@ public:
   explicit Trial(const Surface& surface, const std::string& method = "FastMarching");
 
   const TriangleMesh& mesh() const { return *this->Made.mesh; }
+  const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return this->Made.mesh; }
   DistanceSolver& solver() { return *this->Solver; }
   std::mt19937& random() { return this->Random; }
 

@@ -53,6 +53,26 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, std::mt19937& random)
     { static_cast<Index>(random() % mesh.numberOfTriangles()), { 1.0 - a - b, a, b } });
 }
 
+std::vector<Index> trianglesRound(const TriangleMesh& mesh, Index triangle, Index count)
+{
+  const auto centreOf = [&](Index of) {
+    return mesh.positionOf({ of, { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
+  };
+  const Vector3 centre = centreOf(triangle);
+  std::vector<std::pair<double, Index>> sorted;
+  for (Index other = 0; other < mesh.numberOfTriangles(); ++other)
+  {
+    sorted.emplace_back(norm(centreOf(other) - centre), other);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Index> triangles;
+  for (std::size_t i = 0; i < std::min<std::size_t>(count, sorted.size()); ++i)
+  {
+    triangles.push_back(sorted[i].second);
+  }
+  return triangles;
+}
+
 std::vector<Segment> segmentsAtZero(
   const TriangleMesh& mesh, const std::function<double(const Vector3&)>& height)
 {

@@ -19,6 +19,9 @@ std::vector<Index> randomVertices(const TriangleMesh& mesh, Index count, std::mt
 /** A point anywhere in a face, every face as likely as another. */
 SurfacePoint randomPoint(const TriangleMesh& mesh, std::mt19937& random);
 
+/** The triangles whose centres are the nearest to that of one, in space. */
+std::vector<Index> trianglesRound(const TriangleMesh& mesh, Index triangle, Index count);
+
 using Segment = std::array<SurfacePoint, 2>;
 
 /** Where a function of the position crosses 0, as a contour filter or a slice would give it. */

@@ -66,6 +66,10 @@ def one_seeds_and_starts(times, milliseconds):
                  lambda found: times * found["one_seed"] + 1e-3 * milliseconds * found["items"])
 
 
+def edges(mean, largest):
+    return f"{mean} and {largest}", {"difference_mean": mean, "difference_largest": largest}
+
+
 def errors_before(times):
     return Bound(f"{times} times those before", lambda found: times)
 
@@ -76,6 +80,9 @@ SHAPES = both(one_seeds, (3,), (1.5,))
 STRIP_PATH = both(one_seeds, (3,), (1,))
 STARTS = both(one_seeds_and_starts, (1, 0.1), (1, 0.03))
 COSTS = both(dijkstras, (6,), (3,))
+# Of the field of many seeds to the least of their single ones: mean and largest.
+DIFFERENCE_AT_LEAST = edges(0.05, 0.5)
+DIFFERENCE_AIM = edges(0.01, 0.1)
 FLAT = {10: (4, 2), 100: (6, 2), 1000: (8, 3)}
 
 
@@ -129,9 +136,14 @@ TIMED = {
         Case("10,000 waypoints, 20 random edges from one to the next", ["waypoints", "hilly grid 160k", 10000],
              each="waypoint"),
         Case("10,000 seeds in one face", ["seeds-of-one-face", "hilly grid 40k", 10000]),
+        Case("100,000 seeds in one face", ["seeds-of-one-face", "hilly grid 40k", 100000]),
+        Case("80 seeds in 12 faces of a hilly grid", ["crowd", "hilly grid 40k", 80, 12]),
+        Case("80 seeds in 400 faces of a hilly grid", ["crowd", "hilly grid 40k", 80, 400]),
+        Case("80 seeds in 12 faces of the Bunny", ["crowd", "Bunny 35k", 80, 12]),
+        Case("1,000 seeds in 2,000 faces of a hilly grid", ["crowd", "hilly grid 40k", 1000, 2000]),
         Case("every vertex a target", ["targets", "hilly grid 40k", 40000]),
         Case("100,000 triangles on one edge, path between two", ["path", "pages 100k"]),
-        Case("100,000 triangles on one edge, 10,000 random vertices as seeds", ["seeds", "pages 100k", 10000]),
+        Case("100,000 triangles on one edge, 10,000 random vertices as seeds", ["seeds-on-hub", "pages 100k", 10000]),
     ],
 }
 

@@ -85,6 +85,32 @@ def table_of_errors(cases, found):
                    *asked_of(case), holds_cell(case, found[case.name])] for case in cases])
 
 
+def differs_within(found, limits):
+    return all(found[key] <= most for key, most in limits.items())
+
+
+def verdict_on_difference(found):
+    """Of a case that has a difference."""
+    if differs_within(found, worst_cases.DIFFERENCE_AIM[1]):
+        return "yes, the aim"
+    return "yes" if differs_within(found, worst_cases.DIFFERENCE_AT_LEAST[1]) else "no"
+
+
+def with_difference(found):
+    return [(case, found[case.name]) for cases in worst_cases.TIMED.values() for case in cases
+            if "difference_mean" in found[case.name]]
+
+
+def table_of_differences(found):
+    rows = []
+    for case, one in with_difference(found):
+        holds = verdict_on_difference(one)
+        rows.append([case.name, number(one["difference_mean"]), number(one["difference_largest"]),
+                     worst_cases.DIFFERENCE_AT_LEAST[0], worst_cases.DIFFERENCE_AIM[0],
+                     "**no**" if holds == "no" else holds])
+    return table(["Case", "Mean", "Largest", "At least", "Aim", "Holds"], rows)
+
+
 def reason(found):
     if found["ended"] == "well":
         return ""
@@ -94,8 +120,10 @@ def reason(found):
 def shortfalls(found):
     """All that does not meet what is asked for, and what else does not end well, one a line."""
     groups = {**worst_cases.TIMED, "Errors": worst_cases.ERRORS}
-    lines = []
-    asked = 0
+    lines = [f"- Differences: {case.name}" for case, one in with_difference(found)
+             if verdict_on_difference(one) == "no"]
+    missed = len(lines)
+    asked = len(with_difference(found))
     for group, cases in groups.items():
         for case in cases:
             asked += case.asked is not None
@@ -103,7 +131,7 @@ def shortfalls(found):
                 lines.append(f"- {group}: {case.name}{reason(found[case.name])}")
     if not lines:
         return f"All {asked} rows with a target meet it."
-    missed = sum(verdict(case, found[case.name]) == "no" for cases in groups.values() for case in cases)
+    missed += sum(verdict(case, found[case.name]) == "no" for cases in groups.values() for case in cases)
     return "\n".join([f"{missed} of {asked} rows with a target do not meet it. These, and rows without a target "
                       "that do not end well:", "", *lines])
 
@@ -130,6 +158,7 @@ def write(run, document):
         silences=silences(found),
         times="\n\n".join(f"## {group}\n\n{table_of_times(cases, found)}"
                           for group, cases in worst_cases.TIMED.items()),
+        differences=table_of_differences(found),
         errors=table_of_errors(worst_cases.ERRORS, found))
     with open(document, "w") as file:
         file.write(text)

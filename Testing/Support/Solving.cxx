@@ -86,25 +86,32 @@ Error relativeError(const std::vector<double>& distances, const std::vector<doub
 DifferenceToLeast differenceToLeast(const std::shared_ptr<const TriangleMesh>& mesh,
   const std::vector<Seed>& seeds, const SolveOptions& options)
 {
-  const auto together = distances<FastMarchingSolver>(mesh, seeds, options);
-  std::vector<double> least(together.size(), DistanceField::Unreached);
   FastMarchingSolver solver(mesh);
-  for (const Seed& seed : seeds)
-  {
-    const DistanceField& alone = solver.solve({ &seed, 1 }, options);
-    for (Index i = 0; i < least.size(); ++i)
-    {
-      least[i] = std::min(least[i], alone.distance(mesh->vertexOfPoint(i)));
-    }
-  }
+  const auto found = solver.solve(seeds, options).distances();
+  const std::vector<double> together(found.begin(), found.end());
   const double unit = mesh->meanLongestEdge() *
     (options.cost.empty() ? 1.0 : *std::max_element(options.cost.begin(), options.cost.end()));
+  // What is farther from a seed is not the least.
+  SolveOptions near = options;
+  near.maximumDistance = std::min(options.maximumDistance, largestOf(together) + unit);
+  std::vector<double> least(together.size(), DistanceField::Unreached);
+  for (const Seed& seed : seeds)
+  {
+    const DistanceField& alone = solver.solve({ &seed, 1 }, near);
+    for (const Index vertex : alone.reached())
+    {
+      least[vertex] = std::min(least[vertex], alone.distance(vertex));
+    }
+  }
   DifferenceToLeast difference;
   for (std::size_t i = 0; i < least.size(); ++i)
   {
-    const double edges = std::abs(together[i] - least[i]) / unit;
-    difference.mean += edges / static_cast<double>(least.size());
-    difference.largest = std::max(difference.largest, edges);
+    if (together[i] != least[i])
+    {
+      const double edges = std::abs(together[i] - least[i]) / unit;
+      difference.mean += edges / static_cast<double>(least.size());
+      difference.largest = std::max(difference.largest, edges);
+    }
   }
   return difference;
 }
