@@ -449,6 +449,28 @@ TEST(ManySeeds, ACostIsHeeded)
   expectNearLeast(mesh, seedsAt(*mesh, randomPoints(grid, 100)), options, 0.6);
 }
 
+// Half an edge of a dear triangle is more than a way across much of the surface: with that as an
+// allowance of the labels that last this took 17 steps a vertex.
+TEST(ManySeeds, StepsDoNotGrowWhereCostsAreSpread)
+{
+  const auto mesh = meshOf(hillyGrid(99, 99));
+  std::mt19937 random(5);
+  std::lognormal_distribution<double> any(0.0, 4.0);
+  std::vector<double> cost(mesh->numberOfVertices());
+  std::generate(cost.begin(), cost.end(), [&] { return any(random); });
+  SolveOptions options;
+  options.cost = cost;
+  std::size_t steps = 0;
+  options.onProgress = [&](std::size_t taken)
+  {
+    steps = taken;
+    return true;
+  };
+  FastMarchingSolver solver(mesh);
+  solver.solve(seedsAt(*mesh, randomPoints(hillyGrid(99, 99), 100)), options);
+  EXPECT_LT(steps, 6 * mesh->numberOfVertices());
+}
+
 // A wall between the seeds and a part of the surface, with a gap at one end.
 TEST(ManySeeds, ABarrierIsHeeded)
 {

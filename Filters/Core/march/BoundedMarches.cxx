@@ -35,6 +35,10 @@ constexpr LabelThinning OfCompeting{ .mostError = 0.05, .allowance = 0.5, .exces
 /** Beside lines are many labels, each of which is the nearest for less. */
 constexpr LabelThinning OfLines{ .mostError = 0.08, .allowance = 0.4, .excess = 0.05 };
 
+/** Where costs are spread, half a dear edge is more than a way across much of the surface. The
+ * excess is LabelBounds::excess(). */
+constexpr LabelThinning OfSpreadCosts{ .mostError = 0.1, .allowance = 0.0, .excess = 0.0 };
+
 /** A front of all labels together, for a first march. */
 const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };
 
@@ -382,7 +386,10 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
       labelsAreSpread(this->mesh(), request.front, farthest - least, request.partition);
     const bool compete =
       !areSpread && labelsCompeteInTriangles(this->mesh(), request.front, request.partition);
-    const LabelThinning& thinning = compete ? OfCompeting : OfLines;
+    const bool costsAreSpread = cost.queueOrder() == QueueOrder::ByValue;
+    const LabelThinning& thinning = costsAreSpread ? OfSpreadCosts
+      : compete                                    ? OfCompeting
+                                                   : OfLines;
     std::vector<LabelReach> reaches(labels.size());
     if (!areSpread)
     {
@@ -406,8 +413,9 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
       {
         return LabelBounds::excessAtStart(reach);
       }
-      return areSpread ? LabelBounds::excess(reach, field.distance(vertex) - least)
-                       : thinning.excess * reach;
+      return areSpread || costsAreSpread
+        ? LabelBounds::excess(reach, field.distance(vertex) - least)
+        : thinning.excess * reach;
     };
     this->LabelsWithin.take(field, std::move(reaches), excessOf);
   }
