@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -77,6 +78,31 @@ std::vector<Seed> crowdIn(const TriangleMesh& mesh, Index triangles, int count)
   return seeds;
 }
 
+/** Where a curve crosses a triangle: from below 0 to above it, and back; nothing if it does not. */
+template <class Height>
+std::optional<std::array<SurfacePoint, 2>> crossingsOf(
+  const TriangleMesh& mesh, Index triangle, const Height& height)
+{
+  const Triangle& corners = mesh.triangle(triangle);
+  std::array<SurfacePoint, 2> crossings;
+  bool isCrossed = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const double here = height(mesh.position(corners[i]));
+    const double there = height(mesh.position(corners[j]));
+    if ((here < 0.0) != (there < 0.0))
+    {
+      SurfacePoint& point = crossings[here < 0.0 ? 0 : 1];
+      point = { triangle, {} };
+      point.weights[i] = there / (there - here);
+      point.weights[j] = 1.0 - point.weights[i];
+      isCrossed = true;
+    }
+  }
+  return isCrossed ? std::optional(crossings) : std::nullopt;
+}
+
 /** The points where a curve crosses the edges of a surface, each for itself. */
 template <class Height>
 std::vector<Seed> crossings(const TriangleMesh& mesh, const Height& height)
@@ -84,19 +110,9 @@ std::vector<Seed> crossings(const TriangleMesh& mesh, const Height& height)
   std::vector<Seed> seeds;
   for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
   {
-    const auto& corners = mesh.triangle(triangle);
-    for (int i = 0; i < 3; ++i)
+    if (const auto ends = crossingsOf(mesh, triangle, height))
     {
-      const int j = (i + 1) % 3;
-      const double here = height(mesh.position(corners[i]));
-      const double there = height(mesh.position(corners[j]));
-      if (here < 0.0 && there >= 0.0)
-      {
-        SurfacePoint point{ triangle, {} };
-        point.weights[i] = there / (there - here);
-        point.weights[j] = 1.0 - point.weights[i];
-        seeds.push_back(Seed::atPoint(point));
-      }
+      seeds.push_back(Seed::atPoint((*ends)[0]));
     }
   }
   return seeds;
@@ -109,24 +125,9 @@ std::vector<Seed> looseParts(const TriangleMesh& mesh, const Height& height)
   std::vector<Seed> seeds;
   for (Index triangle = 0; triangle < mesh.numberOfTriangles(); ++triangle)
   {
-    const auto& corners = mesh.triangle(triangle);
-    std::vector<SurfacePoint> ends;
-    for (int i = 0; i < 3; ++i)
+    if (const auto ends = crossingsOf(mesh, triangle, height))
     {
-      const int j = (i + 1) % 3;
-      const double here = height(mesh.position(corners[i]));
-      const double there = height(mesh.position(corners[j]));
-      if ((here < 0.0) != (there < 0.0))
-      {
-        SurfacePoint point{ triangle, {} };
-        point.weights[i] = there / (there - here);
-        point.weights[j] = 1.0 - point.weights[i];
-        ends.push_back(point);
-      }
-    }
-    if (!ends.empty())
-    {
-      seeds.push_back(Seed::alongCurve({ ends[0], ends[1] }));
+      seeds.push_back(Seed::alongCurve({ (*ends)[0], (*ends)[1] }));
     }
   }
   return seeds;
