@@ -3,15 +3,15 @@
 // The marches of MarchingSolver within LabelBounds.
 #include "march/MarchingSolver.h"
 
-#include "base/SortUnique.h"
-#include "base/WorkCount.h"
 #include "march/EdgeLowering.h"
+#include "march/FirstMarchDistances.h"
 #include "march/HubVertices.h"
 #include "march/LabelDensity.h"
 #include "march/LabelReach.h"
 #include "march/LineBounds.h"
 #include "march/SourceFront.h"
 #include "march/StraightLines.h"
+#include "march/TakenStart.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
@@ -19,10 +19,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <optional>
-#include <tuple>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -77,96 +74,6 @@ void learnTargets(StopLimit& limit, Partition& partition)
   limit.learn(least);
 }
 
-/** The seed of the neighbour through which a vertex is nearest, with the length through it; without
- * a seed if no neighbour has one. */
-StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
-{
-  StartValue nearest{ vertex, NoIndex, DistanceField::Unreached, false };
-  const std::span<const RingEntry> ring = mesh.ring(vertex);
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    const Index neighbour = ring[i].neighbour();
-    const double length = field.distance(neighbour) + norm(mesh.toNeighbour(vertex, i));
-    if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
-    {
-      nearest.value = length;
-      nearest.label = field.nearestSeed(neighbour);
-    }
-  }
-  return nearest;
-}
-
-/** The neighbours of some vertices that have a distance and no seed, in ascending order. */
-std::vector<Index> gapsBeside(
-  const TriangleMesh& mesh, std::span<const StartValue> vertices, const DistanceField& field)
-{
-  std::vector<Index> gaps;
-  for (const StartValue& start : vertices)
-  {
-    for (const RingEntry& entry : mesh.ring(start.vertex))
-    {
-      const Index neighbour = entry.neighbour();
-      if (field.isReached(neighbour) && field.nearestSeed(neighbour) == NoIndex)
-      {
-        gaps.push_back(neighbour);
-      }
-    }
-  }
-  sortUnique(gaps);
-  return gaps;
-}
-
-/**
- * Gives vertices seeds of their neighbours, round by round, so that neither the order of the
- * vertices nor the pieces decide. Collective. Time linear in the vertices, but for sorting them.
- * @param gaps  vertices of this piece that have a distance and no seed
- */
-void takeSeedsOfNeighbours(
-  const TriangleMesh& mesh, std::vector<Index> gaps, Partition& partition, DistanceField& field)
-{
-  const auto vertices = partition.sharedVertices();
-  const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
-  std::size_t left = gaps.size();
-  while (true)
-  {
-    WorkCount::add(gaps.size());
-    std::vector<StartValue> found;
-    for (const Index vertex : gaps)
-    {
-      if (const StartValue nearest = seedOfNeighbour(mesh, vertex, field); nearest.label != NoIndex)
-      {
-        found.push_back(nearest);
-      }
-    }
-    const double count = static_cast<double>(found.size());
-    const std::vector<double> counts = partition.gather({ &count, 1 });
-    if (*std::max_element(counts.begin(), counts.end()) == 0.0)
-    {
-      return;
-    }
-    std::vector<StartValue> shared;
-    std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
-      [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
-    if (const auto others = partition.exchange(shared); !others.empty())
-    {
-      found.insert(found.end(), others.begin(), others.end());
-      std::sort(found.begin(), found.end(),
-        [](const StartValue& x, const StartValue& y)
-        { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
-    }
-    for (const StartValue& nearest : found)
-    {
-      if (field.isReached(nearest.vertex) && field.nearestSeed(nearest.vertex) == NoIndex)
-      {
-        field.setNearestSeed(nearest.vertex, nearest.label);
-        --left;
-      }
-    }
-    // In the first round all were looked at: others can only have become possible by these.
-    gaps = left > 0 ? gapsBeside(mesh, found, field) : std::vector<Index>();
-  }
-}
-
 /**
  * Makes a field of starts alone: each vertex gets the least distance, and of equal ones the
  * smallest seed number. Pieces that share a vertex have the same starts there.
@@ -174,56 +81,12 @@ void takeSeedsOfNeighbours(
 void takeStarts(
   std::span<const Label> labels, std::span<const StartValue> starts, DistanceField& field)
 {
-  constexpr double rounding = 1.0 + 1e-10;
-  const auto take = [&](const StartValue& start)
+  for (const StartValue& start : starts)
   {
     const Label& label = labels[start.label];
-    const double distance = start.value + label.value;
-    const double known =
-      field.isReached(start.vertex) ? field.distance(start.vertex) : DistanceField::Unreached;
-    if (distance < known)
-    {
-      field.setDistance(start.vertex, distance);
-    }
-    if (distance * rounding < known)
-    {
-      field.setNearestSeed(start.vertex, label.seed);
-    }
-    else if (distance <= known * rounding)
-    {
-      field.setNearestSeed(start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
-    }
-  };
-  std::for_each(starts.begin(), starts.end(), take);
+    takeStart(field, start.vertex, label.seed, start.value + label.value);
+  }
   field.orderReached();
-}
-
-/**
- * Gives vertices that no label reached within the bounds the distance in the first march and a seed
- * of a neighbour. Collective.
- * @param areDense  gives vertices that distance also where it is less: a label that others bounded
- *                  may have come by a detour
- */
-void takeFirstMarch(const TriangleMesh& mesh, const LabelBounds& bounds, bool areDense,
-  Partition& partition, DistanceField& field)
-{
-  std::vector<Index> gaps;
-  for (const Index vertex : bounds.reached())
-  {
-    if (!field.isReached(vertex))
-    {
-      gaps.push_back(vertex);
-    }
-    else if (areDense && bounds.first(vertex) < field.distance(vertex))
-    {
-      field.setDistance(vertex, bounds.first(vertex));
-    }
-  }
-  for (const Index vertex : gaps)
-  {
-    field.setDistance(vertex, bounds.first(vertex));
-  }
-  takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
 }
 
 }
@@ -348,8 +211,11 @@ const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> start
 bool MarchingSolver::finishWithinBounds(const Request& request, bool areDense, bool isFinished,
   OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
 {
-  takeFirstMarch(this->mesh(), this->LabelsWithin, areDense, request.partition, field);
-  if (!request.hasCost && areDense && isFinished)
+  const Taking taking = !areDense ? Taking::WhereNone
+    : request.hasCost             ? Taking::WhereLess
+                                  : Taking::WhereLessRaised;
+  takeFirstMarch(this->mesh(), request.front, taking, this->LabelsWithin, request.partition, field);
+  if (taking == Taking::WhereLessRaised && isFinished)
   {
     marches.beginNext();
     isFinished = lowerAlongEdges(this->mesh(), request.closed, marches.get(),

@@ -181,6 +181,10 @@ public:
   /** The vertices that the first march reached, and their distances in it. */
   std::span<const Index> reached() const { return this->Reached; }
   double first(Index vertex) const { return this->First[vertex]; }
+  bool isReached(Index vertex) const
+  {
+    return vertex < this->First.size() && this->First[vertex] < DistanceField::Unreached;
+  }
 
   /**
    * The starts of a march within the bounds, first those that count. A final one above the bound of
@@ -194,9 +198,10 @@ public:
   /** Whether the nearest label of a vertex may end before a neighbour. @param farthest  the value
    * that the label may have there */
   bool mayEnd(Index label, double farthest) const { return farthest > this->ofLabel(label); }
-  /** To be called for such a vertex after the march within the bounds. */
+  /** To be called for such a vertex after the march within the bounds, and for others that may
+   * lower a neighbour along an edge. */
   void noteAtEnd(Index vertex) { this->AtEnds.push_back(vertex); }
-  /** The vertices whose nearest label may end before a neighbour. */
+  /** The vertices that were noted. */
   std::span<const Index> atEnds() const { return this->AtEnds; }
 
   /** Removes all bounds, in a time that depends on how many vertices were reached. */

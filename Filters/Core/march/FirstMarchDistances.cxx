@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "march/FirstMarchDistances.h"
+
+#include "base/SortUnique.h"
+#include "base/WorkCount.h"
+#include "march/LabelBounds.h"
+#include "march/TakenStart.h"
+#include "mesh/TriangleMesh.h"
+#include "solve/Partition.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+namespace
+{
+
+/** The seed of the neighbour through which a vertex is nearest, with the length through it; without
+ * a seed if no neighbour has one. */
+StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const DistanceField& field)
+{
+  StartValue nearest{ vertex, NoIndex, DistanceField::Unreached, false };
+  const std::span<const RingEntry> ring = mesh.ring(vertex);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const Index neighbour = ring[i].neighbour();
+    const double length = field.distance(neighbour) + norm(mesh.toNeighbour(vertex, i));
+    if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
+    {
+      nearest.value = length;
+      nearest.label = field.nearestSeed(neighbour);
+    }
+  }
+  return nearest;
+}
+
+/** The neighbours of some vertices that have a distance and no seed, in ascending order. */
+std::vector<Index> gapsBeside(
+  const TriangleMesh& mesh, std::span<const StartValue> vertices, const DistanceField& field)
+{
+  std::vector<Index> gaps;
+  for (const StartValue& start : vertices)
+  {
+    for (const RingEntry& entry : mesh.ring(start.vertex))
+    {
+      const Index neighbour = entry.neighbour();
+      if (field.isReached(neighbour) && field.nearestSeed(neighbour) == NoIndex)
+      {
+        gaps.push_back(neighbour);
+      }
+    }
+  }
+  sortUnique(gaps);
+  return gaps;
+}
+
+/**
+ * Gives vertices seeds of their neighbours, round by round, so that neither the order of the
+ * vertices nor the pieces decide. Collective. Time linear in the vertices, but for sorting them.
+ * @param gaps  vertices of this piece that have a distance and no seed
+ */
+void takeSeedsOfNeighbours(
+  const TriangleMesh& mesh, std::vector<Index> gaps, Partition& partition, DistanceField& field)
+{
+  const auto vertices = partition.sharedVertices();
+  const std::unordered_set<Index> areShared(vertices.begin(), vertices.end());
+  std::size_t left = gaps.size();
+  while (true)
+  {
+    WorkCount::add(gaps.size());
+    std::vector<StartValue> found;
+    for (const Index vertex : gaps)
+    {
+      if (const StartValue nearest = seedOfNeighbour(mesh, vertex, field); nearest.label != NoIndex)
+      {
+        found.push_back(nearest);
+      }
+    }
+    const double count = static_cast<double>(found.size());
+    const std::vector<double> counts = partition.gather({ &count, 1 });
+    if (*std::max_element(counts.begin(), counts.end()) == 0.0)
+    {
+      return;
+    }
+    std::vector<StartValue> shared;
+    std::copy_if(found.begin(), found.end(), std::back_inserter(shared),
+      [&](const StartValue& nearest) { return areShared.contains(nearest.vertex); });
+    if (const auto others = partition.exchange(shared); !others.empty())
+    {
+      found.insert(found.end(), others.begin(), others.end());
+      std::sort(found.begin(), found.end(),
+        [](const StartValue& x, const StartValue& y)
+        { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
+    }
+    for (const StartValue& nearest : found)
+    {
+      if (field.isReached(nearest.vertex) && field.nearestSeed(nearest.vertex) == NoIndex)
+      {
+        field.setNearestSeed(nearest.vertex, nearest.label);
+        --left;
+      }
+    }
+    // In the first round all were looked at: others can only have become possible by these.
+    gaps = left > 0 ? gapsBeside(mesh, found, field) : std::vector<Index>();
+  }
+}
+
+/** For each seed its label, if it is a point; else NoIndex. */
+std::vector<Index> labelsOfPoints(std::span<const Label> labels)
+{
+  std::vector<Index> ofSeeds;
+  for (Index number = 0; number < labels.size(); ++number)
+  {
+    const Label& label = labels[number];
+    const bool isFirst = label.seed >= ofSeeds.size();
+    if (isFirst)
+    {
+      ofSeeds.resize(label.seed + 1, NoIndex);
+    }
+    ofSeeds[label.seed] = isFirst && label.shape == FrontShape::Round ? number : NoIndex;
+  }
+  return ofSeeds;
+}
+
+/** Whether a vertex takes its distance in the first march. From a point, a label is exact but for
+ * what the bounds took away, and stays if it is not more by a part of what they leave. */
+bool isTaken(Index vertex, const LabelBounds& bounds, Taking taking,
+  std::span<const Index> labelsOfSeeds, const DistanceField& field)
+{
+  if (!field.isReached(vertex))
+  {
+    return true;
+  }
+  if (taking == Taking::WhereNone)
+  {
+    return false;
+  }
+  const double first = bounds.first(vertex);
+  const bool isOfPoint =
+    !labelsOfSeeds.empty() && labelsOfSeeds[field.nearestSeed(vertex)] != NoIndex;
+  const double part = isOfPoint ? (bounds.ofVertex(vertex) - first) / 3.0 : 0.0;
+  return first + part < field.distance(vertex);
+}
+
+/** Gives vertices the distances of labels that start there, also of those that ended at once. */
+void takeStarts(const SeedFront& front, LabelBounds& bounds, DistanceField& field)
+{
+  for (const FrontStart& start : front.starts)
+  {
+    const Label& label = front.labels[start.label];
+    if ((field.isReached(start.vertex) || bounds.isReached(start.vertex)) &&
+      takeStart(field, start.vertex, label.seed, start.length + label.value))
+    {
+      bounds.noteAtEnd(start.vertex);
+    }
+  }
+}
+
+/** A vertex that takes its distance in the first march, and between what that should be. */
+struct TakenVertex
+{
+  Index vertex;
+  /** The least in a straight line from seeds that it may come from. */
+  double straight;
+  /** The least that is known of a way to the vertex. */
+  double most;
+};
+
+/** The place of a vertex among those that are taken, or their number. */
+std::size_t placeOf(std::span<const TakenVertex> taken, Index vertex)
+{
+  const auto place = std::lower_bound(taken.begin(), taken.end(), vertex,
+    [](const TakenVertex& one, Index number) { return one.vertex < number; });
+  return place != taken.end() && place->vertex == vertex ? place - taken.begin() : taken.size();
+}
+
+/** Considers the neighbours on this piece of the surface, and their nearest seeds. */
+void considerNeighbours(const TriangleMesh& mesh, std::span<const Label> labels,
+  std::span<const Index> labelsOfSeeds, const DistanceField& field, TakenVertex& taken)
+{
+  const Vector3 position = mesh.position(taken.vertex);
+  const std::span<const RingEntry> ring = mesh.ring(taken.vertex);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const Index neighbour = ring[i].neighbour();
+    const Index seed = field.nearestSeed(neighbour);
+    const Index number = seed == NoIndex ? NoIndex : labelsOfSeeds[seed];
+    // Nothing is known of a line or a region; a vertex that an intrinsic mesh added has no
+    // position.
+    const double straight =
+      number == NoIndex ? 0.0 : labels[number].value + norm(position - labels[number].position);
+    taken.straight = std::min(taken.straight, straight);
+    taken.most =
+      std::min(taken.most, field.distance(neighbour) + norm(mesh.toNeighbour(taken.vertex, i)));
+  }
+}
+
+/** Takes over what other pieces of the surface know of vertices. Collective. */
+void considerOtherPieces(std::span<TakenVertex> taken, Partition& partition)
+{
+  constexpr Index straight = 0;
+  constexpr Index most = 1;
+  std::vector<StartValue> ofShared;
+  for (const Index vertex : partition.sharedVertices())
+  {
+    if (const std::size_t place = placeOf(taken, vertex); place < taken.size())
+    {
+      ofShared.push_back({ vertex, straight, taken[place].straight, false });
+      ofShared.push_back({ vertex, most, taken[place].most, false });
+    }
+  }
+  for (const StartValue& other : partition.exchange(ofShared))
+  {
+    if (const std::size_t place = placeOf(taken, other.vertex); place < taken.size())
+    {
+      double& least = other.label == straight ? taken[place].straight : taken[place].most;
+      least = std::min(least, other.value);
+    }
+  }
+}
+
+/** Raises a distance of the first march by what is known of it. */
+double raised(double first, const TakenVertex& taken)
+{
+  constexpr double rounding = 1.0 + 1e-9;
+  if (taken.straight <= taken.most * rounding)
+  {
+    return std::max(first, std::min(taken.straight, taken.most));
+  }
+  // The nearest seed is another one. How far that is lies between the two.
+  return std::max(first, 0.5 * (first + taken.most));
+}
+
+}
+
+void takeFirstMarch(const TriangleMesh& mesh, const SeedFront& front, Taking taking,
+  LabelBounds& bounds, Partition& partition, DistanceField& field)
+{
+  std::vector<Index> labelsOfSeeds;
+  if (taking == Taking::WhereLessRaised)
+  {
+    labelsOfSeeds = labelsOfPoints(front.labels);
+    takeStarts(front, bounds, field);
+  }
+  std::vector<TakenVertex> taken;
+  for (const Index vertex : bounds.reached())
+  {
+    if (isTaken(vertex, bounds, taking, labelsOfSeeds, field))
+    {
+      taken.push_back({ vertex, DistanceField::Unreached, field.distance(vertex) });
+    }
+  }
+  std::vector<Index> gaps;
+  for (const TakenVertex& one : taken)
+  {
+    if (!field.isReached(one.vertex))
+    {
+      gaps.push_back(one.vertex);
+    }
+    field.setDistance(one.vertex, bounds.first(one.vertex));
+  }
+  takeSeedsOfNeighbours(mesh, std::move(gaps), partition, field);
+  if (taking != Taking::WhereLessRaised)
+  {
+    return;
+  }
+  std::sort(taken.begin(), taken.end(),
+    [](const TakenVertex& one, const TakenVertex& other) { return one.vertex < other.vertex; });
+  for (TakenVertex& one : taken)
+  {
+    considerNeighbours(mesh, front.labels, labelsOfSeeds, field, one);
+  }
+  considerOtherPieces(taken, partition);
+  for (const TakenVertex& one : taken)
+  {
+    field.setDistance(one.vertex, raised(bounds.first(one.vertex), one));
+    bounds.noteAtEnd(one.vertex);
+  }
+}
+
+}
