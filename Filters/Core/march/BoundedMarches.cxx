@@ -83,8 +83,7 @@ void takeStarts(
 {
   for (const StartValue& start : starts)
   {
-    const Label& label = labels[start.label];
-    takeStart(field, start.vertex, label.seed, start.value + label.value);
+    takeStart(start, labels, field);
   }
   field.orderReached();
 }
@@ -160,7 +159,7 @@ bool MarchingSolver::marchWithinLines(std::span<const StartValue> starts, const 
   const std::span<const StartValue> counting =
     bounds.within(this->mesh(), request.front.labels, starts);
   const bool isFinished = this->marchLabels(counting, cost, within, marches, limit, field);
-  return this->finishWithinBounds(request, true, isFinished, marches, limit, field);
+  return this->finishWithinBounds(starts, request, true, isFinished, marches, limit, field);
 }
 
 template <class Cost>
@@ -208,13 +207,14 @@ const DistanceField* MarchingSolver::marchWays(std::span<const StartValue> start
   return isFinished ? &*this->Ways : nullptr;
 }
 
-bool MarchingSolver::finishWithinBounds(const Request& request, bool areDense, bool isFinished,
-  OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
+bool MarchingSolver::finishWithinBounds(std::span<const StartValue> starts, const Request& request,
+  bool areDense, bool isFinished, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
 {
   const Taking taking = !areDense ? Taking::WhereNone
     : request.hasCost             ? Taking::WhereLess
                                   : Taking::WhereLessRaised;
-  takeFirstMarch(this->mesh(), request.front, taking, this->LabelsWithin, request.partition, field);
+  takeFirstMarch(this->mesh(), request.front.labels, starts, taking, this->LabelsWithin,
+    request.partition, field);
   if (taking == Taking::WhereLessRaised && isFinished)
   {
     marches.beginNext();
@@ -296,7 +296,7 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
     request.hasCost };
   const bool isFinished = this->marchLabels(
     this->LabelsWithin.within(this->mesh(), labels, starts), cost, second, marches, limit, field);
-  return this->finishWithinBounds(request, areDense, isFinished, marches, limit, field);
+  return this->finishWithinBounds(starts, request, areDense, isFinished, marches, limit, field);
 }
 
 }

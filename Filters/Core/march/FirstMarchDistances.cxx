@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -21,6 +20,15 @@ namespace geodesic
 {
 namespace
 {
+
+/** Whether a way to a vertex is shorter than another one, or as long and from a seed of a smaller
+ * number: rounding must not decide, nor the order of neighbours. */
+bool isBefore(const StartValue& way, const StartValue& other)
+{
+  constexpr double rounding = 1.0 + 1e-10;
+  return way.value * rounding < other.value ||
+    (way.value <= other.value * rounding && way.label < other.label);
+}
 
 /** The seed of the neighbour through which a vertex is nearest, with the length through it; without
  * a seed if no neighbour has one. */
@@ -32,13 +40,33 @@ StartValue seedOfNeighbour(const TriangleMesh& mesh, Index vertex, const Distanc
   {
     const Index neighbour = ring[i].neighbour();
     const double length = field.distance(neighbour) + norm(mesh.toNeighbour(vertex, i));
-    if (field.nearestSeed(neighbour) != NoIndex && length < nearest.value)
+    const StartValue way{ vertex, field.nearestSeed(neighbour), length, false };
+    if (way.label != NoIndex && isBefore(way, nearest))
     {
-      nearest.value = length;
-      nearest.label = field.nearestSeed(neighbour);
+      nearest = way;
     }
   }
   return nearest;
+}
+
+/** Keeps the nearest one of each vertex. */
+void keepNearest(std::vector<StartValue>& ways)
+{
+  std::sort(ways.begin(), ways.end(),
+    [](const StartValue& x, const StartValue& y) { return x.vertex < y.vertex; });
+  std::size_t kept = 0;
+  for (const StartValue& way : ways)
+  {
+    if (kept == 0 || ways[kept - 1].vertex != way.vertex)
+    {
+      ways[kept++] = way;
+    }
+    else if (isBefore(way, ways[kept - 1]))
+    {
+      ways[kept - 1] = way;
+    }
+  }
+  ways.resize(kept);
 }
 
 /** The neighbours of some vertices that have a distance and no seed, in ascending order. */
@@ -95,9 +123,7 @@ void takeSeedsOfNeighbours(
     if (const auto others = partition.exchange(shared); !others.empty())
     {
       found.insert(found.end(), others.begin(), others.end());
-      std::sort(found.begin(), found.end(),
-        [](const StartValue& x, const StartValue& y)
-        { return std::tie(x.vertex, x.value, x.label) < std::tie(y.vertex, y.value, y.label); });
+      keepNearest(found);
     }
     for (const StartValue& nearest : found)
     {
@@ -150,13 +176,13 @@ bool isTaken(Index vertex, const LabelBounds& bounds, Taking taking,
 }
 
 /** Gives vertices the distances of labels that start there, also of those that ended at once. */
-void takeStarts(const SeedFront& front, LabelBounds& bounds, DistanceField& field)
+void takeStartsOfEnded(std::span<const StartValue> starts, std::span<const Label> labels,
+  LabelBounds& bounds, DistanceField& field)
 {
-  for (const FrontStart& start : front.starts)
+  for (const StartValue& start : starts)
   {
-    const Label& label = front.labels[start.label];
     if ((field.isReached(start.vertex) || bounds.isReached(start.vertex)) &&
-      takeStart(field, start.vertex, label.seed, start.length + label.value))
+      takeStart(start, labels, field))
     {
       bounds.noteAtEnd(start.vertex);
     }
@@ -240,14 +266,15 @@ double raised(double first, const TakenVertex& taken)
 
 }
 
-void takeFirstMarch(const TriangleMesh& mesh, const SeedFront& front, Taking taking,
-  LabelBounds& bounds, Partition& partition, DistanceField& field)
+void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
+  std::span<const StartValue> starts, Taking taking, LabelBounds& bounds, Partition& partition,
+  DistanceField& field)
 {
   std::vector<Index> labelsOfSeeds;
   if (taking == Taking::WhereLessRaised)
   {
-    labelsOfSeeds = labelsOfPoints(front.labels);
-    takeStarts(front, bounds, field);
+    labelsOfSeeds = labelsOfPoints(labels);
+    takeStartsOfEnded(starts, labels, bounds, field);
   }
   std::vector<TakenVertex> taken;
   for (const Index vertex : bounds.reached())
@@ -275,7 +302,7 @@ void takeFirstMarch(const TriangleMesh& mesh, const SeedFront& front, Taking tak
     [](const TakenVertex& one, const TakenVertex& other) { return one.vertex < other.vertex; });
   for (TakenVertex& one : taken)
   {
-    considerNeighbours(mesh, front.labels, labelsOfSeeds, field, one);
+    considerNeighbours(mesh, labels, labelsOfSeeds, field, one);
   }
   considerOtherPieces(taken, partition);
   for (const TakenVertex& one : taken)

@@ -3,6 +3,8 @@
 #ifndef geodesic_FirstMarchDistances_h
 #define geodesic_FirstMarchDistances_h
 
+#include <span>
+
 namespace geodesic
 {
 
@@ -10,7 +12,8 @@ class DistanceField;
 class LabelBounds;
 class Partition;
 class TriangleMesh;
-struct SeedFront;
+struct Label;
+struct StartValue;
 
 /** Which vertices take their distance in the first march, see takeFirstMarch(). */
 enum class Taking
@@ -35,9 +38,11 @@ enum class Taking
  * seed is another one, and vertices take the middle between the first march and the edge. What
  * labels have beside raised vertices may be more than along an edge: these are noted as vertices at
  * which a label ends.
+ * @param starts  those of all labels; pieces that share a vertex have the same ones there
  */
-void takeFirstMarch(const TriangleMesh& mesh, const SeedFront& front, Taking taking,
-  LabelBounds& bounds, Partition& partition, DistanceField& field);
+void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
+  std::span<const StartValue> starts, Taking taking, LabelBounds& bounds, Partition& partition,
+  DistanceField& field);
 
 }
 

@@ -84,8 +84,8 @@ private:
     OptionsOfMarches& marches, StopLimit& limit);
   /** Completes a field that was found within bounds, see takeFirstMarch() and lowerAlongEdges(),
    * and removes the bounds. @return false when cancelled */
-  bool finishWithinBounds(const Request& request, bool areDense, bool isFinished,
-    OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
+  bool finishWithinBounds(std::span<const StartValue> starts, const Request& request, bool areDense,
+    bool isFinished, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field);
   /** Whether there are hubVertices(); found at the first run that asks. Collective. */
   bool hasHubs(Partition& partition);
   /** A first march, and one within the bounds that it gives. @pre LabelBounds::begin() */

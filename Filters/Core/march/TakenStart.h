@@ -3,34 +3,38 @@
 #ifndef geodesic_TakenStart_h
 #define geodesic_TakenStart_h
 
-#include "base/Index.h"
 #include "solve/DistanceField.h"
+#include "solve/SeedFront.h"
+#include "solve/StartValue.h"
 
 #include <algorithm>
+#include <span>
 
 namespace geodesic
 {
 
 /**
- * Gives a vertex the distance of a seed that starts there, if it is less than its own. Of seeds
+ * Gives a vertex the distance of a label that starts there, if it is less than its own. Of seeds
  * that are equally near the smallest number counts.
  * @return whether the distance is less
  */
-inline bool takeStart(DistanceField& field, Index vertex, Index seed, double distance)
+inline bool takeStart(const StartValue& start, std::span<const Label> labels, DistanceField& field)
 {
   constexpr double rounding = 1.0 + 1e-10;
-  const double known = field.distance(vertex);
+  const Label& label = labels[start.label];
+  const double distance = start.value + label.value;
+  const double known = field.distance(start.vertex);
   if (distance < known)
   {
-    field.setDistance(vertex, distance);
+    field.setDistance(start.vertex, distance);
   }
   if (distance * rounding < known)
   {
-    field.setNearestSeed(vertex, seed);
+    field.setNearestSeed(start.vertex, label.seed);
   }
   else if (distance <= known * rounding)
   {
-    field.setNearestSeed(vertex, std::min(field.nearestSeed(vertex), seed));
+    field.setNearestSeed(start.vertex, std::min(field.nearestSeed(start.vertex), label.seed));
   }
   return distance < known;
 }
