@@ -5,6 +5,7 @@
 // labelReaches()).
 
 #include "ExactDistances.h"
+#include "RandomMeshes.h"
 #include "Solving.h"
 #include "Surfaces.h"
 #include "march/FastMarchingSolver.h"
@@ -388,6 +389,33 @@ TEST(ManySeeds, TheOrderOfPointsDoesNotMatter)
     for (Index i = 0; i < here.size(); ++i)
     {
       ASSERT_NEAR(here[i], there[newId[i]], 1e-9 * 70.0);
+    }
+  }
+}
+
+// Vertices that no label reached have the nearest seed of a neighbour, and distances that depend on
+// it. On subdivided needles many ways from one to the other are equally long.
+TEST(ManySeeds, WhichOfEquallyNearOnesCountsDoesNotDependOnTheOrder)
+{
+  for (unsigned number = 0; number < 30; ++number)
+  {
+    const Surface surface = subdivided(randomSurface(MeshKind::Needles, number), 2);
+    std::vector<Index> newId;
+    const auto mesh = meshOf(surface);
+    const auto other = meshOf(shuffled(surface, number + 1, newId));
+    std::mt19937 random(number);
+    std::vector<Index> points(surface.points.size());
+    std::iota(points.begin(), points.end(), Index{ 0 });
+    std::shuffle(points.begin(), points.end(), random);
+    points.resize(points.size() / 3);
+    std::vector<Index> moved;
+    std::transform(
+      points.begin(), points.end(), std::back_inserter(moved), [&](Index i) { return newId[i]; });
+    const auto here = distances<FastMarchingSolver>(mesh, seedsAt(*mesh, points));
+    const auto there = distances<FastMarchingSolver>(other, seedsAt(*other, moved));
+    for (Index point = 0; point < here.size(); ++point)
+    {
+      ASSERT_NEAR(here[point], there[newId[point]], 1e-9) << number;
     }
   }
 }
