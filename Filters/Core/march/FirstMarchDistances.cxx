@@ -138,27 +138,44 @@ void takeSeedsOfNeighbours(
   }
 }
 
-/** For each seed its label, if it is a point; else NoIndex. */
-std::vector<Index> labelsOfPoints(std::span<const Label> labels)
+/** Where a front starts, if that is a point. */
+struct StartPoint
 {
-  std::vector<Index> ofSeeds;
-  for (Index number = 0; number < labels.size(); ++number)
+  /** How far a place is at least. */
+  double straightTo(const Vector3& place) const
   {
-    const Label& label = labels[number];
-    const bool isFirst = label.seed >= ofSeeds.size();
+    return this->value + norm(place - this->position);
+  }
+  bool isKnown() const { return this->value > -DistanceField::Unreached; }
+
+  Vector3 position{};
+  /** The value of the seed; -infinity for a line or a region, from which nothing is known. */
+  double value = -DistanceField::Unreached;
+};
+
+/** For each seed the point that it is. */
+std::vector<StartPoint> pointsOfSeeds(std::span<const Label> labels)
+{
+  std::vector<StartPoint> points;
+  points.reserve(labels.size());
+  for (const Label& label : labels)
+  {
+    const bool isFirst = label.seed >= points.size();
     if (isFirst)
     {
-      ofSeeds.resize(label.seed + 1, NoIndex);
+      points.resize(label.seed + 1);
     }
-    ofSeeds[label.seed] = isFirst && label.shape == FrontShape::Round ? number : NoIndex;
+    points[label.seed] = isFirst && label.shape == FrontShape::Round
+      ? StartPoint{ label.position, label.value }
+      : StartPoint();
   }
-  return ofSeeds;
+  return points;
 }
 
 /** Whether a vertex takes its distance in the first march. From a point, a label is exact but for
  * what the bounds took away, and stays if it is not more by a part of what they leave. */
 bool isTaken(Index vertex, const LabelBounds& bounds, Taking taking,
-  std::span<const Index> labelsOfSeeds, const DistanceField& field)
+  std::span<const StartPoint> points, const DistanceField& field)
 {
   if (!field.isReached(vertex))
   {
@@ -169,8 +186,7 @@ bool isTaken(Index vertex, const LabelBounds& bounds, Taking taking,
     return false;
   }
   const double first = bounds.first(vertex);
-  const bool isOfPoint =
-    !labelsOfSeeds.empty() && labelsOfSeeds[field.nearestSeed(vertex)] != NoIndex;
+  const bool isOfPoint = !points.empty() && points[field.nearestSeed(vertex)].isKnown();
   const double part = isOfPoint ? (bounds.ofVertex(vertex) - first) / 3.0 : 0.0;
   return first + part < field.distance(vertex);
 }
@@ -208,8 +224,8 @@ std::size_t placeOf(std::span<const TakenVertex> taken, Index vertex)
 }
 
 /** Considers the neighbours on this piece of the surface, and their nearest seeds. */
-void considerNeighbours(const TriangleMesh& mesh, std::span<const Label> labels,
-  std::span<const Index> labelsOfSeeds, const DistanceField& field, TakenVertex& taken)
+void considerNeighbours(const TriangleMesh& mesh, std::span<const StartPoint> points,
+  const DistanceField& field, TakenVertex& taken)
 {
   const Vector3 position = mesh.position(taken.vertex);
   const std::span<const RingEntry> ring = mesh.ring(taken.vertex);
@@ -217,11 +233,9 @@ void considerNeighbours(const TriangleMesh& mesh, std::span<const Label> labels,
   {
     const Index neighbour = ring[i].neighbour();
     const Index seed = field.nearestSeed(neighbour);
-    const Index number = seed == NoIndex ? NoIndex : labelsOfSeeds[seed];
-    // Nothing is known of a line or a region; a vertex that an intrinsic mesh added has no
-    // position.
+    // A vertex that an intrinsic mesh added has no position: then this is none either.
     const double straight =
-      number == NoIndex ? 0.0 : labels[number].value + norm(position - labels[number].position);
+      seed == NoIndex ? -DistanceField::Unreached : points[seed].straightTo(position);
     taken.straight = std::min(taken.straight, straight);
     taken.most =
       std::min(taken.most, field.distance(neighbour) + norm(mesh.toNeighbour(taken.vertex, i)));
@@ -270,16 +284,16 @@ void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
   std::span<const StartValue> starts, Taking taking, LabelBounds& bounds, Partition& partition,
   DistanceField& field)
 {
-  std::vector<Index> labelsOfSeeds;
+  std::vector<StartPoint> points;
   if (taking == Taking::WhereLessRaised)
   {
-    labelsOfSeeds = labelsOfPoints(labels);
+    points = pointsOfSeeds(labels);
     takeStartsOfEnded(starts, labels, bounds, field);
   }
   std::vector<TakenVertex> taken;
   for (const Index vertex : bounds.reached())
   {
-    if (isTaken(vertex, bounds, taking, labelsOfSeeds, field))
+    if (isTaken(vertex, bounds, taking, points, field))
     {
       taken.push_back({ vertex, DistanceField::Unreached, field.distance(vertex) });
     }
@@ -302,7 +316,7 @@ void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
     [](const TakenVertex& one, const TakenVertex& other) { return one.vertex < other.vertex; });
   for (TakenVertex& one : taken)
   {
-    considerNeighbours(mesh, labels, labelsOfSeeds, field, one);
+    considerNeighbours(mesh, points, field, one);
   }
   considerOtherPieces(taken, partition);
   for (const TakenVertex& one : taken)
