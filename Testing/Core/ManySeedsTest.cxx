@@ -89,7 +89,8 @@ std::size_t stepsOf(FastMarchingSolver& solver, const std::vector<Seed>& seeds)
   SolveOptions options;
   options.onProgress = [&](std::size_t taken)
   {
-    EXPECT_GT(taken, steps);
+    // The same number comes again while fronts start.
+    EXPECT_GE(taken, steps);
     steps = taken;
     return true;
   };

@@ -62,6 +62,12 @@ std::string errorOf(const std::function<void()>& call)
   return "";
 }
 
+/** For what asks now and then whether it goes on: it does. */
+inline bool goesOn()
+{
+  return true;
+}
+
 /** Whether fast marching takes seeds for dense, which are few fronts then. */
 bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds);
 

@@ -157,7 +157,7 @@ bool MarchingSolver::marchWithinLines(std::span<const StartValue> starts, const 
   const Request within{ request.front, request.closed, marches.get(), request.partition,
     request.hasCost };
   const std::span<const StartValue> counting =
-    bounds.within(this->mesh(), request.front.labels, starts);
+    bounds.within(this->mesh(), request.front.labels, starts, [&] { return marches.goesOn(); });
   const bool isFinished = this->marchLabels(counting, cost, within, marches, limit, field);
   return this->finishWithinBounds(starts, request, true, isFinished, marches, limit, field);
 }
@@ -167,7 +167,8 @@ bool MarchingSolver::marchLabels(std::span<const StartValue> starts, const Cost&
   const Request& request, OptionsOfMarches& marches, StopLimit& limit, DistanceField& field)
 {
   LabelBounds& bounds = this->LabelsWithin;
-  if (!this->marchFrom(starts, cost, request, &bounds, limit, field))
+  if (marches.areCancelled(request.partition) ||
+    !this->marchFrom(starts, cost, request, &bounds, limit, field))
   {
     return false;
   }
@@ -213,11 +214,16 @@ bool MarchingSolver::finishWithinBounds(std::span<const StartValue> starts, cons
   const Taking taking = !areDense ? Taking::WhereNone
     : request.hasCost             ? Taking::WhereLess
                                   : Taking::WhereLessRaised;
+  marches.beginNext();
+  if (isFinished)
+  {
+    marches.goesOn();
+    isFinished = !marches.areCancelled(request.partition);
+  }
   takeFirstMarch(this->mesh(), request.front.labels, starts, taking, this->LabelsWithin,
     request.partition, field);
   if (taking == Taking::WhereLessRaised && isFinished)
   {
-    marches.beginNext();
     isFinished = lowerAlongEdges(this->mesh(), request.closed, marches.get(),
       this->LabelsWithin.atEnds(), request.partition, limit, field);
   }
@@ -248,6 +254,7 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
     const std::vector<Index> hubs = hubVertices(this->mesh(), field.reached(), request.partition);
     const auto isHub = [&](Index vertex)
     { return std::binary_search(hubs.begin(), hubs.end(), vertex); };
+    marches.goesOn();
     const bool areSpread = !request.hasCost &&
       labelsAreSpread(this->mesh(), request.front, farthest - least, request.partition);
     const bool compete =
@@ -262,11 +269,11 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
       reaches = labelReaches(
         this->mesh(), request.front, request.options.cost, farthest, thinning,
         [&] { return marches.goesOn(); }, request.partition);
-      if (marches.areCancelled(request.partition))
-      {
-        this->LabelsWithin.clear();
-        return false;
-      }
+    }
+    if (marches.areCancelled(request.partition))
+    {
+      this->LabelsWithin.clear();
+      return false;
     }
     const auto excessOf = [&](Index vertex) -> std::optional<double>
     {
@@ -294,8 +301,9 @@ bool MarchingSolver::marchTwice(std::span<const StartValue> starts, const Cost& 
   marches.beginNext();
   const Request second{ request.front, request.closed, options, request.partition,
     request.hasCost };
-  const bool isFinished = this->marchLabels(
-    this->LabelsWithin.within(this->mesh(), labels, starts), cost, second, marches, limit, field);
+  const std::span<const StartValue> counting =
+    this->LabelsWithin.within(this->mesh(), labels, starts, [&] { return marches.goesOn(); });
+  const bool isFinished = this->marchLabels(counting, cost, second, marches, limit, field);
   return this->finishWithinBounds(starts, request, areDense, isFinished, marches, limit, field);
 }
 

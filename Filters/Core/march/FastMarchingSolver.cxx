@@ -199,9 +199,15 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
 {
   BatchedMarch<Cost, Values> batches(this->mesh(), *this->bounds(), request.closed, cost, values,
     this->Queues, control, this->MayUseQuads);
-  for (const StartValue& start : starts)
+  constexpr std::size_t startsOfReport = 16;
+  for (std::size_t i = 0; i < starts.size(); ++i)
   {
+    const StartValue& start = starts[i];
     values.start(values.enter(start.label, start.vertex), start);
+    if (i % startsOfReport == startsOfReport - 1)
+    {
+      control.reportAgain();
+    }
   }
   const double edge = this->mesh().meanLongestEdge();
   QueuedFront front(this->Queues, control, edge * cost.mean(), edge * cost.typical(),

@@ -25,6 +25,8 @@ constexpr std::size_t VerticesOfStart = 32;
 constexpr std::size_t MostOfSmallLabel = 8;
 /** Starts of labels lie anywhere: what is read of them is fetched by so many starts ahead. */
 constexpr std::size_t Soon = 8;
+/** How often goesOn() is called. */
+constexpr std::size_t StartsOfReport = 4096;
 
 /** Whether a test holds for all neighbours of a vertex and the entries of its ring. */
 template <class Test>
@@ -235,8 +237,9 @@ bool LabelBounds::haveManyStarts(const TriangleMesh& mesh, Partition& partition)
   return difference > 0.0;
 }
 
-std::span<const StartValue> LabelBounds::within(
-  const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts)
+std::span<const StartValue> LabelBounds::within(const TriangleMesh& mesh,
+  std::span<const Label> labels, std::span<const StartValue> starts,
+  const std::function<bool()>& goesOn)
 {
   std::vector<StartValue>& within = this->Within;
   within.clear();
@@ -245,6 +248,11 @@ std::span<const StartValue> LabelBounds::within(
   std::span<const StartValue> sameLabel;
   for (const StartValue& start : starts)
   {
+    if (const std::size_t place = &start - starts.data();
+        place % StartsOfReport == StartsOfReport - 1 && !goesOn())
+    {
+      return {};
+    }
     if (sameLabel.empty() || sameLabel[0].label != start.label)
     {
       sameLabel = ofSameLabel(starts, &start - starts.data());

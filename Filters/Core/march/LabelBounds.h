@@ -63,7 +63,7 @@ public:
    * UnitCost::reach() @param distance  the least one, less the seeds' value */
   static double excess(double reach, double distance)
   {
-    return std::min(0.15 * reach + 0.01 * distance, 0.3 * reach);
+    return std::min(0.12 * reach + 0.01 * distance, 0.3 * reach);
   }
   /** The same at a start of labels that compete, see labelsCompeteInTriangles(). */
   static double excessAtStart(double reach) { return 0.5 * reach; }
@@ -191,9 +191,10 @@ public:
    * its vertex becomes +infinity, which keeps updates from giving its vertex another value of the
    * label; this holds where another label has a start that counts. Idle are those from which no
    * update counts.
+   * @param goesOn  called for each few thousand starts; when it returns false this ends
    */
-  std::span<const StartValue> within(
-    const TriangleMesh& mesh, std::span<const Label> labels, std::span<const StartValue> starts);
+  std::span<const StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
+    std::span<const StartValue> starts, const std::function<bool()>& goesOn);
 
   /** Whether the nearest label of a vertex may end before a neighbour. @param farthest  the value
    * that the label may have there */

@@ -23,6 +23,8 @@ namespace geodesic
 namespace
 {
 
+/** How often goesOn() is called. */
+constexpr std::size_t LabelsOfReport = 512;
 /** Round vertices with more triangles the normals are sorted. */
 constexpr std::size_t MostOfFlat = 12;
 
@@ -220,15 +222,17 @@ GEODESIC_INLINED void prefetchLater(
 }
 
 /** Calls visit(label, place, normals) for each label that starts on this piece, with the edge and
- * the cost there and the normals of findNormalsAt(). */
+ * the cost there and the normals of findNormalsAt(), until goesOn() returns false. */
 template <class Visit>
 void visitPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<const double> cost,
-  const Partition& partition, const Visit& visit)
+  const Partition& partition, const std::function<bool()>& goesOn, const Visit& visit)
 {
   const std::span<const float> sides =
     partition.isDivided() ? partition.longestSides() : mesh.rings().longestSides();
   std::vector<Vector3> normals;
-  for (auto start = front.starts.begin(); start != front.starts.end();)
+  std::size_t visited = 0;
+  for (auto start = front.starts.begin();
+       start != front.starts.end() && (++visited % LabelsOfReport > 0 || goesOn());)
   {
     const Index label = start->label;
     LabelPlace place;
@@ -250,13 +254,13 @@ void visitPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<con
 
 /** Puts together what all pieces know of the places. Collective. */
 void gatherPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<const double> cost,
-  Partition& partition, std::vector<LabelPlace>& places)
+  const std::function<bool()>& goesOn, Partition& partition, std::vector<LabelPlace>& places)
 {
   // For each label its number, edge, cost, the number of normals, and these.
   std::vector<double> own;
   constexpr std::size_t size = 4;
   own.reserve((size + 3) * front.labels.size());
-  visitPlaces(mesh, front, cost, partition,
+  visitPlaces(mesh, front, cost, partition, goesOn,
     [&](Index label, const LabelPlace& place, const std::vector<Vector3>& normals)
     {
       own.insert(own.end(),
@@ -299,16 +303,16 @@ void gatherPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<co
 }
 
 std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& front,
-  std::span<const double> cost, Partition& partition)
+  std::span<const double> cost, const std::function<bool()>& goesOn, Partition& partition)
 {
   std::vector<LabelPlace> places(front.labels.size());
   if (partition.isDivided())
   {
-    gatherPlaces(mesh, front, cost, partition, places);
+    gatherPlaces(mesh, front, cost, goesOn, partition, places);
   }
   else
   {
-    visitPlaces(mesh, front, cost, partition,
+    visitPlaces(mesh, front, cost, partition, goesOn,
       [&](Index label, const LabelPlace& place, const std::vector<Vector3>& normals)
       {
         places[label] = place;

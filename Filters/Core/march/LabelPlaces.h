@@ -5,6 +5,7 @@
 
 #include "base/Vector3.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,10 +35,12 @@ struct LabelPlace
 /**
  * The places of all labels, in the order of the labels, from what each piece of the surface knows
  * of them. All pieces get the same ones. Collective.
- * @param cost  of each vertex; empty for 1
+ * @param cost    of each vertex; empty for 1
+ * @param goesOn  called for each few hundred labels; once it has returned false, the places are of
+ *                no use
  */
 std::vector<LabelPlace> labelPlaces(const TriangleMesh& mesh, const SeedFront& front,
-  std::span<const double> cost, Partition& partition);
+  std::span<const double> cost, const std::function<bool()>& goesOn, Partition& partition);
 
 }
 

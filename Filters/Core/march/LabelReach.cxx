@@ -314,7 +314,7 @@ std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& 
   {
     return reaches;
   }
-  const std::vector<LabelPlace> places = labelPlaces(mesh, front, cost, partition);
+  const std::vector<LabelPlace> places = labelPlaces(mesh, front, cost, goesOn, partition);
   std::vector<Index> numbers;
   double mostEdges = 0.0;
   for (Index number = 0; number < reaches.size(); ++number)

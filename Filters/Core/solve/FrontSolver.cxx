@@ -3,6 +3,7 @@
 #include "solve/FrontSolver.h"
 
 #include "mesh/TriangleMesh.h"
+#include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
 #include "solve/StopLimit.h"
@@ -60,15 +61,24 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
   }
   const ClosedTriangles& closed = *this->Closed;
   SeedFront& front = this->Front;
-  makeSeedFront(*this->Mesh, closed, seeds, partition, front);
+  OptionsOfMarches marches(options);
+  makeSeedFront(
+    *this->Mesh, closed, seeds, [&] { return marches.goesOn(); }, partition, front);
+  if (marches.areCancelled(partition))
+  {
+    this->Field.reset();
+    this->Field.finish(0.0, StopReason::Cancelled);
+    return this->Field;
+  }
   checkSeedsAreOpen(*this->Mesh, seeds, options, closed, partition);
   std::erase_if(
     front.starts, [&](const FrontStart& start) { return options.isExcluded(start.vertex); });
 
   this->Field.reset();
   StopLimit limit(*this->Mesh, options, this->Field);
-  const bool finished = this->march(
-    { front, closed, options, partition, this->HasCost, keepsSurface, seeds }, limit, this->Field);
+  const bool finished =
+    this->march({ front, closed, marches.get(), partition, this->HasCost, keepsSurface, seeds },
+      limit, this->Field);
   limit.update();
   this->Field.setLeavesOutElsewhere(limit.goal().isKnown());
   this->Field.finish(limit.value(), finished ? limit.reason() : StopReason::Cancelled);

@@ -3,6 +3,7 @@
 #include "solve/RequestCheck.h"
 
 #include "base/NumberText.h"
+#include "base/SortUnique.h"
 #include "base/WorkCount.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
@@ -12,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -78,20 +77,20 @@ void visitPoints(const TriangleMesh& mesh, std::span<const Seed> seeds, Visit&& 
   }
 }
 
-/** The vertices that carry seeds and have an open triangle on at least one piece. Collective. */
-std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
+/** The vertices that carry seeds and have an open triangle on at least one piece, in ascending
+ * order. Collective. */
+std::vector<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> seeds,
   const ClosedTriangles& closed, Partition& partition)
 {
-  std::set<Index> carriers;
+  std::vector<Index> open;
   visitPoints(mesh, seeds,
     [&](const SurfacePoint& point, std::size_t)
     {
       const Carriers ofPoint = carriersOf(mesh, point);
-      carriers.insert(ofPoint.begin(), ofPoint.end());
+      open.insert(open.end(), ofPoint.begin(), ofPoint.end());
     });
-  std::set<Index> open;
-  std::copy_if(carriers.begin(), carriers.end(), std::inserter(open, open.end()),
-    [&](Index vertex) { return closed.hasOpenTriangle(vertex); });
+  sortUnique(open);
+  std::erase_if(open, [&](Index vertex) { return !closed.hasOpenTriangle(vertex); });
   std::vector<StartValue> own;
   own.reserve(open.size());
   for (Index vertex : open)
@@ -100,8 +99,9 @@ std::set<Index> openCarriers(const TriangleMesh& mesh, std::span<const Seed> see
   }
   for (const StartValue& other : partition.exchange(own))
   {
-    open.insert(other.vertex);
+    open.push_back(other.vertex);
   }
+  sortUnique(open);
   return open;
 }
 
@@ -127,9 +127,10 @@ bool isClosed(const TriangleMesh& mesh, const ClosedTriangles& closed, Triangle 
   return false;
 }
 
-/** Throws where a front can't leave the point. @param open see openCarriers() */
-void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& seed,
-  const SolveOptions& options, const ClosedTriangles& closed, const std::set<Index>& open)
+/** Throws where a front can't leave the point. @param seed  its number @param open  see
+ * openCarriers() */
+void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, std::size_t seed,
+  const SolveOptions& options, const ClosedTriangles& closed, std::span<const Index> open)
 {
   const Carriers carriers = carriersOf(mesh, point);
   const auto excluded = std::find_if(
@@ -138,17 +139,18 @@ void checkPointIsOpen(const TriangleMesh& mesh, const SurfacePoint& point, const
     carriers.begin(), carriers.end(), [&](Index vertex) { return options.isExcluded(vertex); });
   if (allExcluded)
   {
-    throw std::invalid_argument(seed + " is at point " +
+    throw std::invalid_argument("Seed " + std::to_string(seed) + " is at point " +
       std::to_string(mesh.pointOfVertex(*excluded)) +
       ", which is on a barrier. Move it off the barrier.");
   }
   const bool isInside =
     carriers.size() == 3 && isClosed(mesh, closed, mesh.triangle(point.triangle));
-  const bool isSurrounded = std::none_of(
-    carriers.begin(), carriers.end(), [&](Index vertex) { return open.contains(vertex); });
+  const bool isSurrounded = std::none_of(carriers.begin(), carriers.end(),
+    [&](Index vertex) { return std::binary_search(open.begin(), open.end(), vertex); });
   if (isInside || isSurrounded)
   {
-    throw std::invalid_argument(seed + " lies inside a barrier cell, beside point " +
+    throw std::invalid_argument("Seed " + std::to_string(seed) +
+      " lies inside a barrier cell, beside point " +
       std::to_string(mesh.pointOfVertex(carriers[0])) + "; move it off the barrier.");
   }
 }
@@ -201,13 +203,13 @@ void checkSeedsAreOpen(const TriangleMesh& mesh, std::span<const Seed> seeds,
   {
     return;
   }
-  const std::set<Index> open = openCarriers(mesh, seeds, closed, partition);
+  const std::vector<Index> open = openCarriers(mesh, seeds, closed, partition);
   partition.together(
     [&]
     {
       visitPoints(mesh, seeds,
         [&](const SurfacePoint& point, std::size_t s)
-        { checkPointIsOpen(mesh, point, "Seed " + std::to_string(s), options, closed, open); });
+        { checkPointIsOpen(mesh, point, s, options, closed, open); });
     });
 }
 

@@ -19,13 +19,21 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace geodesic
 {
 namespace
 {
 
-void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::string& name)
+/** How messages call a seed. */
+std::string nameOf(std::size_t number)
+{
+  return "Seed " + std::to_string(number);
+}
+
+/** @param seed  its number */
+void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, std::size_t seed)
 {
   const auto& weights = point.weights;
   const double sum = weights[0] + weights[1] + weights[2];
@@ -33,13 +41,14 @@ void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, const std::
     std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0.0; });
   if (point.triangle >= mesh.numberOfTriangles())
   {
-    throw std::invalid_argument(name + " lies in triangle " + std::to_string(point.triangle) +
-      ", but the mesh has " + std::to_string(mesh.numberOfTriangles()) + " triangles.");
+    throw std::invalid_argument(nameOf(seed) + " lies in triangle " +
+      std::to_string(point.triangle) + ", but the mesh has " +
+      std::to_string(mesh.numberOfTriangles()) + " triangles.");
   }
   if (!inside || !(std::abs(sum - 1.0) < 1e-6))
   {
-    throw std::invalid_argument(name + " has barycentric weights " + textOf(weights[0]) + ", " +
-      textOf(weights[1]) + ", " + textOf(weights[2]) +
+    throw std::invalid_argument(nameOf(seed) + " has barycentric weights " + textOf(weights[0]) +
+      ", " + textOf(weights[1]) + ", " + textOf(weights[2]) +
       "; each must be at least 0 and their sum 1.");
   }
 }
@@ -54,48 +63,80 @@ Carriers carriersOfSegment(const TriangleMesh& mesh, const SurfacePoint& a, cons
   return carriers;
 }
 
-void checkCurve(
-  const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, const std::string& name)
+/** The one of some vertices that has the fewest triangles: fans can be large, and seeds many. */
+Index fewestRound(const TriangleMesh& mesh, const Carriers& vertices)
+{
+  return *std::min_element(vertices.begin(), vertices.end(),
+    [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
+}
+
+/** Calls @p visit with the place in the ring of @p centre, one of @p carriers, and the corners of
+ * each triangle there that has all of them as corners, until it returns true. @return whether it
+ * did */
+template <class Visit>
+bool anyTriangleWith(
+  const TriangleMesh& mesh, const Carriers& carriers, Index centre, const Visit& visit)
+{
+  const std::span<const RingEntry> ring = mesh.ring(centre);
+  WorkCount::add(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    if (ring[i].opensTriangle())
+    {
+      const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+      const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
+        [&](Index carrier) { return std::find(t.begin(), t.end(), carrier) != t.end(); });
+      if (hasAll && visit(i, t))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void checkCurve(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, std::size_t seed)
 {
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     const Carriers carriers = carriersOfSegment(mesh, points[i], points[i + 1]);
-    if (carriers.size() > 3 || mesh.trianglesWith({ carriers.begin(), carriers.end() }).empty())
+    if (carriers.size() > 3 ||
+      !anyTriangleWith(mesh, carriers, fewestRound(mesh, carriers),
+        [](std::size_t, const Triangle&) { return true; }))
     {
-      throw std::invalid_argument(name + " is a curve whose segment " + std::to_string(i) +
+      throw std::invalid_argument(nameOf(seed) + " is a curve whose segment " + std::to_string(i) +
         " lies neither in one face nor along one edge of the surface. Give it a point on each edge "
         "that it crosses.");
     }
   }
 }
 
-void checkSeed(
-  const TriangleMesh& mesh, const Seed& seed, const std::string& name, bool mayBeElsewhere)
+void checkSeed(const TriangleMesh& mesh, const Seed& seed, std::size_t number, bool mayBeElsewhere)
 {
   if (seed.points.empty() && seed.vertices.empty() && !mayBeElsewhere)
   {
-    throw std::invalid_argument(name + " has no point.");
+    throw std::invalid_argument(nameOf(number) + " has no point.");
   }
   if (!(seed.value >= 0.0 && std::isfinite(seed.value)))
   {
-    throw std::invalid_argument(
-      name + " has the value " + textOf(seed.value) + "; it must be finite and at least 0.");
+    throw std::invalid_argument(nameOf(number) + " has the value " + textOf(seed.value) +
+      "; it must be finite and at least 0.");
   }
   for (const SurfacePoint& point : seed.points)
   {
-    checkPoint(mesh, point, name);
+    checkPoint(mesh, point, number);
   }
   for (Index vertex : seed.vertices)
   {
     if (vertex >= mesh.numberOfVertices())
     {
-      throw std::invalid_argument(name + " has vertex " + std::to_string(vertex) +
+      throw std::invalid_argument(nameOf(number) + " has vertex " + std::to_string(vertex) +
         ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
     }
   }
   if (seed.kind == Seed::Kind::Curve)
   {
-    checkCurve(mesh, seed.points, name);
+    checkCurve(mesh, seed.points, number);
   }
 }
 
@@ -111,26 +152,22 @@ std::vector<Index> cornersRound(
     return corners;
   }
   std::vector<Index> corners;
-  const Index centre = *std::min_element(carriers.begin(), carriers.end(),
-    [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
-  const std::span<const RingEntry> ring = mesh.ring(centre);
-  WorkCount::add(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (closed.isOpen(centre, i))
+  const Index centre = fewestRound(mesh, carriers);
+  anyTriangleWith(mesh, carriers, centre,
+    [&](std::size_t place, const Triangle& triangle)
     {
-      const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-      const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
-        [&](Index carrier) { return std::find(t.begin(), t.end(), carrier) != t.end(); });
-      if (hasAll)
+      if (closed.isOpen(centre, place))
       {
-        corners.insert(corners.end(), t.begin(), t.end());
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
       }
-    }
-  }
+      return false;
+    });
   sortUnique(corners);
   return corners;
 }
+
+/** How often makeSeedFront() calls goesOn(). */
+constexpr std::size_t PointsOfReport = 4096;
 
 double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
 {
@@ -319,7 +356,7 @@ private:
     const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last, bool hasRoundEnds)
   {
     const Index label = this->addLabel(FrontShape::Straight);
-    std::map<Index, double> lengths;
+    std::vector<FrontStart> starts;
     double lengthOfLine = 0.0;
     for (std::size_t i = first; i < last; ++i)
     {
@@ -328,15 +365,14 @@ private:
       lengthOfLine += norm(b - a);
       for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1]))
       {
-        const double length = distanceToSegment(this->Mesh.position(vertex), a, b);
-        const auto [place, isNew] = lengths.emplace(vertex, length);
-        place->second = std::min(place->second, length);
+        starts.push_back({ vertex, label, distanceToSegment(this->Mesh.position(vertex), a, b) });
       }
     }
-    for (const auto& [vertex, length] : lengths)
-    {
-      this->Front.starts.push_back({ vertex, label, length });
-    }
+    std::sort(starts.begin(), starts.end(),
+      [](const FrontStart& x, const FrontStart& y)
+      { return std::tie(x.vertex, x.length) < std::tie(y.vertex, y.length); });
+    std::unique_copy(starts.begin(), starts.end(), std::back_inserter(this->Front.starts),
+      [](const FrontStart& x, const FrontStart& y) { return x.vertex == y.vertex; });
     if (hasRoundEnds)
     {
       this->Front.labels[label].length = lengthOfLine;
@@ -531,20 +567,29 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
 {
   for (std::size_t s = 0; s < seeds.size(); ++s)
   {
-    checkSeed(mesh, seeds[s], "Seed " + std::to_string(s), partition.isDivided());
+    checkSeed(mesh, seeds[s], s, partition.isDivided());
   }
 }
 
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, Partition& partition, SeedFront& front)
+  std::span<const Seed> seeds, const std::function<bool()>& goesOn, Partition& partition,
+  SeedFront& front)
 {
   front.labels.clear();
   front.starts.clear();
   FrontBuilder builder(mesh, closed, partition, front);
+  std::size_t points = 0;
   for (Index s = 0; s < seeds.size(); ++s)
   {
     prefetchLater(mesh, seeds, s);
     builder.add(seeds[s], s);
+    points += seeds[s].points.size() + seeds[s].vertices.size();
+    // The others wait for this piece's part of curves and regions.
+    if (points >= PointsOfReport && !goesOn() && !partition.isDivided())
+    {
+      return;
+    }
+    points %= PointsOfReport;
   }
 }
 

@@ -6,6 +6,7 @@
 #include "base/Vector3.h"
 #include "solve/Seed.h"
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -79,10 +80,13 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
  * those of this piece. Collective.
  * @pre checkSeeds() has accepted the seeds
  * @param closed triangles that no front crosses; none starts through them either
+ * @param goesOn called for each few thousand points of seeds; once it has returned false, the front
+ *               is of no use
  * @param front  gets the labels and starts; what it held is lost, but its memory is used again
  */
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, Partition& partition, SeedFront& front);
+  std::span<const Seed> seeds, const std::function<bool()>& goesOn, Partition& partition,
+  SeedFront& front);
 
 }
 
