@@ -24,7 +24,7 @@ namespace
 {
 
 /** How often goesOn() is called. */
-constexpr std::size_t LabelsOfReport = 512;
+constexpr std::size_t PlacesOfReport = 512;
 /** Round vertices with more triangles the normals are sorted. */
 constexpr std::size_t MostOfFlat = 12;
 
@@ -232,7 +232,7 @@ void visitPlaces(const TriangleMesh& mesh, const SeedFront& front, std::span<con
   std::vector<Vector3> normals;
   std::size_t visited = 0;
   for (auto start = front.starts.begin();
-       start != front.starts.end() && (++visited % LabelsOfReport > 0 || goesOn());)
+       start != front.starts.end() && (++visited % PlacesOfReport > 0 || goesOn());)
   {
     const Index label = start->label;
     LabelPlace place;
