@@ -9,6 +9,7 @@
 #include "base/SharedVector.h"
 #include "base/ThreadTeam.h"
 #include "base/Vector3.h"
+#include "base/WorkCount.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/VertexRings.h"
 
@@ -176,6 +177,34 @@ public:
   /** The triangles that have all of some vertices as corners, sorted by number. Time O(log n) for
    * each triangle round the one of these vertices that has the fewest. */
   std::vector<Index> trianglesWith(std::span<const Index> corners) const;
+  /** The first of these; NoIndex if there is none. Time O(log n), and that of a look at each
+   * triangle round the vertex that has the fewest. */
+  Index firstTriangleWith(std::span<const Index> corners) const;
+  /**
+   * Calls visit(centre, place, corners) for each triangle that has all of some vertices as corners.
+   * The centre is the one of these vertices that has the fewest triangles, as fans can be large;
+   * the triangle is between the entries @p place and @p place + 1 of its ring.
+   */
+  template <class Visit>
+  void visitTrianglesWith(std::span<const Index> corners, const Visit& visit) const
+  {
+    const Index centre = *std::min_element(corners.begin(), corners.end(),
+      [&](Index a, Index b) { return this->ring(a).size() < this->ring(b).size(); });
+    const std::span<const RingEntry> ring = this->ring(centre);
+    WorkCount::add(ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (ring[i].opensTriangle())
+      {
+        const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
+        if (std::all_of(corners.begin(), corners.end(),
+              [&](Index corner) { return std::find(t.begin(), t.end(), corner) != t.end(); }))
+        {
+          visit(centre, i, t);
+        }
+      }
+    }
+  }
   /** The position in space of a point of the surface. */
   Vector3 positionOf(const SurfacePoint& point) const;
 

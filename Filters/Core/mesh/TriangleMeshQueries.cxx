@@ -33,31 +33,47 @@ std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) c
   {
     return this->trianglesOf({ corners[0], corners[1], corners[2] });
   }
-  const auto hasAll = [&](const Triangle& t)
-  {
-    return std::all_of(corners.begin(), corners.end(),
-      [&](Index corner) { return std::find(t.begin(), t.end(), corner) != t.end(); });
-  };
-  const Index centre = *std::min_element(corners.begin(), corners.end(),
-    [&](Index a, Index b) { return this->ring(a).size() < this->ring(b).size(); });
   std::vector<Index> found;
-  const std::span<const RingEntry> ring = this->ring(centre);
-  WorkCount::add(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (!ring[i].opensTriangle())
-    {
-      continue;
-    }
-    const Triangle wanted{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-    if (hasAll(wanted))
+  this->visitTrianglesWith(corners,
+    [&](Index, std::size_t, const Triangle& wanted)
     {
       const std::vector<Index> same = this->trianglesOf(wanted);
       found.insert(found.end(), same.begin(), same.end());
-    }
-  }
+    });
   sortUnique(found);
   return found;
+}
+
+Index TriangleMesh::firstTriangleWith(std::span<const Index> corners) const
+{
+  Index lowest = NoIndex;
+  std::ptrdiff_t count = 0;
+  Triangle least{ NoIndex, NoIndex, NoIndex };
+  this->visitTrianglesWith(corners,
+    [&](Index, std::size_t, const Triangle& t)
+    {
+      const Index ofThis = lowestCorner(t);
+      count = ofThis < lowest ? 1 : count + (ofThis == lowest ? 1 : 0);
+      lowest = std::min(lowest, ofThis);
+      least = std::min(least, sortedCorners(t));
+    });
+  if (lowest == NoIndex)
+  {
+    return NoIndex;
+  }
+  Index first = this->trianglesOf(least).front();
+  if (count > 1 && count <= MostUnsorted)
+  {
+    this->visitTrianglesWith(corners,
+      [&](Index, std::size_t, const Triangle& t)
+      {
+        if (lowestCorner(t) == lowest)
+        {
+          first = std::min(first, this->trianglesOf(t).front());
+        }
+      });
+  }
+  return first;
 }
 
 std::vector<Index> TriangleMesh::trianglesOf(const Triangle& corners) const

@@ -91,7 +91,7 @@ SurfacePoint surfacePointOf(const TriangleMesh& mesh, const PathPoint& point)
 {
   const Carriers carriers = point.carriers();
   SurfacePoint result;
-  result.triangle = mesh.trianglesWith({ carriers.begin(), carriers.end() }).front();
+  result.triangle = mesh.firstTriangleWith({ carriers.begin(), carriers.end() });
   for (int i = 0; i < 3; ++i)
   {
     result.weights[i] = weightOf(point, mesh.triangle(result.triangle)[i]);

@@ -26,7 +26,8 @@ SurfacePath joinedCurve(
   {
     const PathPoint next = PathPoint::at(mesh, points[i]);
     const Carriers corners = unionOf(curve.back(), next);
-    if (corners.size() <= 3 && !mesh.trianglesWith({ corners.begin(), corners.end() }).empty())
+    if (corners.size() <= 3 &&
+      mesh.firstTriangleWith({ corners.begin(), corners.end() }) != NoIndex)
     {
       curve.push_back(next);
       continue;

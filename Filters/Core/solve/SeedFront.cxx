@@ -5,7 +5,6 @@
 #include "base/NumberText.h"
 #include "base/Platform.h"
 #include "base/SortUnique.h"
-#include "base/WorkCount.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
@@ -63,46 +62,18 @@ Carriers carriersOfSegment(const TriangleMesh& mesh, const SurfacePoint& a, cons
   return carriers;
 }
 
-/** The one of some vertices that has the fewest triangles: fans can be large, and seeds many. */
-Index fewestRound(const TriangleMesh& mesh, const Carriers& vertices)
-{
-  return *std::min_element(vertices.begin(), vertices.end(),
-    [&](Index a, Index b) { return mesh.ring(a).size() < mesh.ring(b).size(); });
-}
-
-/** Calls @p visit with the place in the ring of @p centre, one of @p carriers, and the corners of
- * each triangle there that has all of them as corners, until it returns true. @return whether it
- * did */
-template <class Visit>
-bool anyTriangleWith(
-  const TriangleMesh& mesh, const Carriers& carriers, Index centre, const Visit& visit)
-{
-  const std::span<const RingEntry> ring = mesh.ring(centre);
-  WorkCount::add(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (ring[i].opensTriangle())
-    {
-      const Triangle t{ centre, ring[i].neighbour(), ring[i + 1].neighbour() };
-      const bool hasAll = std::all_of(carriers.begin(), carriers.end(),
-        [&](Index carrier) { return std::find(t.begin(), t.end(), carrier) != t.end(); });
-      if (hasAll && visit(i, t))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 void checkCurve(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, std::size_t seed)
 {
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     const Carriers carriers = carriersOfSegment(mesh, points[i], points[i + 1]);
-    if (carriers.size() > 3 ||
-      !anyTriangleWith(mesh, carriers, fewestRound(mesh, carriers),
-        [](std::size_t, const Triangle&) { return true; }))
+    bool isInTriangle = false;
+    if (carriers.size() <= 3)
+    {
+      mesh.visitTrianglesWith({ carriers.begin(), carriers.end() },
+        [&](Index, std::size_t, const Triangle&) { isInTriangle = true; });
+    }
+    if (!isInTriangle)
     {
       throw std::invalid_argument(nameOf(seed) + " is a curve whose segment " + std::to_string(i) +
         " lies neither in one face nor along one edge of the surface. Give it a point on each edge "
@@ -152,15 +123,13 @@ std::vector<Index> cornersRound(
     return corners;
   }
   std::vector<Index> corners;
-  const Index centre = fewestRound(mesh, carriers);
-  anyTriangleWith(mesh, carriers, centre,
-    [&](std::size_t place, const Triangle& triangle)
+  mesh.visitTrianglesWith({ carriers.begin(), carriers.end() },
+    [&](Index centre, std::size_t place, const Triangle& triangle)
     {
       if (closed.isOpen(centre, place))
       {
         corners.insert(corners.end(), triangle.begin(), triangle.end());
       }
-      return false;
     });
   sortUnique(corners);
   return corners;

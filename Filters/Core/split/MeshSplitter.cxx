@@ -153,7 +153,7 @@ Index MeshSplitter::pointAt(const PathPoint& place)
     points.emplace(fraction, added);
     return added;
   }
-  const Index face = this->Base.trianglesWith({ carriers.begin(), carriers.end() }).front();
+  const Index face = this->Base.firstTriangleWith({ carriers.begin(), carriers.end() });
   auto& places = this->FacePlaces[face];
   const Triangle& corners = this->Base.triangle(face);
   const double sum = weightOf(point, corners[0]) + SumOfWeights * weightOf(point, corners[1]);

@@ -124,7 +124,7 @@ SurfacePoint SplitMesh::pointOf(const SurfacePoint& basePoint) const
   {
     const std::array<Index, 3> vertices{ this->vertexOf(corners[0]), this->vertexOf(corners[1]),
       this->vertexOf(corners[2]) };
-    tryIn(this->Mesh->trianglesWith(vertices).front());
+    tryIn(this->Mesh->firstTriangleWith(vertices));
   }
   return snapped(best);
 }

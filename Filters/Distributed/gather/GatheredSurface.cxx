@@ -147,10 +147,8 @@ void GatheredSurface::takeIn(const Corridor& moved, const bridge::Barriers& barr
     const bool mayBeOwn = std::all_of(
       corners.begin(), corners.end(), [&](Index point) { return point < piece.numberOfPoints(); });
     if (mayBeOwn &&
-      !piece
-         .trianglesWith(std::array{ piece.vertexOfPoint(corners[0]),
-           piece.vertexOfPoint(corners[1]), piece.vertexOfPoint(corners[2]) })
-         .empty())
+      piece.firstTriangleWith(std::array{ piece.vertexOfPoint(corners[0]),
+        piece.vertexOfPoint(corners[1]), piece.vertexOfPoint(corners[2]) }) != NoIndex)
     {
       continue;
     }
@@ -238,11 +236,10 @@ void GatheredSurface::relocate(GlobalPoint& point) const
     return;
   }
   const Carriers carriers = at.carriers();
-  const std::vector<Index> triangles =
-    this->Mesh->trianglesWith({ carriers.begin(), carriers.end() });
-  if (!triangles.empty())
+  const Index triangle = this->Mesh->firstTriangleWith({ carriers.begin(), carriers.end() });
+  if (triangle != NoIndex)
   {
-    SurfacePoint& local = point.local.emplace_back(SurfacePoint{ triangles.front(), {} });
+    SurfacePoint& local = point.local.emplace_back(SurfacePoint{ triangle, {} });
     for (int c = 0; c < 3; ++c)
     {
       local.weights[c] = weightOf(at, this->Mesh->triangle(local.triangle)[c]);

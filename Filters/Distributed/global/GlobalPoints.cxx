@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "global/GlobalPoints.h"
 
+#include "base/BoundingBox.h"
+#include "base/Interruption.h"
 #include "filter/VtkVersions.h"
 #include "input/PointIdentity.h"
+#include "mesh/Carriers.h"
+#include "mesh/MortonCurve.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"
 #include "request/PointResolver.h"
@@ -14,9 +18,13 @@
 #include "vtkIdList.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 namespace geodesic::distributed
 {
@@ -26,11 +34,46 @@ namespace
 /** The nearest point of one rank's piece to a position. */
 struct Projection
 {
+  /** Of the position, in the caller's list. */
+  std::size_t number;
   Vector3 query;
   NearestOrder::Candidate nearest;
   SurfacePoint point;
 };
 
+/** The order of positions along a space-filling curve: what is looked for one after the other is
+ * near in memory then. Few positions stay in their order. */
+std::vector<Index> orderAlongCurve(const std::vector<Vector3>& positions)
+{
+  std::vector<Index> order(positions.size());
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  BoundingBox box;
+  for (const Vector3& position : positions)
+  {
+    box.add(position);
+  }
+  constexpr std::size_t few = 256;
+  constexpr double least = 1e-30;
+  constexpr double most = 1e30;
+  const double diagonal = norm(box.high - box.low);
+  if (positions.size() < few || !(diagonal > least && diagonal < most))
+  {
+    return order;
+  }
+  const MortonCurve curve(box);
+  std::vector<std::pair<std::uint64_t, Index>> keyed;
+  keyed.reserve(positions.size());
+  for (const Index i : order)
+  {
+    keyed.emplace_back(curve.codeOf(positions[i]), i);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::transform(
+    keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
+  return order;
+}
+
+/** Returns the projections in the order of orderAlongCurve(). */
 std::vector<Projection> localProjections(const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property, Precision precision,
   const ThreadTeam& team)
@@ -38,6 +81,7 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
   const TriangleMesh& mesh = surface.mesh();
   const PointSearch& search = surface.piece().closestPoints();
   const std::vector<Vector3> positions = bridge::positionsAt(coordinates, property);
+  const std::vector<Index> order = orderAlongCurve(positions);
   const bool hasPoints = mesh.numberOfTriangles() > 0;
   if (hasPoints && team.numberOfRanges(positions.size()) > 1)
   {
@@ -50,11 +94,13 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
     {
       for (std::size_t i = first; i < last; ++i)
       {
+        Interruption::checkAt(i);
         Projection& projection = projections[i];
-        projection.query = positions[i];
+        projection.number = order[i];
+        projection.query = positions[order[i]];
         if (hasPoints)
         {
-          const auto nearest = search.closestPoint(positions[i]);
+          const auto nearest = search.closestPoint(projection.query);
           projection.nearest.distance = nearest.distance;
           projection.point = precision == Precision::Single
             ? bridge::snappedAsSingle(mesh, nearest.point)
@@ -147,33 +193,32 @@ private:
   /** The point on this rank's piece; empty if no triangle of the piece has all carriers. */
   std::vector<SurfacePoint> local(const TriangleMesh& mesh, const SharedPoints& shared) const
   {
-    std::vector<Index> carriers;
-    std::vector<double> weights;
+    Carriers carriers;
+    std::array<double, 3> weights{};
     for (int c = 0; c < 3; ++c)
     {
       const double* entry = this->Values + 4 + 3 * c;
       if (entry[2] > 0.0)
       {
-        carriers.push_back(
-          shared.find({ static_cast<int>(entry[0]), static_cast<Index>(entry[1]) }));
-        weights.push_back(entry[2]);
+        weights[static_cast<std::size_t>(carriers.size())] = entry[2];
+        carriers.addNew(shared.find({ static_cast<int>(entry[0]), static_cast<Index>(entry[1]) }));
       }
     }
-    if (std::find(carriers.begin(), carriers.end(), NoIndex) != carriers.end())
+    if (carriers.contains(NoIndex))
     {
       return {};
     }
-    const std::vector<Index> triangles = mesh.trianglesWith(carriers);
-    if (triangles.empty())
+    const Index triangle = mesh.firstTriangleWith({ carriers.begin(), carriers.end() });
+    if (triangle == NoIndex)
     {
       return {};
     }
-    SurfacePoint point{ triangles.front(), { 0.0, 0.0, 0.0 } };
-    const Triangle& corners = mesh.triangle(point.triangle);
-    for (std::size_t i = 0; i < carriers.size(); ++i)
+    SurfacePoint point{ triangle, { 0.0, 0.0, 0.0 } };
+    const Triangle& corners = mesh.triangle(triangle);
+    for (int i = 0; i < carriers.size(); ++i)
     {
       point.weights[std::find(corners.begin(), corners.end(), carriers[i]) - corners.begin()] =
-        weights[i];
+        weights[static_cast<std::size_t>(i)];
     }
     return { point };
   }
@@ -190,6 +235,7 @@ std::vector<GlobalPoint> shareRows(RankGroup& ranks, const DistributedSurface& s
   const std::vector<double> rows = ranks.gather(ownRows);
   for (std::size_t i = 0; i < rows.size(); i += CarriedPoint::Size)
   {
+    Interruption::checkAt(i / CarriedPoint::Size);
     const CarriedPoint carried(rows.data() + i);
     points[carried.number()] = carried.point(surface.mesh(), surface.shared());
     isKnown[carried.number()] = true;
@@ -247,7 +293,7 @@ std::vector<GlobalPoint> globalPointsAt(RankGroup& ranks, const DistributedSurfa
     {
       appendRow(rows,
         CarriedPoint::rowOf(
-          i, own[i].nearest.position, surface.mesh(), surface.shared(), own[i].point));
+          own[i].number, own[i].nearest.position, surface.mesh(), surface.shared(), own[i].point));
     }
   }
   std::vector<bool> isKnown;

@@ -51,7 +51,8 @@ std::map<GlobalVertex, double> placeOf(const GlobalPathPoint& point)
 /** Whether some vertices are those of a face, an edge or a point of the piece. */
 bool haveFace(const TriangleMesh& mesh, const Carriers& vertices)
 {
-  return vertices.size() <= 3 && !mesh.trianglesWith({ vertices.begin(), vertices.end() }).empty();
+  return vertices.size() <= 3 &&
+    mesh.firstTriangleWith({ vertices.begin(), vertices.end() }) != NoIndex;
 }
 
 /** A point on this rank's piece; without corners if it is not there. */
