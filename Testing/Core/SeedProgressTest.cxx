@@ -7,6 +7,7 @@
 #include "march/FastMarchingSolver.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/DistanceField.h"
+#include "windows/ExactSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,40 @@ TEST(SeedProgress, ARunMayBeCancelledWhileItsFrontsAreMade)
   EXPECT_LT(reports[0], options.progressInterval);
   EXPECT_EQ(field.stopReason(), StopReason::Cancelled);
   EXPECT_TRUE(field.reached().empty());
+}
+
+// What a solver keeps of its last run is not that of one that was cancelled before it marched.
+TEST(SeedProgress, NothingIsKeptOfRunsBeforeACancelledOne)
+{
+  const auto mesh = meshOf(hillyGrid(79, 79));
+  const std::vector<Seed> many = randomEdgesOf(*mesh, 5000);
+  const std::vector<Seed> one{ seedAt(*mesh, 40) };
+  const std::vector<double> cheap(mesh->numberOfVertices(), 1.5);
+  const std::vector<double> dear(mesh->numberOfVertices(), 6.0);
+  SolveOptions options;
+  const auto solve = [&](DistanceSolver& solver, const std::vector<Seed>& seeds, bool isCancelled)
+  {
+    options.onProgress = [=](std::size_t) { return !isCancelled; };
+    return solver.solve(seeds, options).largestDistance();
+  };
+  FastMarchingSolver fast(mesh);
+  options.cost = cheap;
+  solve(fast, one, false);
+  options.cost = dear;
+  solve(fast, many, true);
+  options.keepsSurface = true;
+  const double kept = solve(fast, one, false);
+  FastMarchingSolver another(mesh);
+  EXPECT_EQ(kept, solve(another, one, false));
+
+  options = {};
+  const SurfacePoint start{ 2000, { 0.2, 0.3, 0.5 } };
+  options.pathStarts = { &start, 1 };
+  ExactSolver exact(mesh);
+  solve(exact, one, false);
+  EXPECT_TRUE(exact.pathFrom(start));
+  solve(exact, many, true);
+  EXPECT_FALSE(exact.pathFrom(start));
 }
 
 TEST(SeedProgress, AnyReportMayCancel)

@@ -25,8 +25,7 @@ constexpr std::size_t MostNamed = 5;
 bool shareFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   const Carriers corners = unionOf(PathPoint::at(mesh, a), PathPoint::at(mesh, b));
-  return corners.size() <= 3 &&
-    mesh.firstTriangleWith({ corners.begin(), corners.end() }) != NoIndex;
+  return corners.size() <= 3 && mesh.hasTriangleWith({ corners.begin(), corners.end() });
 }
 
 std::vector<LinePoints> pointsOnSurface(const InputSurface& surface, vtkDataObject* data)

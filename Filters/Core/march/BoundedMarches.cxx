@@ -220,8 +220,11 @@ bool MarchingSolver::finishWithinBounds(std::span<const StartValue> starts, cons
     marches.goesOn();
     isFinished = !marches.areCancelled(request.partition);
   }
-  takeFirstMarch(this->mesh(), request.front.labels, starts, taking, this->LabelsWithin,
-    request.partition, field);
+  if (isFinished)
+  {
+    takeFirstMarch(this->mesh(), request.front.labels, starts, taking, this->LabelsWithin,
+      request.partition, field);
+  }
   if (taking == Taking::WhereLessRaised && isFinished)
   {
     isFinished = lowerAlongEdges(this->mesh(), request.closed, marches.get(),

@@ -191,7 +191,8 @@ public:
    * its vertex becomes +infinity, which keeps updates from giving its vertex another value of the
    * label; this holds where another label has a start that counts. Idle are those from which no
    * update counts.
-   * @param goesOn  called for each few thousand starts; when it returns false this ends
+   * @param goesOn  called for each few thousand starts; when it returns false this ends, without
+   *                any start
    */
   std::span<const StartValue> within(const TriangleMesh& mesh, std::span<const Label> labels,
     std::span<const StartValue> starts, const std::function<bool()>& goesOn);

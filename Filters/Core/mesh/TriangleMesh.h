@@ -177,8 +177,12 @@ public:
   /** The triangles that have all of some vertices as corners, sorted by number. Time O(log n) for
    * each triangle round the one of these vertices that has the fewest. */
   std::vector<Index> trianglesWith(std::span<const Index> corners) const;
-  /** The first of these; NoIndex if there is none. Time O(log n), and that of a look at each
-   * triangle round the vertex that has the fewest. */
+  /** Whether a triangle has all of some vertices as corners. @pre there are one to three, all
+   * different. Time O(log n) for three of them, else that of visitTrianglesWith(). */
+  bool hasTriangleWith(std::span<const Index> corners) const;
+  /** The lowest number of a triangle that has all of some vertices as corners; NoIndex if none has.
+   * Time O(log n), and O(1) for each triangle round the one of one or two vertices that has the
+   * fewest. @pre there are one to three vertices, all different */
   Index firstTriangleWith(std::span<const Index> corners) const;
   /**
    * Calls visit(centre, place, corners) for each triangle that has all of some vertices as corners.

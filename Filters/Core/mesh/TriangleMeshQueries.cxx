@@ -44,8 +44,24 @@ std::vector<Index> TriangleMesh::trianglesWith(std::span<const Index> corners) c
   return found;
 }
 
+bool TriangleMesh::hasTriangleWith(std::span<const Index> corners) const
+{
+  if (corners.size() == 3)
+  {
+    return !this->trianglesOf({ corners[0], corners[1], corners[2] }).empty();
+  }
+  bool hasAny = false;
+  this->visitTrianglesWith(corners, [&](Index, std::size_t, const Triangle&) { hasAny = true; });
+  return hasAny;
+}
+
 Index TriangleMesh::firstTriangleWith(std::span<const Index> corners) const
 {
+  if (corners.size() == 3)
+  {
+    const std::vector<Index> same = this->trianglesOf({ corners[0], corners[1], corners[2] });
+    return same.empty() ? NoIndex : same.front();
+  }
   Index lowest = NoIndex;
   std::ptrdiff_t count = 0;
   Triangle least{ NoIndex, NoIndex, NoIndex };

@@ -26,8 +26,7 @@ SurfacePath joinedCurve(
   {
     const PathPoint next = PathPoint::at(mesh, points[i]);
     const Carriers corners = unionOf(curve.back(), next);
-    if (corners.size() <= 3 &&
-      mesh.firstTriangleWith({ corners.begin(), corners.end() }) != NoIndex)
+    if (corners.size() <= 3 && mesh.hasTriangleWith({ corners.begin(), corners.end() }))
     {
       curve.push_back(next);
       continue;

@@ -66,6 +66,8 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
     *this->Mesh, closed, seeds, [&] { return marches.goesOn(); }, partition, front);
   if (marches.areCancelled(partition))
   {
+    this->Closed.reset();
+    this->forgetLast();
     this->Field.reset();
     this->Field.finish(0.0, StopReason::Cancelled);
     return this->Field;

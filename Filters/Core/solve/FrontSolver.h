@@ -68,6 +68,10 @@ protected:
    */
   virtual bool march(const Request& request, StopLimit& limit, DistanceField& field) = 0;
 
+  /** To be called instead of march() for a run that was cancelled before it: what is kept of the
+   * last run must not be taken for this one's. */
+  virtual void forgetLast() {}
+
   /** Makes what depends on positions anew for a mesh of the same structure. @return false, with
    * nothing done, where that does not pay */
   virtual bool renewFor(const TriangleMesh& /*mesh*/) { return false; }

@@ -35,7 +35,8 @@ public:
   OptionsOfMarches& operator=(const OptionsOfMarches&) = delete;
 
   const SolveOptions& get() const { return this->Own; }
-  /** To be called often by what takes long between marches: each time counts as a step. Once it was
+  /** To be called often by what takes long before, between or after marches: each time counts as a
+   * step. Once it was
    * told to cancel it stays so. @return false when cancelled */
   bool goesOn()
   {

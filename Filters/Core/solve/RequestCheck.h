@@ -25,7 +25,7 @@ void checkOptions(const TriangleMesh& mesh, const SolveOptions& options);
 
 /**
  * Checks that a front can start from every seed. Collective.
- * @pre the seeds are on the mesh (see makeSeedFront())
+ * @pre the seeds are on the mesh (see checkSeeds())
  * @throws std::invalid_argument with the number of the first seed from which none can: one with a
  *         point at an excluded vertex, on an edge or in a face of excluded vertices only, or inside
  *         closed triangles

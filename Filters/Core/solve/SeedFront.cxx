@@ -18,7 +18,6 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 
 namespace geodesic
 {
@@ -67,13 +66,7 @@ void checkCurve(const TriangleMesh& mesh, const std::vector<SurfacePoint>& point
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     const Carriers carriers = carriersOfSegment(mesh, points[i], points[i + 1]);
-    bool isInTriangle = false;
-    if (carriers.size() <= 3)
-    {
-      mesh.visitTrianglesWith({ carriers.begin(), carriers.end() },
-        [&](Index, std::size_t, const Triangle&) { isInTriangle = true; });
-    }
-    if (!isInTriangle)
+    if (carriers.size() > 3 || !mesh.hasTriangleWith({ carriers.begin(), carriers.end() }))
     {
       throw std::invalid_argument(nameOf(seed) + " is a curve whose segment " + std::to_string(i) +
         " lies neither in one face nor along one edge of the surface. Give it a point on each edge "
@@ -325,7 +318,7 @@ private:
     const std::vector<SurfacePoint>& points, std::size_t first, std::size_t last, bool hasRoundEnds)
   {
     const Index label = this->addLabel(FrontShape::Straight);
-    std::vector<FrontStart> starts;
+    std::map<Index, double> lengths;
     double lengthOfLine = 0.0;
     for (std::size_t i = first; i < last; ++i)
     {
@@ -334,14 +327,15 @@ private:
       lengthOfLine += norm(b - a);
       for (Index vertex : this->cornersRoundSegment(points[i], points[i + 1]))
       {
-        starts.push_back({ vertex, label, distanceToSegment(this->Mesh.position(vertex), a, b) });
+        const double length = distanceToSegment(this->Mesh.position(vertex), a, b);
+        const auto [place, isNew] = lengths.emplace(vertex, length);
+        place->second = std::min(place->second, length);
       }
     }
-    std::sort(starts.begin(), starts.end(),
-      [](const FrontStart& x, const FrontStart& y)
-      { return std::tie(x.vertex, x.length) < std::tie(y.vertex, y.length); });
-    std::unique_copy(starts.begin(), starts.end(), std::back_inserter(this->Front.starts),
-      [](const FrontStart& x, const FrontStart& y) { return x.vertex == y.vertex; });
+    for (const auto& [vertex, length] : lengths)
+    {
+      this->Front.starts.push_back({ vertex, label, length });
+    }
     if (hasRoundEnds)
     {
       this->Front.labels[label].length = lengthOfLine;

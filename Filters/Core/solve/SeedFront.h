@@ -81,7 +81,8 @@ void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Par
  * @pre checkSeeds() has accepted the seeds
  * @param closed triangles that no front crosses; none starts through them either
  * @param goesOn called for each few thousand points of seeds; once it has returned false, the front
- *               is of no use
+ *               is of no use. On pieces of a surface it is made to its end all the same, as others
+ *               wait
  * @param front  gets the labels and starts; what it held is lost, but its memory is used again
  */
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,

@@ -89,9 +89,10 @@ struct SolveOptions
   /**
    * Called each time that the march has taken another progressInterval vertices from its queue,
    * with the number of vertices so far; now and then again with the same number where many seeds
-   * are placed or nothing new is reached. Before marches and between those of dense seeds each call
-   * counts as one vertex. A search for paths (PathFinder) also calls it between marches, and counts
-   * what it looks at there. Returning false cancels the run.
+   * are placed or nothing new is reached. Before marches of many seeds, between them and after them
+   * it is called as well, whatever progressInterval is, and each call counts as one vertex. A
+   * search for paths (PathFinder) also calls it between marches, and counts what it looks at there.
+   * Returning false cancels the run.
    */
   std::function<bool(std::size_t)> onProgress;
   std::size_t progressInterval = 100;

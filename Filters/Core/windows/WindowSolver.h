@@ -38,6 +38,8 @@ protected:
   bool marchWindows(const char* distances, const WindowMerging* merging, const Request& request,
     StopLimit& limit, DistanceField& field);
 
+  void forgetLast() override { this->Reach = -1.0; }
+
   /** How the last run came to a point that it reached. */
   virtual std::vector<SurfacePoint> trace(
     const SurfacePoint& start, const PathStarts::Start& found) const = 0;

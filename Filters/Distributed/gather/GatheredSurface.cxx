@@ -147,8 +147,8 @@ void GatheredSurface::takeIn(const Corridor& moved, const bridge::Barriers& barr
     const bool mayBeOwn = std::all_of(
       corners.begin(), corners.end(), [&](Index point) { return point < piece.numberOfPoints(); });
     if (mayBeOwn &&
-      piece.firstTriangleWith(std::array{ piece.vertexOfPoint(corners[0]),
-        piece.vertexOfPoint(corners[1]), piece.vertexOfPoint(corners[2]) }) != NoIndex)
+      piece.hasTriangleWith(std::array{ piece.vertexOfPoint(corners[0]),
+        piece.vertexOfPoint(corners[1]), piece.vertexOfPoint(corners[2]) }))
     {
       continue;
     }

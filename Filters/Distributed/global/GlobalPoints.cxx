@@ -112,7 +112,8 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
   return projections;
 }
 
-/** Returns for each projection the rank whose point is the nearest. Collective. */
+/** Returns for each projection the rank whose point is the nearest. All ranks must have projected
+ * the same positions, in the same order. Collective. */
 std::vector<int> nearestRanks(RankGroup& ranks, const std::vector<Projection>& own)
 {
   std::vector<double> flat;

@@ -51,8 +51,7 @@ std::map<GlobalVertex, double> placeOf(const GlobalPathPoint& point)
 /** Whether some vertices are those of a face, an edge or a point of the piece. */
 bool haveFace(const TriangleMesh& mesh, const Carriers& vertices)
 {
-  return vertices.size() <= 3 &&
-    mesh.firstTriangleWith({ vertices.begin(), vertices.end() }) != NoIndex;
+  return vertices.size() <= 3 && mesh.hasTriangleWith({ vertices.begin(), vertices.end() });
 }
 
 /** A point on this rank's piece; without corners if it is not there. */

@@ -85,7 +85,7 @@ bool shareFaceHere(const DistributedSurface& surface, const GlobalPoint& a, cons
     local.push_back(surface.shared().find(carrier));
   }
   const bool areAllLocal = std::find(local.begin(), local.end(), NoIndex) == local.end();
-  return local.size() <= 3 && areAllLocal && surface.mesh().firstTriangleWith(local) != NoIndex;
+  return local.size() <= 3 && areAllLocal && surface.mesh().hasTriangleWith(local);
 }
 
 /**
