@@ -14,9 +14,12 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -237,6 +240,44 @@ TEST(TriangleMesh, FindsTrianglesThatLieOnEachOther)
   EXPECT_EQ(sourcesAt({ 0, 1 }), twins);
   EXPECT_EQ(sourcesAt({ 0 }), twins);
   EXPECT_EQ(sourcesAt({ 1, 2 }), (std::vector<Index>{ 0, 1, 2 }));
+}
+
+// Also where triangles lie on each other, and round vertices that are the lowest of very many.
+TEST(TriangleMesh, FindsTheFirstTriangleOfSomeCorners)
+{
+  std::vector<Surface> surfaces{ disc(100), pages(50), joined(disc(40), disc(40)) };
+  for (const MeshKind kind :
+    { MeshKind::Closed, MeshKind::Grid, MeshKind::Needles, MeshKind::NonManifold })
+  {
+    surfaces.push_back(randomSurface(kind, 3));
+  }
+  for (Surface& surface : surfaces)
+  {
+    const std::vector<Triangle> again = surface.triangles;
+    surface.triangles.insert(surface.triangles.end(), again.begin(), again.end());
+    const auto mesh = meshOf(surface);
+    std::mt19937 random(1);
+    std::uniform_int_distribution<Index> any(0, mesh->numberOfVertices() - 1);
+    const auto expectFirst = [&](std::span<const Index> corners)
+    {
+      const std::vector<Index> all = mesh->trianglesWith(corners);
+      EXPECT_EQ(mesh->firstTriangleWith(corners), all.empty() ? NoIndex : all.front());
+      EXPECT_EQ(mesh->hasTriangleWith(corners), !all.empty());
+    };
+    for (const Triangle& triangle : mesh->triangles())
+    {
+      for (std::size_t count = 1; count <= triangle.size(); ++count)
+      {
+        expectFirst(std::span(triangle).first(count));
+      }
+      const Triangle other{ triangle[0], triangle[1], any(random) };
+      if (other[2] != other[0] && other[2] != other[1])
+      {
+        expectFirst(std::span(other).last(2));
+        expectFirst(other);
+      }
+    }
+  }
 }
 
 TEST(TriangleMesh, PointAtVertexIsThere)

@@ -259,6 +259,11 @@ for sign in (1, -1):
     number = nearest_seed(binary, SeedPositions=[sign * 0.25, 0, 0, sign * -0.25, 0, 0])
     np.testing.assert_array_equal(number, sign * testing.points_of(binary)[:, 0] < 0)
 
+# Very many seeds are looked up in an order of their own, and keep their numbers.
+shuffled = np.random.default_rng(1).permutation(len(points))
+number = nearest_seed(plane, SeedPositions=points[shuffled].ravel().tolist())
+np.testing.assert_array_equal(number[shuffled], np.arange(len(points)))
+
 # Along edges, from the points of each seed.
 for cost, barrier, stop in itertools.product(
         [None, "x"], [None, "line"], ["no stop", "all", "whichever is first"]):

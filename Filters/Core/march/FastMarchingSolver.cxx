@@ -199,6 +199,7 @@ bool FastMarchingSolver::run(const Cost& cost, Values& values, std::span<const S
 {
   BatchedMarch<Cost, Values> batches(this->mesh(), *this->bounds(), request.closed, cost, values,
     this->Queues, control, this->MayUseQuads);
+  // Many more starts are set in a time than reportAgain() has been called for.
   constexpr std::size_t startsOfReport = 16;
   for (std::size_t i = 0; i < starts.size(); ++i)
   {
