@@ -11,6 +11,7 @@
 #include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
+#include "solve/SeedCheck.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>

@@ -73,6 +73,19 @@ inline Carriers carriersOf(const TriangleMesh& mesh, const SurfacePoint& point)
   }
   return carriers;
 }
+
+/** The vertices that carry the one point, the other one, or both. */
+inline Carriers carriersOf(
+  const TriangleMesh& mesh, const SurfacePoint& point, const SurfacePoint& other)
+{
+  Carriers carriers = carriersOf(mesh, point);
+  for (const Index carrier : carriersOf(mesh, other))
+  {
+    carriers.add(carrier);
+  }
+  return carriers;
+}
+
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "solve/OptionsOfMarches.h"
 #include "solve/Partition.h"
 #include "solve/RequestCheck.h"
+#include "solve/SeedCheck.h"
 #include "solve/StopLimit.h"
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
-#include "solve/SeedFront.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,107 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/SeedFront.h"
 
-#include "base/NumberText.h"
 #include "base/Platform.h"
 #include "base/SortUnique.h"
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
 #include "solve/Partition.h"
+#include "solve/RegionFront.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
-#include <set>
-#include <stdexcept>
 
 namespace geodesic
 {
 namespace
 {
-
-/** How messages call a seed. */
-std::string nameOf(std::size_t number)
-{
-  return "Seed " + std::to_string(number);
-}
-
-/** @param seed  its number */
-void checkPoint(const TriangleMesh& mesh, const SurfacePoint& point, std::size_t seed)
-{
-  const auto& weights = point.weights;
-  const double sum = weights[0] + weights[1] + weights[2];
-  const bool inside =
-    std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0.0; });
-  if (point.triangle >= mesh.numberOfTriangles())
-  {
-    throw std::invalid_argument(nameOf(seed) + " lies in triangle " +
-      std::to_string(point.triangle) + ", but the mesh has " +
-      std::to_string(mesh.numberOfTriangles()) + " triangles.");
-  }
-  if (!inside || !(std::abs(sum - 1.0) < 1e-6))
-  {
-    throw std::invalid_argument(nameOf(seed) + " has barycentric weights " + textOf(weights[0]) +
-      ", " + textOf(weights[1]) + ", " + textOf(weights[2]) +
-      "; each must be at least 0 and their sum 1.");
-  }
-}
-
-Carriers carriersOfSegment(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
-{
-  Carriers carriers = carriersOf(mesh, a);
-  for (const Index carrier : carriersOf(mesh, b))
-  {
-    carriers.add(carrier);
-  }
-  return carriers;
-}
-
-void checkCurve(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, std::size_t seed)
-{
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-  {
-    const Carriers carriers = carriersOfSegment(mesh, points[i], points[i + 1]);
-    if (carriers.size() > 3 || !mesh.hasTriangleWith({ carriers.begin(), carriers.end() }))
-    {
-      throw std::invalid_argument(nameOf(seed) + " is a curve whose segment " + std::to_string(i) +
-        " lies neither in one face nor along one edge of the surface. Give it a point on each edge "
-        "that it crosses.");
-    }
-  }
-}
-
-void checkSeed(const TriangleMesh& mesh, const Seed& seed, std::size_t number, bool mayBeElsewhere)
-{
-  if (seed.points.empty() && seed.vertices.empty() && !mayBeElsewhere)
-  {
-    throw std::invalid_argument(nameOf(number) + " has no point.");
-  }
-  if (!(seed.value >= 0.0 && std::isfinite(seed.value)))
-  {
-    throw std::invalid_argument(nameOf(number) + " has the value " + textOf(seed.value) +
-      "; it must be finite and at least 0.");
-  }
-  for (const SurfacePoint& point : seed.points)
-  {
-    checkPoint(mesh, point, number);
-  }
-  for (Index vertex : seed.vertices)
-  {
-    if (vertex >= mesh.numberOfVertices())
-    {
-      throw std::invalid_argument(nameOf(number) + " has vertex " + std::to_string(vertex) +
-        ", but the mesh has " + std::to_string(mesh.numberOfVertices()) + " vertices.");
-    }
-  }
-  if (seed.kind == Seed::Kind::Curve)
-  {
-    checkCurve(mesh, seed.points, number);
-  }
-}
 
 /** The corners of every open triangle that has all of @p carriers (one, two or three) as corners.
  */
@@ -128,9 +45,6 @@ std::vector<Index> cornersRound(
   return corners;
 }
 
-/** How often makeSeedFront() calls goesOn(). */
-constexpr std::size_t PointsOfReport = 4096;
-
 double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
 {
   const Vector3 side = b - a;
@@ -139,15 +53,13 @@ double distanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
   return norm(p - (a + t * side));
 }
 
-/** Gathers the labels and starts of one seed after the other. */
+/** Adds the labels and starts of one seed after the other, as far as this piece has it. */
 class FrontBuilder
 {
 public:
-  FrontBuilder(
-    const TriangleMesh& mesh, const ClosedTriangles& closed, Partition& partition, SeedFront& front)
+  FrontBuilder(const TriangleMesh& mesh, const ClosedTriangles& closed, SeedFront& front)
     : Mesh(mesh)
     , Closed(closed)
-    , Pieces(partition)
     , Front(front)
   {
   }
@@ -165,13 +77,13 @@ public:
         this->addCurve(seed.points);
         break;
       case Seed::Kind::Region:
-        this->addRegion(seed.vertices);
+        // All regions together: see frontOfRegions().
         break;
     }
   }
 
 private:
-  /** A curve with more bends, or a region with more border vertices, gets no round labels there. */
+  /** A curve with more bends gets no round labels there. */
   static constexpr std::size_t MostRoundLabels = 256;
   /** A curve bends where the cosine of the angle between its segments is less. */
   static constexpr double StraightCosine = 0.985;
@@ -256,40 +168,10 @@ private:
   /** @param points all of the curve's, on one of the pieces; none on the others */
   void addCurve(const std::vector<SurfacePoint>& points)
   {
-    const std::size_t first = this->Front.labels.size();
-    if (!points.empty())
+    if (points.empty())
     {
-      this->addWholeCurve(points);
+      return;
     }
-    if (this->Pieces.isDivided())
-    {
-      this->addLabelsOfOthers(first);
-    }
-  }
-
-  /** Copies the labels from @p first on of the piece that has them to the pieces that have none. */
-  void addLabelsOfOthers(std::size_t first)
-  {
-    const bool hasOwn = this->Front.labels.size() > first;
-    std::vector<double> own;
-    for (std::size_t i = first; i < this->Front.labels.size(); ++i)
-    {
-      const Label& label = this->Front.labels[i];
-      own.insert(own.end(),
-        { label.shape == FrontShape::Round ? 1.0 : 0.0, label.position.x, label.position.y,
-          label.position.z, label.length });
-    }
-    const std::vector<double> all = this->Pieces.gather(own);
-    for (std::size_t i = 0; i < all.size() && !hasOwn; i += 5)
-    {
-      const Index label = this->addLabel(all[i] == 1.0 ? FrontShape::Round : FrontShape::Straight,
-        {}, { all[i + 1], all[i + 2], all[i + 3] });
-      this->Front.labels[label].length = all[i + 4];
-    }
-  }
-
-  void addWholeCurve(const std::vector<SurfacePoint>& points)
-  {
     std::vector<std::size_t> bends = this->bendsOf(points);
     const bool hasRoundEnds = bends.size() <= MostRoundLabels;
     if (!hasRoundEnds)
@@ -345,7 +227,7 @@ private:
   /** None if all faces of the segment are closed. */
   std::vector<Index> cornersRoundSegment(const SurfacePoint& a, const SurfacePoint& b) const
   {
-    const Carriers carriers = carriersOfSegment(this->Mesh, a, b);
+    const Carriers carriers = carriersOf(this->Mesh, a, b);
     return cornersRound(this->Mesh, this->Closed, carriers);
   }
 
@@ -372,130 +254,8 @@ private:
     return bends;
   }
 
-  void addRegion(std::vector<Index> vertices)
-  {
-    vertices = this->withThoseOfOthers(std::move(vertices));
-    const auto isInside = [&](Index vertex)
-    { return std::binary_search(vertices.begin(), vertices.end(), vertex); };
-    std::vector<Index> besideInside;
-    std::vector<Index> besideOutside;
-    for (Index vertex : vertices)
-    {
-      bool hasInside = false;
-      bool hasOutside = false;
-      for (const RingEntry& entry : this->Mesh.ring(vertex))
-      {
-        (isInside(entry.neighbour()) ? hasInside : hasOutside) = true;
-      }
-      if (hasInside)
-      {
-        besideInside.push_back(vertex);
-      }
-      if (hasOutside)
-      {
-        besideOutside.push_back(vertex);
-      }
-    }
-    const std::vector<Index> joined = this->withThoseOfOthers(std::move(besideInside));
-    besideOutside = this->withThoseOfOthers(std::move(besideOutside));
-    std::vector<Index> isolated;
-    std::set_difference(
-      vertices.begin(), vertices.end(), joined.begin(), joined.end(), std::back_inserter(isolated));
-    std::vector<Index> border;
-    std::set_intersection(joined.begin(), joined.end(), besideOutside.begin(), besideOutside.end(),
-      std::back_inserter(border));
-
-    this->addVertices(isolated);
-    if (this->isAnywhere(joined))
-    {
-      const Index label = this->addLabel(FrontShape::Straight);
-      for (Index vertex : joined)
-      {
-        this->Front.starts.push_back({ vertex, label, 0.0 });
-      }
-    }
-    if (this->countOf(border) <= static_cast<double>(MostRoundLabels))
-    {
-      this->addVertices(border);
-    }
-  }
-
-  /** Adds to a set of vertices the shared ones in the sets of other pieces; returns it sorted. */
-  std::vector<Index> withThoseOfOthers(std::vector<Index> vertices)
-  {
-    std::vector<StartValue> own;
-    own.reserve(vertices.size());
-    for (Index vertex : vertices)
-    {
-      own.push_back({ vertex, 0, 0.0, false });
-    }
-    for (const StartValue& other : this->Pieces.exchange(own))
-    {
-      vertices.push_back(other.vertex);
-    }
-    sortUnique(vertices);
-    return vertices;
-  }
-
-  /** The number of different vertices in the sets of all pieces. */
-  double countOf(const std::vector<Index>& vertices)
-  {
-    const auto owned = static_cast<double>(std::count_if(
-      vertices.begin(), vertices.end(), [&](Index vertex) { return this->Pieces.owns(vertex); }));
-    const std::vector<double> counts = this->Pieces.gather({ &owned, 1 });
-    return std::accumulate(counts.begin(), counts.end(), 0.0);
-  }
-
-  bool isAnywhere(const std::vector<Index>& vertices) { return this->countOf(vertices) > 0.0; }
-
-  /** Adds a round label at each vertex in the sets of all pieces, in the same order on each. */
-  void addVertices(const std::vector<Index>& vertices)
-  {
-    if (!this->Pieces.isDivided())
-    {
-      for (Index vertex : vertices)
-      {
-        this->addPoint(this->Mesh.pointAtVertex(vertex));
-      }
-      return;
-    }
-    std::vector<double> own;
-    std::map<std::array<double, 3>, Index> vertexAt;
-    for (Index vertex : vertices)
-    {
-      const Vector3& p = this->Mesh.position(vertex);
-      // Adding 0 turns -0 into 0, so that equal places have the same bits on all pieces.
-      const std::array place{ p.x + 0.0, p.y + 0.0, p.z + 0.0 };
-      // The triangles of a vertex can all be on other pieces, one of which then has its origin.
-      if (!this->Mesh.ring(vertex).empty())
-      {
-        vertexAt.emplace(place, vertex);
-      }
-      own.insert(own.end(), place.begin(), place.end());
-    }
-    const std::vector<double> all = this->Pieces.gather(own);
-    std::set<std::array<double, 3>> places;
-    for (std::size_t i = 0; i < all.size(); i += 3)
-    {
-      places.insert({ all[i], all[i + 1], all[i + 2] });
-    }
-    for (const std::array<double, 3>& place : places)
-    {
-      const Vector3 position{ place[0], place[1], place[2] };
-      if (const auto here = vertexAt.find(place); here != vertexAt.end())
-      {
-        this->addPoint(this->Mesh.pointAtVertex(here->second), position);
-      }
-      else
-      {
-        this->addLabel(FrontShape::Round, {}, position);
-      }
-    }
-  }
-
   const TriangleMesh& Mesh;
   const ClosedTriangles& Closed;
-  Partition& Pieces;
   SeedFront& Front;
   Index Number = 0;
   double Value = 0.0;
@@ -524,14 +284,88 @@ GEODESIC_INLINED void prefetchLater(
   }
 }
 
+bool isAnyOf(std::span<const Seed> seeds, Seed::Kind kind)
+{
+  return std::any_of(
+    seeds.begin(), seeds.end(), [&](const Seed& seed) { return seed.kind == kind; });
 }
 
-void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition)
+/** The labels of those curves that another piece has, by increasing number of the seed. Collective.
+ */
+SeedFront curvesOfOthers(
+  std::span<const Seed> seeds, const SeedFront& ownFront, Partition& partition)
 {
-  for (std::size_t s = 0; s < seeds.size(); ++s)
+  std::vector<double> own;
+  for (const Label& label : ownFront.labels)
   {
-    checkSeed(mesh, seeds[s], s, partition.isDivided());
+    if (seeds[label.seed].kind == Seed::Kind::Curve)
+    {
+      own.insert(own.end(),
+        { static_cast<double>(label.seed), label.shape == FrontShape::Round ? 1.0 : 0.0,
+          label.position.x, label.position.y, label.position.z, label.length });
+    }
   }
+  const std::vector<double> all = partition.gather(own);
+  SeedFront others;
+  for (std::size_t i = 0; i < all.size(); i += 6)
+  {
+    const auto seed = static_cast<Index>(all[i]);
+    if (seeds[seed].points.empty())
+    {
+      const FrontShape shape = all[i + 1] == 1.0 ? FrontShape::Round : FrontShape::Straight;
+      others.labels.push_back(
+        { seed, shape, seeds[seed].value, {}, { all[i + 2], all[i + 3], all[i + 4] }, all[i + 5] });
+    }
+  }
+  std::stable_sort(others.labels.begin(), others.labels.end(),
+    [](const Label& a, const Label& b) { return a.seed < b.seed; });
+  return others;
+}
+
+/** Adds the labels and starts of other seeds. Labels of both are by increasing number of the seed;
+ * so are they afterwards. */
+void merge(SeedFront& front, const SeedFront& others)
+{
+  if (others.labels.empty())
+  {
+    return;
+  }
+  SeedFront merged;
+  merged.labels.reserve(front.labels.size() + others.labels.size());
+  std::vector<Index> places;
+  std::vector<Index> placesOfOthers;
+  auto other = others.labels.begin();
+  const auto takeOthersBefore = [&](std::size_t seed)
+  {
+    for (; other != others.labels.end() && other->seed < seed; ++other)
+    {
+      placesOfOthers.push_back(static_cast<Index>(merged.labels.size()));
+      merged.labels.push_back(*other);
+    }
+  };
+  for (const Label& label : front.labels)
+  {
+    takeOthersBefore(label.seed);
+    places.push_back(static_cast<Index>(merged.labels.size()));
+    merged.labels.push_back(label);
+  }
+  takeOthersBefore(NoIndex);
+  const auto relabelled = [](std::vector<FrontStart> starts, const std::vector<Index>& labels)
+  {
+    for (FrontStart& start : starts)
+    {
+      start.label = labels[start.label];
+    }
+    return starts;
+  };
+  const std::vector<FrontStart> own = relabelled(std::move(front.starts), places);
+  const std::vector<FrontStart> added = relabelled(others.starts, placesOfOthers);
+  merged.starts.reserve(own.size() + added.size());
+  std::merge(own.begin(), own.end(), added.begin(), added.end(), std::back_inserter(merged.starts),
+    [](const FrontStart& a, const FrontStart& b) { return a.label < b.label; });
+  front = std::move(merged);
+}
+
 }
 
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
@@ -540,19 +374,26 @@ void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
 {
   front.labels.clear();
   front.starts.clear();
-  FrontBuilder builder(mesh, closed, partition, front);
+  FrontBuilder builder(mesh, closed, front);
   std::size_t points = 0;
   for (Index s = 0; s < seeds.size(); ++s)
   {
     prefetchLater(mesh, seeds, s);
     builder.add(seeds[s], s);
-    points += seeds[s].points.size() + seeds[s].vertices.size();
-    // The others wait for this piece's part of curves and regions.
-    if (points >= PointsOfReport && !goesOn() && !partition.isDivided())
+    points += seeds[s].points.size();
+    if (points >= PointsOfFrontReport && !goesOn())
     {
-      return;
+      break;
     }
-    points %= PointsOfReport;
+    points %= PointsOfFrontReport;
+  }
+  if (partition.isDivided() && isAnyOf(seeds, Seed::Kind::Curve))
+  {
+    merge(front, curvesOfOthers(seeds, front, partition));
+  }
+  if (isAnyOf(seeds, Seed::Kind::Region))
+  {
+    merge(front, frontOfRegions(mesh, seeds, goesOn, partition));
   }
 }
 

@@ -67,22 +67,17 @@ struct SeedFront
   std::vector<FrontStart> starts;
 };
 
-/**
- * @throws std::invalid_argument with the number of the first invalid seed: one without points, with
- * a triangle or vertex that does not exist, with weights that are negative or do not sum to 1,
- * or with a value that is negative or not finite; a curve with a segment that is neither in one
- * face nor along one edge
- */
-void checkSeeds(const TriangleMesh& mesh, std::span<const Seed> seeds, const Partition& partition);
+/** How often makeSeedFront() calls goesOn(). */
+inline constexpr std::size_t PointsOfFrontReport = 4096;
 
 /**
  * Makes labels and starts of seeds. Labels are the same on all pieces of the surface; starts are
- * those of this piece. Collective.
+ * those of this piece. Collective; the number of collective calls does not depend on the number of
+ * seeds.
  * @pre checkSeeds() has accepted the seeds
  * @param closed triangles that no front crosses; none starts through them either
- * @param goesOn called for each few thousand points of seeds; once it has returned false, the front
- *               is of no use. On pieces of a surface it is made to its end all the same, as others
- *               wait
+ * @param goesOn called for each few thousand points and vertices of seeds; once it has returned
+ * false, the front is of no use
  * @param front  gets the labels and starts; what it held is lost, but its memory is used again
  */
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
