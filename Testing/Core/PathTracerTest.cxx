@@ -4,11 +4,13 @@
 
 #include "path/PathTracer.h"
 #include "Solving.h"
+#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 using namespace geodesic;
@@ -41,4 +43,41 @@ TEST(PathTracer, TheLeastTotalOfASeedCounts)
     }
     EXPECT_EQ(PathTracer(weighted, field, noEnds).seedsNear(middle), (std::vector<Index>{ 1, 0 }));
   } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// So are paths followed on parts of a surface before it is known where they run.
+TEST(PathTracer, WithoutItsEndItGoesToTheBorderOfTheMesh)
+{
+  const auto mesh = meshOf(planeGrid(20, 20, 20.0, 20.0));
+  SolveOptions options;
+  std::vector<std::uint8_t> incomplete(mesh->numberOfVertices());
+  DistanceField field(mesh->numberOfVertices());
+  for (Index v = 0; v < mesh->numberOfVertices(); ++v)
+  {
+    const Vector3& p = mesh->position(v);
+    incomplete[v] = p.x < 5.0 || p.y < 5.0 ? 1 : 0;
+    field.setDistance(v, norm(p));
+    field.setNearestSeed(v, 7);
+  }
+  options.incomplete = incomplete;
+  SearchProgress progress(options);
+  const WeightedMesh weighted(*mesh, options, progress);
+  const PathEnds noEnds(*mesh, {});
+  PathTracer tracer(weighted, field, noEnds);
+  const Index start = std::max_element(field.distances().begin(), field.distances().end()) -
+    field.distances().begin();
+  try
+  {
+    tracer.trace(PathPoint::atVertex(start), 7, PathOrder::Edges);
+    ADD_FAILURE() << "It has come to an end.";
+  }
+  catch (const IncompleteRing& border)
+  {
+    const Vector3& p = mesh->position(border.vertex());
+    EXPECT_LT(norm(p - Vector3{ 5.0, 5.0, 0.0 }), 2.0);
+  }
+  const auto path = tracer.trace(PathPoint::atVertex(start), 7, PathOrder::Edges,
+    [&](const SurfacePath& soFar) { return soFar.back().position(*mesh).x < 10.0; });
+  ASSERT_TRUE(path);
+  EXPECT_NEAR(path->back().position(*mesh).x, 10.0, 1.0);
 }

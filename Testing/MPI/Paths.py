@@ -66,6 +66,16 @@ PATHS = {
                               StartPositions=cases.points_on("bunny", 20)[27:])),
     "nearest along edges": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 9),
                                           StartPositions=cases.points_on("bunny", 20)[27:], InterpolationOrder=0)),
+    "many nearest": ("large", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("large", 40),
+                                   StartPositions=cases.points_on("large", 500)[120:])),
+    "many traced": ("large", dict(PathMode="ToNearestSeed", WaypointPositions=ON_TORUS, Straighten="Off",
+                                  StartPositions=cases.points_on("large", 200))),
+    "many along edges": ("bunny", dict(PathMode="ToNearestSeed", WaypointPositions=cases.points_on("bunny", 4),
+                                       StartPositions=cases.points_on("bunny", 60)[12:], InterpolationOrder=0)),
+    "many with cost": ("torus", dict(PathMode="ToNearestSeed", WaypointPositions=ON_TORUS, CostArray=["POINTS", "Cost"],
+                                     StartPositions=cases.points_on("torus", 60))),
+    "many round a line": ("torus", dict(PathMode="ToNearestSeed", WaypointPositions=ON_TORUS,
+                                        StartPositions=cases.points_on("torus", 60), **LINE)),
     "exact": between("bunny", 3, Method="Exact", GatherForExact=1),
     "exact traced": between("bunny", 2, Method="Exact", GatherForExact=1, Straighten="Off"),
     "exact along edges": between("bunny", 2, Method="Exact", GatherForExact=1, InterpolationOrder=0),
@@ -171,11 +181,17 @@ if harness.RANKS > 1:
     short = found(harness.surface("bunny", "slabs"), dict(PATHS["bunny"][1]))
     assert count / harness.RANKS <= short["held"] < count / harness.RANKS + 0.15 * count, (short["held"], count)
 
-    # So along edges, where the way can lie anywhere in a wide strip, and beside a barrier round the whole surface: so
-    # many points for each edge of the way, on a mesh of 480 x 240 points; the barrier's 700 edges have few points each.
+    # So with very many starts: no more than its piece again, and what lies round each of them.
+    many = found(harness.surface("large", "slabs"), dict(PATHS["many nearest"][1]))
     points, cells = pieces.SURFACES["large"]()
     owner = pieces.owners(points, cells, "slabs", harness.RANKS)
     piece = np.max([len(np.unique(cells[owner == rank])) for rank in range(harness.RANKS)])
+    if harness.IS_FIRST:
+        print(f"many nearest: {many['held'] - piece} points beside a piece of {piece}", flush=True)
+    assert many["held"] <= 2 * piece + 20 * 500, (many["held"], piece)
+
+    # So along edges, where the way can lie anywhere in a wide strip, and beside a barrier round the whole surface: so
+    # many points for each edge of the way, on a mesh of 480 x 240 points; the barrier's 700 edges have few points each.
     whole_round = simple.PolyLineSource(Points=[1.4, 0.01, 0, -0.7, 1.21, 0, -0.7, -1.21, 0], Closed=1)
     for name, edges, options in (
             ("straight", 240, {}),

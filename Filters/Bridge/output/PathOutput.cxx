@@ -18,6 +18,7 @@
 #include <array>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace geodesic::bridge
@@ -136,24 +137,24 @@ double PathOutput::write(const Line& line, SurfaceNormals& normals)
   return length;
 }
 
-std::optional<SurfaceNormals> PathOutput::normalsOfAll() const
+PathOutput::NormalsOfMesh PathOutput::normalsOfMany() const
 {
   // To find the triangles round one vertex takes as long as to go through so many of all.
   constexpr std::size_t many = 8;
-  if (this->Lines.empty())
+  std::map<const PathAttributes*, std::size_t> sizes;
+  for (const Line& line : this->Lines)
   {
-    return std::nullopt;
+    sizes[&line.attributes] += line.size();
   }
-  const PathAttributes& attributes = this->Lines.front().attributes;
-  const bool areOfOne = std::all_of(this->Lines.begin(), this->Lines.end(),
-    [&](const Line& line) { return &line.attributes == &attributes; });
-  if (!areOfOne || many * this->Size < attributes.mesh().numberOfVertices())
+  NormalsOfMesh made;
+  for (const auto& [attributes, size] : sizes)
   {
-    return std::nullopt;
+    if (many * size >= attributes->mesh().numberOfVertices())
+    {
+      made.emplace(attributes, normalsOf(*attributes)).first->second.makeAll();
+    }
   }
-  SurfaceNormals normals = normalsOf(attributes);
-  normals.makeAll();
-  return normals;
+  return made;
 }
 
 void PathOutput::addLengths(bool isChain)
@@ -173,7 +174,7 @@ void PathOutput::addLengths(bool isChain)
 
 void PathOutput::writePoints(const ThreadTeam& team)
 {
-  std::optional<SurfaceNormals> ofAll = this->normalsOfAll();
+  NormalsOfMesh ofMany = this->normalsOfMany();
   team.run(this->Size,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -183,13 +184,14 @@ void PathOutput::writePoints(const ThreadTeam& team)
            line != this->Lines.end() && line->start < last; ++line)
       {
         Interruption::check();
-        if (!ofAll && attributes != &line->attributes)
+        const auto known = ofMany.find(&line->attributes);
+        if (known == ofMany.end() && attributes != &line->attributes)
         {
           attributes = &line->attributes;
           own.emplace(normalsOf(*attributes));
         }
-        this->Lengths->SetValue(
-          line - this->Lines.begin(), this->write(*line, ofAll ? *ofAll : *own));
+        this->Lengths->SetValue(line - this->Lines.begin(),
+          this->write(*line, known == ofMany.end() ? *own : known->second));
       }
     });
 }

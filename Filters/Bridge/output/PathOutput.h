@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -86,8 +87,9 @@ private:
   void writePoints(const ThreadTeam& team);
   /** Writes all that belongs to the points of a line. @return its length */
   double write(const Line& line, SurfaceNormals& normals);
-  /** All normals of the surface, where so many paths are on one that this is faster. */
-  std::optional<SurfaceNormals> normalsOfAll() const;
+  using NormalsOfMesh = std::map<const PathAttributes*, SurfaceNormals>;
+  /** Normals at all vertices of the meshes on which lines have many points. */
+  NormalsOfMesh normalsOfMany() const;
   void addLengths(bool isChain);
 
   double HeightOffset;

@@ -34,6 +34,8 @@ public:
   }
 
   const PathPoint& operator[](Index number) const { return this->Points[number]; }
+  /** Whether there is an end of a number. */
+  bool has(Index number) const { return number < this->Points.size(); }
 
   /** Calls @p visit with the number of each end that lies in a face. Time O(log n) for n ends, and
    * the same again for each end at a corner. */

@@ -115,7 +115,7 @@ std::optional<SurfacePath> PathTracer::trace(
 void PathTracer::aimAt(Index seed)
 {
   this->Aim = seed;
-  this->AimCarriers = seed == NoIndex ? Carriers{} : this->Seeds[seed].carriers();
+  this->AimCarriers = this->Seeds.has(seed) ? this->Seeds[seed].carriers() : Carriers{};
 }
 
 std::optional<SurfacePath> PathTracer::traceToAim(
@@ -192,7 +192,7 @@ std::optional<PathStep> PathTracer::stepToSeed(const Place& from, PathOrder orde
   std::optional<PathStep> best;
   const auto tryEnd = [&](Index seed, const Triangle& face)
   {
-    if (seed != NoIndex && liesIn(this->Seeds[seed], face))
+    if (this->Seeds.has(seed) && liesIn(this->Seeds[seed], face))
     {
       const PathPoint& end = this->Seeds[seed];
       const double cost = order == PathOrder::Edges

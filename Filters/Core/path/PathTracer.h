@@ -41,8 +41,9 @@ class PathTracer
 public:
   /**
    * @param field distances, with one at every vertex near the path
-   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed; all
-   *              three must live as long as the tracer
+   * @param seeds the points from which the field was measured, by DistanceField::nearestSeed. None
+   *              if they are beyond the border of an incomplete mesh: no path ends at a seed then.
+   *              All three must live as long as the tracer
    */
   PathTracer(const WeightedMesh& weighted, const DistanceField& field, const PathEnds& seeds)
     : Surface(weighted)

@@ -3,48 +3,22 @@
 #include "algorithm/DistributedPathFinder.h"
 
 #include "algorithm/WholeSurface.h"
-#include "gather/GatheredSurface.h"
 #include "global/GlobalSeeds.h"
 #include "pieces/DistributedSurface.h"
-#include "split/BaseMeshPath.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace geodesic::distributed
 {
 namespace
 {
 
-/**
- * The radius of the ball by which a corridor grows where a path needs more triangles, in longest
- * edges there. It lets the path go on for a while, and brings few triangles that are too far beside
- * the path.
- */
-constexpr double ReachInEdges = 8.0;
-
-template <class T>
-RankGroup::Message bytesOf(std::span<const T> values)
-{
-  RankGroup::Message message;
-  for (const T& value : values)
-  {
-    append(message, value);
-  }
-  return message;
-}
-
-/** Returns balls that contain the corners of the triangles with the points. */
-std::vector<Ball> ballsRound(std::span<const GlobalPoint> points)
-{
-  constexpr double rounding = 1e-6;
-  std::vector<Ball> balls;
-  for (const GlobalPoint& point : points)
-  {
-    balls.push_back({ point.position, (1.0 + rounding) * point.longestEdge });
-  }
-  return balls;
-}
+/** So many paths are sought together at first, or as many as there are ends: the corridor has those
+ * as well. */
+constexpr std::size_t FirstTogether = 64;
 
 std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
 {
@@ -58,46 +32,12 @@ std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
 
 }
 
-/** A solver on the corridor, which returns the field that all ranks solve together. */
-class DistributedPathFinder::CorridorSolver final : public DistanceSolver
-{
-public:
-  CorridorSolver(DistributedPathFinder& finder, Corridor& corridor, CorridorMesh& mesh)
-    : Finder(finder)
-    , Collected(corridor)
-    , Mesh(mesh)
-  {
-  }
-
-  const TriangleMesh& mesh() const override { return this->Mesh.mesh(); }
-
-  const DistanceField& solve(std::span<const Seed>, const SolveOptions& options) override
-  {
-    std::vector<GlobalVertex> targets;
-    for (const Triangle& target : options.targets)
-    {
-      targets.push_back(this->Mesh.vertex(target[0]).vertex);
-    }
-    if (this->Finder.reach(targets))
-    {
-      const std::vector<Ball> balls(this->Collected.balls().begin(), this->Collected.balls().end());
-      this->Finder.sendOrder(Order::Cut, bytesOf<Ball>(balls));
-      this->Collected.add(this->Finder.cutOnAll(balls), {});
-    }
-    return this->Mesh.fieldOf(this->Collected, this->Finder.Field->stopReason());
-  }
-
-private:
-  DistributedPathFinder& Finder;
-  Corridor& Collected;
-  CorridorMesh& Mesh;
-};
-
 DistributedPathFinder::DistributedPathFinder(
   const PathRequest& request, std::vector<GlobalPoint> ends)
   : Request(request)
   , Ends(std::move(ends))
   , Partition(request.ranks, request.mesh)
+  , Together(std::max(FirstTogether, this->Ends.size()))
 {
   if (request.ranks.size() == 1)
   {
@@ -138,126 +78,108 @@ bool DistributedPathFinder::march(std::span<const GlobalPoint> starts)
     // The field along edges is enough.
     return true;
   }
-  return this->onCorridor(starts,
-           [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
-           { return finder.march(corridor->pointsOf(starts)) ? Index{ 1 } : Index{ 0 }; }) == 1;
+  return this->askFirst([&] { return this->leadMarch(starts); }).front().end == 0;
 }
 
 std::optional<TracedPath> DistributedPathFinder::pathFrom(const GlobalPoint& start)
 {
-  TracedPath traced;
-  if (this->Whole)
+  if (!this->Whole)
   {
-    auto path = this->Whole->pathFrom(start.local.front());
-    if (!path)
-    {
-      return std::nullopt;
-    }
-    traced.end = this->Whole->seedAtEnd(*path);
-    traced.cost = this->Whole->cost();
-    traced.isProvenShortest = this->Whole->isProvenShortest();
-    traced.path = std::move(*path);
-    return traced;
+    return std::move(this->pathsFrom({ &start, 1 }).front());
   }
-  if (this->EdgeSolver)
-  {
-    return this->pathAlongEdgesFrom(start);
-  }
-  traced.end = this->onCorridor({ &start, 1 },
-    [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
-    {
-      const SurfacePoint local = corridor->pointsOf({ &start, 1 }).front();
-      const bool isMarched = this->OnWhole || finder.march({ &local, 1 });
-      auto path = isMarched ? finder.pathFrom(local) : std::nullopt;
-      if (!path)
-      {
-        return NoIndex;
-      }
-      traced.cost = finder.cost();
-      traced.isProvenShortest = finder.isProvenShortest();
-      this->takeToInput(*path, *corridor, traced);
-      return finder.seedAtEnd(*path);
-    });
-  traced.isProvenShortest = this->Request.ranks.isAny(traced.isProvenShortest);
-  return traced.end == NoIndex ? std::nullopt : std::optional(std::move(traced));
-}
-
-std::optional<TracedPath> DistributedPathFinder::pathAlongEdgesFrom(const GlobalPoint& start)
-{
-  Index end = 0;
-  if (this->Ends.size() > 1)
-  {
-    end = this->onCorridor({ &start, 1 },
-      [&](PathFinder& finder, const std::shared_ptr<const CorridorMesh>& corridor)
-      {
-        const SurfacePoint local = corridor->pointsOf({ &start, 1 }).front();
-        return finder.march({ &local, 1 }) ? finder.nearestSeed(local) : NoIndex;
-      });
-  }
-  if (end == NoIndex)
+  auto path = this->Whole->pathFrom(start.local.front());
+  if (!path)
   {
     return std::nullopt;
   }
-  const PathRequest& own = this->Request;
-  const PathRequest request{ own.ranks, own.surface, own.gathered, own.split, own.mesh,
-    *this->EdgeSolver, own.options, own.style, own.input, nullptr };
-  DistributedPathFinder finder(request, { this->Ends[end] });
-  auto traced = finder.march({ &start, 1 }) ? finder.pathFrom(start) : std::nullopt;
-  if (traced)
-  {
-    traced->end = end;
-  }
-  this->LargestCorridor = std::max(this->LargestCorridor, finder.LargestCorridor);
+  TracedPath traced;
+  traced.end = this->Whole->seedAtEnd(*path);
+  traced.cost = this->Whole->cost();
+  traced.isProvenShortest = this->Whole->isProvenShortest();
+  traced.path = std::move(*path);
   return traced;
 }
 
-Index DistributedPathFinder::onCorridor(std::span<const GlobalPoint> points, const Action& action)
+std::vector<std::optional<TracedPath>> DistributedPathFinder::pathsFrom(
+  std::span<const GlobalPoint> starts)
+{
+  std::vector<std::optional<TracedPath>> paths;
+  if (this->Whole)
+  {
+    for (const GlobalPoint& start : starts)
+    {
+      paths.push_back(this->pathFrom(start));
+    }
+    return paths;
+  }
+  if (this->EdgeSolver)
+  {
+    return this->pathsAlongEdgesFrom(starts);
+  }
+  std::vector<TracedPath> traced(starts.size());
+  const Answers answers = this->askFirst([&] { return this->leadPaths(starts, traced); });
+  for (std::size_t i = 0; i < starts.size(); ++i)
+  {
+    traced[i].end = answers[i].end;
+    traced[i].isProvenShortest = answers[i].isProvenShortest != 0;
+    paths.push_back(traced[i].end == NoIndex ? std::nullopt : std::optional(std::move(traced[i])));
+  }
+  return paths;
+}
+
+std::vector<std::optional<TracedPath>> DistributedPathFinder::pathsAlongEdgesFrom(
+  std::span<const GlobalPoint> starts)
+{
+  std::map<Index, std::vector<std::size_t>> startsByEnd;
+  const Answers answers = this->Ends.size() == 1
+    ? Answers(starts.size(), { 0 })
+    : this->askFirst([&] { return this->leadToNearest(starts); });
+  for (std::size_t i = 0; i < starts.size(); ++i)
+  {
+    startsByEnd[answers[i].end].push_back(i);
+  }
+  startsByEnd.erase(NoIndex);
+  std::vector<std::optional<TracedPath>> paths(starts.size());
+  for (const auto& [end, numbers] : startsByEnd)
+  {
+    std::vector<GlobalPoint> startsOfEnd;
+    std::transform(numbers.begin(), numbers.end(), std::back_inserter(startsOfEnd),
+      [&](std::size_t i) { return starts[i]; });
+    const PathRequest& own = this->Request;
+    const PathRequest request{ own.ranks, own.surface, own.gathered, own.split, own.mesh,
+      *this->EdgeSolver, own.options, own.style, own.input, nullptr };
+    DistributedPathFinder finder(request, { this->Ends[end] });
+    if (finder.march(startsOfEnd))
+    {
+      auto found = finder.pathsFrom(startsOfEnd);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        if (found[i])
+        {
+          found[i]->end = end;
+          paths[numbers[i]] = std::move(found[i]);
+        }
+      }
+    }
+    this->LargestCorridor = std::max(this->LargestCorridor, finder.LargestCorridor);
+  }
+  return paths;
+}
+
+DistributedPathFinder::Answers DistributedPathFinder::askFirst(
+  const std::function<Answers()>& action)
 {
   if (this->Request.ranks.rank() > 0)
   {
     return this->followOrders();
   }
   // If this fails, the other ranks, which wait for orders, throw as well; see Agreement.
-  const Index answer = this->lead(points, action);
-  this->sendOrder(Order::Done, bytesOf<Index>({ &answer, 1 }));
-  return answer;
+  Answers answers = action();
+  this->sendOrder(Order::Done, bytesOf<Answer>(answers));
+  return answers;
 }
 
-Index DistributedPathFinder::lead(std::span<const GlobalPoint> points, const Action& action)
-{
-  if (this->OnWhole)
-  {
-    return action(*this->OnWhole, this->Request.whole->corridor());
-  }
-  if (!this->FirstCorridor)
-  {
-    Corridor first;
-    this->extend(first, ballsRound(this->Ends));
-    this->FirstCorridor = std::move(first);
-  }
-  Corridor corridor = *this->FirstCorridor;
-  this->extend(corridor, ballsRound(points));
-  while (true)
-  {
-    const auto mesh = std::make_shared<CorridorMesh>(corridor, this->HasCost);
-    try
-    {
-      CorridorSolver source(*this, corridor, *mesh);
-      SolveOptions options = mesh->options();
-      options.onProgress = this->Request.options.onProgress;
-      PathFinder finder(source, mesh->pointsOf(this->Ends), options, this->Request.style);
-      return action(finder, mesh);
-    }
-    catch (const IncompleteRing& end)
-    {
-      const PatchVertex& vertex = mesh->vertex(end.vertex());
-      const Ball ball{ vertex.position, ReachInEdges * vertex.longestEdge };
-      this->extend(corridor, { &ball, 1 });
-    }
-  }
-}
-
-Index DistributedPathFinder::followOrders()
+DistributedPathFinder::Answers DistributedPathFinder::followOrders()
 {
   while (true)
   {
@@ -265,7 +187,7 @@ Index DistributedPathFinder::followOrders()
     const RankGroup::Message content(order.begin() + 1, order.end());
     if (static_cast<Order>(order.front()) == Order::Done)
     {
-      return valuesIn<Index>(content).front();
+      return valuesIn<Answer>(content);
     }
     this->carryOut(static_cast<Order>(order.front()), content);
   }
@@ -294,56 +216,9 @@ void DistributedPathFinder::sendOrder(Order order, const RankGroup::Message& con
   this->Request.ranks.fromFirst(message);
 }
 
-void DistributedPathFinder::extend(Corridor& corridor, std::span<const Ball> balls)
-{
-  this->sendOrder(Order::Cut, bytesOf(balls));
-  corridor.add(this->cutOnAll(balls), balls);
-  this->LargestCorridor = std::max(this->LargestCorridor, corridor.vertices().size());
-}
-
 std::vector<SurfacePatch> DistributedPathFinder::cutOnAll(std::span<const Ball> balls)
 {
   return patchesOfAll(this->Request.ranks, [&] { return this->Cutter->cut(balls, this->Field); });
-}
-
-void DistributedPathFinder::takeToInput(
-  const SurfacePath& path, const CorridorMesh& corridor, TracedPath& traced)
-{
-  std::vector<GlobalVertex> carriers;
-  std::map<GlobalVertex, Index> numbers;
-  const auto numberOf = [&](const GlobalVertex& vertex)
-  {
-    const auto [known, isNew] = numbers.emplace(vertex, static_cast<Index>(carriers.size()));
-    if (isNew)
-    {
-      carriers.push_back(vertex);
-    }
-    return known->second;
-  };
-  const auto originOf = [&](Index vertex)
-  {
-    const GlobalVertex global = corridor.vertex(vertex).vertex;
-    if (!this->Request.gathered)
-    {
-      return PathPoint::atVertex(numberOf(global));
-    }
-    const GlobalPathPoint origin = this->Request.gathered->originOf(global, this->Request.split);
-    PathPoint point{ {}, origin.weights };
-    std::transform(origin.corners.begin(), origin.corners.end(), point.corners.begin(), numberOf);
-    return point;
-  };
-  traced.path = basePath(corridor.mesh(), path, originOf);
-  this->sendOrder(Order::CutInput, bytesOf<GlobalVertex>(carriers));
-  Corridor alongPath;
-  alongPath.add(this->cutInputOnAll(carriers), {});
-  traced.corridor = std::make_shared<const CorridorMesh>(alongPath, false);
-  for (PathPoint& point : traced.path)
-  {
-    for (Index& corner : point.corners)
-    {
-      corner = traced.corridor->find(carriers[corner]);
-    }
-  }
 }
 
 std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
@@ -373,29 +248,6 @@ std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
       }
       return patch;
     });
-}
-
-bool DistributedPathFinder::reach(const std::vector<GlobalVertex>& targets)
-{
-  const bool reachesAll = this->Field && this->Field->stopReason() == StopReason::Exhausted;
-  const bool reachesThese = !targets.empty() &&
-    std::all_of(targets.begin(), targets.end(),
-      [&](const GlobalVertex& target) { return this->Reached.contains(target); });
-  if (reachesAll || reachesThese)
-  {
-    return false;
-  }
-  this->Reached.insert(targets.begin(), targets.end());
-  // Later paths may need the targets of earlier paths again.
-  std::vector<GlobalVertex> all;
-  if (!targets.empty())
-  {
-    all.assign(this->Reached.begin(), this->Reached.end());
-  }
-  this->sendOrder(Order::Solve, bytesOf<GlobalVertex>(all));
-  this->solve(all);
-  this->FirstCorridor.reset();
-  return true;
 }
 
 void DistributedPathFinder::solve(std::span<const GlobalVertex> targets)

@@ -4,6 +4,7 @@
 #define geodesic_distributed_DistributedPathFinder_h
 
 #include "algorithm/DistributedSolver.h"
+#include "algorithm/PathScout.h"
 #include "gather/Corridor.h"
 #include "gather/CorridorMesh.h"
 #include "gather/PatchCutter.h"
@@ -13,6 +14,8 @@
 #include "solve/DijkstraSolver.h"
 #include "solve/DistanceSolver.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,10 +81,12 @@ struct TracedPath
  * number of ranks. PathFinder does the same on one rank.
  *
  * All ranks solve the field together. The first rank then finds the path, by a PathFinder on a
- * corridor of the surface. If the PathFinder needs triangles that the corridor does not have (see
- * IncompleteRing), all ranks send their triangles in a ball there, and the search begins again. The
- * other ranks follow the first rank's orders until it is done. So the first rank holds its piece
- * and O(length of the path) triangles, however the surface was cut into pieces.
+ * corridor of the surface, to which all ranks send their triangles in balls along the path (see
+ * PathScout). If the PathFinder needs triangles that the corridor does not have (see
+ * IncompleteRing), they send those in balls there, and the search begins again. The other ranks
+ * follow the first rank's orders until it is done. So the first rank holds its piece and O(length
+ * of the path) triangles, however the surface was cut into pieces; of several paths at once at most
+ * as many as a piece has.
  *
  * Methods that need the surface in one piece work on a WholeSurface instead of a corridor, on the
  * first rank alone.
@@ -105,6 +110,9 @@ public:
   bool march(std::span<const GlobalPoint> starts);
   /** See PathFinder::pathFrom(). Returns none as well if the search was cancelled. */
   std::optional<TracedPath> pathFrom(const GlobalPoint& start);
+  /** The same from several starts. On several ranks this takes far less than one after the other,
+   * most of all if they are near each other. */
+  std::vector<std::optional<TracedPath>> pathsFrom(std::span<const GlobalPoint> starts);
 
   /** The field that the last march made. @pre there is one rank */
   const DistanceField& fieldOfOneRank() const { return this->Whole->field(); }
@@ -113,11 +121,20 @@ public:
 
 private:
   class CorridorSolver;
+  /** What the first rank tells the others of a search. */
+  struct Answer
+  {
+    /** The number of the end; NoIndex if there is none. Of a march, 0 if it was not cancelled. */
+    Index end = NoIndex;
+    std::uint32_t isProvenShortest = 0;
+  };
+  using Answers = std::vector<Answer>;
+  using CorridorPointer = std::shared_ptr<const CorridorMesh>;
   /**
-   * What the first rank does with a path finder on a corridor.
-   * @return the answer for all ranks
+   * What the first rank does with a path finder on the corridor.
+   * @return the vertices without which it could not do all; then it is called again
    */
-  using Action = std::function<Index(PathFinder&, const std::shared_ptr<const CorridorMesh>&)>;
+  using Attempt = std::function<std::vector<PatchVertex>(PathFinder&, const CorridorPointer&)>;
 
   enum class Order : char
   {
@@ -131,13 +148,9 @@ private:
     Done
   };
 
-  /**
-   * Runs an action on the first rank, with a path finder on a corridor that has the points, and
-   * returns the action's answer on all ranks.
-   */
-  Index onCorridor(std::span<const GlobalPoint> points, const Action& action);
-  Index lead(std::span<const GlobalPoint> points, const Action& action);
-  Index followOrders();
+  /** Runs an action on the first rank, whose orders the others follow. Returns its answers. */
+  Answers askFirst(const std::function<Answers()>& action);
+  Answers followOrders();
   /**
    * Carries out one order of the first rank.
    * @pre the order is Solve, Cut or CutInput
@@ -145,15 +158,35 @@ private:
   void carryOut(Order order, const RankGroup::Message& content);
   void sendOrder(Order order, const RankGroup::Message& content);
 
-  /** Returns the path along edges to the nearest end, which the field tells if there are several.
-   */
-  std::optional<TracedPath> pathAlongEdgesFrom(const GlobalPoint& start);
+  /** Returns paths along edges to the nearest ends, which the field tells if there are several. */
+  std::vector<std::optional<TracedPath>> pathsAlongEdgesFrom(std::span<const GlobalPoint> starts);
 
-  /** Adds all triangles in some balls to a corridor of the first rank. */
-  void extend(Corridor& corridor, std::span<const Ball> balls);
+  // On the first rank.
+  Answers leadMarch(std::span<const GlobalPoint> starts);
+  Answers leadToNearest(std::span<const GlobalPoint> starts);
+  Answers leadPaths(std::span<const GlobalPoint> starts, std::span<TracedPath> traced);
+  /** Finds as many of the first of these paths as fit into a corridor. @return their answers */
+  Answers leadSomePaths(std::span<const GlobalPoint> starts, std::span<TracedPath> traced);
+  /** Finds those of the paths for which the corridor is large enough. @param isPending  whether a
+   * path is still to be found */
+  std::vector<PatchVertex> tracePaths(std::span<const GlobalPoint> starts, PathFinder& finder,
+    const CorridorPointer& corridor, std::vector<bool>& isPending, Answers& answers,
+    std::span<TracedPath> traced);
+  /** Calls @p attempt until it lacks nothing. Between the calls the corridor grows. */
+  void onCorridor(const Attempt& attempt);
+  /** Takes the corridor at the end points alone where it has grown too large for other paths. */
+  void shrinkCorridor();
+  /** The number of points that a corridor of several paths may have. */
+  std::size_t mostPointsOfCorridor() const;
+  PathScout scout();
+
+  /** Has all ranks cut the triangles in some balls. */
+  std::vector<SurfacePatch> orderCut(std::span<const Ball> balls);
+  /** Adds all triangles in some balls to the corridor. */
+  void extend(std::span<const Ball> balls);
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
-  /** Converts a path on a corridor to one on the input's surface. */
-  void takeToInput(const SurfacePath& path, const CorridorMesh& corridor, TracedPath& traced);
+  /** Converts paths on a corridor to such on the input's surface. */
+  void takeToInput(std::span<TracedPath*> paths, const CorridorMesh& corridor);
   std::vector<SurfacePatch> cutInputOnAll(std::span<const GlobalVertex> vertices);
   /**
    * Makes the field reach vertices, or all vertices if there are no targets.
@@ -177,8 +210,12 @@ private:
   /** The vertices that the field reaches, or is known to be unable to reach. */
   std::set<GlobalVertex> Reached;
   const DistanceField* Field = nullptr;
-  /** The corridor at the end points alone. */
-  std::optional<Corridor> FirstCorridor;
+  /** On the first rank: the triangles at the end points, and along the paths found last. */
+  std::optional<Corridor> Along;
+  /** The number of its points at the end points alone. */
+  std::size_t PointsAtEnds = 0;
+  /** How many paths are likely to fit into it. */
+  std::size_t Together;
   std::size_t LargestCorridor = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "algorithm/PathSearches.h"
 
 #include "base/SharedJobs.h"
+#include "mesh/CurveOrder.h"
 #include "mesh/TriangleMesh.h"
 #include "methods/SolverTeam.h"
 #include "path/PathFinder.h"
@@ -20,6 +21,9 @@ namespace
 /** By which fraction another path must cost less to be taken: that of two ways round one path does
  * not hang on rounding. */
 constexpr double Rounding = 1e-9;
+
+/** On several ranks paths from so many starts are found before it is asked whether to go on. */
+constexpr std::size_t StartsTogether = 4096;
 
 }
 
@@ -131,15 +135,7 @@ std::vector<PathSearches::FromStart> PathSearches::fromStarts(
   std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends)
 {
   std::vector<FromStart> found(starts.size());
-  if (this->Request.ranks.size() > 1)
-  {
-    this->findFromStarts(starts, ends, found);
-    return found;
-  }
-  std::vector<SurfacePoint> points;
-  std::transform(starts.begin(), starts.end(), std::back_inserter(points),
-    [](const GlobalPoint& start) { return start.local[0]; });
-  const std::vector<std::size_t> order = orderInMemory(this->Solvers.first().mesh(), points);
+  const std::vector<std::size_t> order = this->orderOf(starts);
   std::vector<GlobalPoint> ordered;
   std::transform(order.begin(), order.end(), std::back_inserter(ordered),
     [&](std::size_t i) { return starts[i]; });
@@ -150,6 +146,22 @@ std::vector<PathSearches::FromStart> PathSearches::fromStarts(
     found[order[i]] = std::move(foundInOrder[i]);
   }
   return found;
+}
+
+std::vector<std::size_t> PathSearches::orderOf(std::span<const GlobalPoint> starts)
+{
+  if (this->Request.ranks.size() > 1)
+  {
+    std::vector<Vector3> positions;
+    std::transform(starts.begin(), starts.end(), std::back_inserter(positions),
+      [](const GlobalPoint& start) { return start.position; });
+    const std::vector<Index> order = orderAlongCurve(positions);
+    return { order.begin(), order.end() };
+  }
+  std::vector<SurfacePoint> points;
+  std::transform(starts.begin(), starts.end(), std::back_inserter(points),
+    [](const GlobalPoint& start) { return start.local[0]; });
+  return orderInMemory(this->Solvers.first().mesh(), points);
 }
 
 void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
@@ -171,12 +183,18 @@ void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
   {
     this->shareStarts(starts, ends, finder.fieldOfOneRank(), stepsOfMarch, found);
   }
-  for (std::size_t i = 0; i < starts.size() && !this->IsAbortedNow(); ++i)
+  const std::size_t together = this->Request.ranks.size() == 1 ? 1 : StartsTogether;
+  for (std::size_t i = 0; i < starts.size() && !this->IsAbortedNow(); i += together)
   {
-    if (!found[i].isMade)
+    if (found[i].isMade)
     {
-      found[i].path = finder.pathFrom(starts[i]);
-      found[i].isMade = !this->IsAbortedNow();
+      continue;
+    }
+    auto paths = finder.pathsFrom(starts.subspan(i, std::min(together, starts.size() - i)));
+    const bool areMade = !this->IsAbortedNow();
+    for (std::size_t k = 0; k < paths.size(); ++k)
+    {
+      found[i + k] = { areMade, std::move(paths[k]) };
     }
   }
   this->count(finder);

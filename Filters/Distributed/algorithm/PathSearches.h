@@ -67,8 +67,7 @@ public:
     std::optional<TracedPath> path;
   };
 
-  /** Finds paths from starts, each to the nearest of some ends, by one march for all. On one rank
-   * they are found in the order of orderInMemory(). */
+  /** Finds paths from starts, each to the nearest of some ends, by one march for all. */
   std::vector<FromStart> fromStarts(
     std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends);
 
@@ -81,7 +80,9 @@ private:
   /** The request with another solver. */
   PathRequest withSolver(DistanceSolver& solver) const;
   std::vector<bool> runTogether(std::size_t count, const Search& search);
-  /** As fromStarts(), one after the other. */
+  /** The numbers of the starts in the order in which their paths are best found. */
+  std::vector<std::size_t> orderOf(std::span<const GlobalPoint> starts);
+  /** As fromStarts(), in their order. */
   void findFromStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
     std::vector<FromStart>& found);
   /** Finds paths on threads as far as the finder's field allows; leaves out the others. */

@@ -14,12 +14,7 @@ void Corridor::add(std::span<const SurfacePatch> patches, std::span<const Ball> 
     std::vector<std::uint32_t> places;
     for (const PatchVertex& vertex : patch.vertices)
     {
-      const std::uint32_t place = this->placeOf(vertex);
-      places.push_back(place);
-      const Vector3& position = this->Vertices[place].position;
-      this->Complete[place] = this->Complete[place] ||
-        std::any_of(
-          balls.begin(), balls.end(), [&](const Ball& ball) { return ball.contains(position); });
+      places.push_back(this->placeOf(vertex));
     }
     for (PatchTriangle triangle : patch.triangles)
     {
@@ -33,6 +28,21 @@ void Corridor::add(std::span<const SurfacePatch> patches, std::span<const Ball> 
   this->Balls.insert(this->Balls.end(), balls.begin(), balls.end());
 }
 
+float Corridor::depthOf(const GlobalVertex& vertex) const
+{
+  const auto known = this->Places.find(vertex);
+  return known == this->Places.end() ? PatchVertex::Outside : this->Vertices[known->second].depth;
+}
+
+std::size_t Corridor::HashOfCorners::operator()(const std::array<std::uint32_t, 3>& corners) const
+{
+  // Odd numbers near the golden ratio of 2^64.
+  constexpr std::uint64_t first = 0x9e3779b97f4a7c15;
+  constexpr std::uint64_t second = 0xbf58476d1ce4e5b9;
+  const std::uint64_t hash = (corners[0] * first) ^ (corners[1] * second);
+  return static_cast<std::size_t>((hash ^ hash >> 32) * first + corners[2]);
+}
+
 std::uint32_t Corridor::placeOf(const PatchVertex& vertex)
 {
   const auto [known, isNew] =
@@ -40,12 +50,13 @@ std::uint32_t Corridor::placeOf(const PatchVertex& vertex)
   if (isNew)
   {
     this->Vertices.push_back(vertex);
-    this->Complete.push_back(false);
   }
   else
   {
-    this->Vertices[known->second].distance = vertex.distance;
-    this->Vertices[known->second].nearestSeed = vertex.nearestSeed;
+    PatchVertex& here = this->Vertices[known->second];
+    here.distance = vertex.distance;
+    here.nearestSeed = vertex.nearestSeed;
+    here.depth = std::max(here.depth, vertex.depth);
   }
   return known->second;
 }

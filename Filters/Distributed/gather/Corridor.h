@@ -7,8 +7,8 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic::distributed
@@ -31,23 +31,28 @@ public:
   const std::vector<PatchVertex>& vertices() const { return this->Vertices; }
   /** The triangles; their corners are positions in vertices(). */
   const std::vector<PatchTriangle>& triangles() const { return this->Triangles; }
-  /**
-   * Whether the vertex at a position of vertices() lies in one of the balls. Then all its triangles
-   * are there.
-   */
-  bool isComplete(std::size_t place) const { return this->Complete[place]; }
+  /** Whether all triangles of the vertex at a position of vertices() are there. */
+  bool isComplete(std::size_t place) const { return this->Vertices[place].depth >= 0.0f; }
+  /** How deep a vertex lies in one of the balls, see PatchVertex; PatchVertex::Outside if it is not
+   * there. */
+  float depthOf(const GlobalVertex& vertex) const;
 
 private:
   std::uint32_t placeOf(const PatchVertex& vertex);
   void addTriangle(const PatchTriangle& triangle);
 
+  /** For the sorted corners of a triangle. */
+  struct HashOfCorners
+  {
+    std::size_t operator()(const std::array<std::uint32_t, 3>& corners) const;
+  };
+
   std::vector<Ball> Balls;
   std::vector<PatchVertex> Vertices;
-  std::vector<bool> Complete;
   std::vector<PatchTriangle> Triangles;
-  std::map<GlobalVertex, std::uint32_t> Places;
+  std::unordered_map<GlobalVertex, std::uint32_t, HashOfVertex> Places;
   /** The positions of triangles by their sorted corners. */
-  std::map<std::array<std::uint32_t, 3>, std::size_t> TrianglePlaces;
+  std::unordered_map<std::array<std::uint32_t, 3>, std::size_t, HashOfCorners> TrianglePlaces;
 };
 
 }

@@ -11,8 +11,8 @@
 #include "solve/SolveOptions.h"
 
 #include <cstdint>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic::distributed
@@ -60,7 +60,7 @@ public:
 private:
   std::vector<PatchVertex> Vertices;
   TriangleMesh Mesh;
-  std::map<GlobalVertex, Index> VertexOf;
+  std::unordered_map<GlobalVertex, Index, HashOfVertex> VertexOf;
   std::vector<double> Cost;
   std::vector<std::uint8_t> Excluded;
   std::vector<std::uint8_t> Incomplete;

@@ -46,7 +46,21 @@ PatchCutter::PatchCutter(const DividedMesh& mesh, const SolveOptions& options)
 
 SurfacePatch PatchCutter::cut(std::span<const Ball> balls, const DistanceField* field) const
 {
-  return this->cutRound(this->verticesIn(balls), field);
+  const std::vector<Inner> inner = this->verticesIn(balls);
+  std::vector<Index> vertices;
+  std::unordered_map<GlobalVertex, float, HashOfVertex> depths;
+  for (const Inner& each : inner)
+  {
+    vertices.push_back(each.vertex);
+    depths.emplace(this->Mesh.shared().globalOf(each.vertex), each.depth);
+  }
+  SurfacePatch patch = this->cutRound(vertices, field);
+  for (PatchVertex& vertex : patch.vertices)
+  {
+    const auto known = depths.find(vertex.vertex);
+    vertex.depth = known == depths.end() ? PatchVertex::Outside : known->second;
+  }
+  return patch;
 }
 
 SurfacePatch PatchCutter::cutRound(
@@ -74,10 +88,10 @@ SurfacePatch PatchCutter::cutRound(
   return patch;
 }
 
-std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
+std::vector<PatchCutter::Inner> PatchCutter::verticesIn(std::span<const Ball> balls) const
 {
   const TriangleMesh& mesh = this->Mesh.mesh();
-  std::vector<Index> vertices;
+  std::vector<Inner> vertices;
   for (const Ball& exact : balls)
   {
     const Ball ball = widened(exact);
@@ -91,13 +105,18 @@ std::vector<Index> PatchCutter::verticesIn(std::span<const Ball> balls) const
         {
           if (ball.contains(mesh.position(v)))
           {
-            vertices.push_back(v);
+            vertices.push_back({ v, exact.depthOf(mesh.position(v)) });
           }
         }
       }
     }
   }
-  sortUnique(vertices);
+  std::sort(vertices.begin(), vertices.end(),
+    [](const Inner& a, const Inner& b)
+    { return a.vertex < b.vertex || (a.vertex == b.vertex && a.depth > b.depth); });
+  const auto rest = std::unique(vertices.begin(), vertices.end(),
+    [](const Inner& a, const Inner& b) { return a.vertex == b.vertex; });
+  vertices.erase(rest, vertices.end());
   return vertices;
 }
 

@@ -35,7 +35,16 @@ public:
   std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
 
 private:
-  std::vector<Index> verticesIn(std::span<const Ball> balls) const;
+  /** A vertex in a ball. */
+  struct Inner
+  {
+    Index vertex;
+    /** See PatchVertex. */
+    float depth;
+  };
+
+  /** In ascending order of the vertices, each once. */
+  std::vector<Inner> verticesIn(std::span<const Ball> balls) const;
   PatchVertex patchVertex(Index vertex, const DistanceField* field) const;
 
   const DividedMesh& Mesh;

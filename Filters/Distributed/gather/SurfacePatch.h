@@ -27,11 +27,18 @@ struct Ball
   {
     return norm(position - this->centre) <= this->radius;
   }
+  /** See PatchVertex::depth. */
+  float depthOf(const Vector3& position) const
+  {
+    return static_cast<float>(1.0 - norm(position - this->centre) / this->radius);
+  }
 };
 
 /** A vertex as ranks send it, with all that finding and writing a path needs. */
 struct PatchVertex
 {
+  static constexpr float Outside = -1.0f;
+
   GlobalVertex vertex;
   Vector3 position;
   double longestEdge;
@@ -40,6 +47,9 @@ struct PatchVertex
   double distance;
   Index nearestSeed;
   std::uint32_t isExcluded;
+  /** How deep the vertex lies in a ball that the patch was cut by: 1 at the centre, 0 at the
+   * border, less outside. All triangles of a vertex inside are in patches. */
+  float depth = Outside;
   /** The global id; -1 if there is none or it was not asked for. */
   vtkIdType id = -1;
   std::uint32_t hasNormal = 0;

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "global/GlobalPoints.h"
 
-#include "base/BoundingBox.h"
 #include "base/Interruption.h"
 #include "filter/VtkVersions.h"
 #include "input/PointIdentity.h"
 #include "mesh/Carriers.h"
-#include "mesh/MortonCurve.h"
+#include "mesh/CurveOrder.h"
 #include "mesh/TriangleMesh.h"
 #include "pieces/SharedPoints.h"
 #include "request/PointResolver.h"
@@ -20,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
@@ -40,38 +38,6 @@ struct Projection
   NearestOrder::Candidate nearest;
   SurfacePoint point;
 };
-
-/** The order of positions along a space-filling curve: what is looked for one after the other is
- * near in memory then. Few positions stay in their order. */
-std::vector<Index> orderAlongCurve(const std::vector<Vector3>& positions)
-{
-  std::vector<Index> order(positions.size());
-  std::iota(order.begin(), order.end(), Index{ 0 });
-  BoundingBox box;
-  for (const Vector3& position : positions)
-  {
-    box.add(position);
-  }
-  constexpr std::size_t few = 256;
-  constexpr double least = 1e-30;
-  constexpr double most = 1e30;
-  const double diagonal = norm(box.high - box.low);
-  if (positions.size() < few || !(diagonal > least && diagonal < most))
-  {
-    return order;
-  }
-  const MortonCurve curve(box);
-  std::vector<std::pair<std::uint64_t, Index>> keyed;
-  keyed.reserve(positions.size());
-  for (const Index i : order)
-  {
-    keyed.emplace_back(curve.codeOf(positions[i]), i);
-  }
-  std::sort(keyed.begin(), keyed.end());
-  std::transform(
-    keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
-  return order;
-}
 
 /** Returns the projections in the order of orderAlongCurve(). */
 std::vector<Projection> localProjections(const DistributedSurface& surface,

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,16 @@ struct GlobalVertex
   Index vertex;
 
   friend auto operator<=>(const GlobalVertex&, const GlobalVertex&) = default;
+};
+
+/** For tables of vertices. */
+struct HashOfVertex
+{
+  std::size_t operator()(const GlobalVertex& vertex) const
+  {
+    const auto rank = static_cast<std::uint64_t>(static_cast<std::uint32_t>(vertex.rank));
+    return std::hash<std::uint64_t>{}(rank << 32 | vertex.vertex);
+  }
 };
 
 /**

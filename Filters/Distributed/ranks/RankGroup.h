@@ -116,6 +116,18 @@ void append(RankGroup::Message& message, const T& value)
   std::memcpy(message.data() + end, &value, sizeof(T));
 }
 
+/** Returns a message of values of one type. */
+template <class T>
+RankGroup::Message bytesOf(std::span<const T> values)
+{
+  RankGroup::Message message;
+  for (const T& value : values)
+  {
+    append(message, value);
+  }
+  return message;
+}
+
 /** Returns the values of one type that append() has written to a message. */
 template <class T>
 std::vector<T> valuesIn(const RankGroup::Message& message)
