@@ -238,6 +238,7 @@ void vtkSurfaceGeodesicDistance::Solve(const Run& run)
   options.threads =
     this->GetThreadsOfField(ranks, internal.Thin.count().areMany() && !internal.IsIntrinsic);
   options.tolerance = this->GetCheckedTolerance();
+  options.numbersSeeds = this->ComputeNearestSeed;
   options.targets = targets;
   options.targetMode = this->DestinationMode == ANY_DESTINATION ? geodesic::TargetMode::Any
                                                                 : geodesic::TargetMode::All;

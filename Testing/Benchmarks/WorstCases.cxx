@@ -57,11 +57,11 @@ void printUnitsOfOrdinarySurface(const Trial& trial)
 }
 
 /** What many seeds take, and how far their field is from the least of their single fields. */
-void printManySeeds(Trial& trial, const std::vector<Seed>& seeds)
+void printManySeeds(Trial& trial, const std::vector<Seed>& seeds, const SolveOptions& options = {})
 {
   print("items", static_cast<double>(seeds.size()));
-  printCost(trial.solve(seeds));
-  const DifferenceToLeast difference = differenceToLeast(trial.sharedMesh(), seeds);
+  printCost(trial.solve(seeds, options));
+  const DifferenceToLeast difference = differenceToLeast(trial.sharedMesh(), seeds, options);
   print("difference_mean", difference.mean);
   print("difference_largest", difference.largest);
 }
@@ -135,50 +135,56 @@ std::vector<Segment> sliceOf(const TriangleMesh& mesh)
   return segmentsAtZero(mesh, [&](const Vector3& p) { return p.y + 0.7431 * p.x - 0.8713 * size; });
 }
 
-/** The line of a slice across a hilly grid: CELLS loose|curve. */
+/** Segments of lines, each a seed, as the filter solves them. @param word "numbered" if it is to
+ * tell the nearest seed */
+void printLooseSegments(Trial& trial, const std::vector<Segment>& segments, const std::string& word)
+{
+  SolveOptions options;
+  options.numbersSeeds = word == "numbered";
+  printManySeeds(trial, looseSeeds(segments), options);
+}
+
+/** The line of a slice across a hilly grid: CELLS loose|numbered|curve. */
 void slice(const CaseArguments& arguments)
 {
   const Index cells = arguments.count(0);
   Trial trial(hillyGrid(cells, cells));
   printUnits(trial);
   const std::vector<Segment> segments = sliceOf(trial.mesh());
-  if (arguments.word(1) == "loose")
+  if (arguments.word(1) != "curve")
   {
-    printManySeeds(trial, looseSeeds(segments));
+    printLooseSegments(trial, segments, arguments.word(1));
     return;
   }
   print("items", static_cast<double>(segments.size()));
   printCost(trial.solve({ seedAlong(trial.mesh(), segments) }));
 }
 
-/** All boundary edges, each for itself: SURFACE. */
+/** All boundary edges, each for itself: SURFACE loose|numbered. */
 void border(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
-  const std::vector<Segment> segments = boundarySegments(trial.mesh());
-  printManySeeds(trial, looseSeeds(segments));
+  printLooseSegments(trial, boundarySegments(trial.mesh()), arguments.word(1));
 }
 
-/** The segments of a contour of z, each for itself: SURFACE Z. */
+/** The segments of a contour of z, each for itself: SURFACE Z loose|numbered. */
 void contour(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
   const double level = arguments.number(1);
-  const std::vector<Segment> segments =
-    segmentsAtZero(trial.mesh(), [&](const Vector3& p) { return p.z - level; });
-  printManySeeds(trial, looseSeeds(segments));
+  printLooseSegments(trial,
+    segmentsAtZero(trial.mesh(), [&](const Vector3& p) { return p.z - level; }), arguments.word(2));
 }
 
-/** Edges at random, each for itself: SURFACE COUNT. */
+/** Edges at random, each for itself: SURFACE COUNT loose|numbered. */
 void edges(const CaseArguments& arguments)
 {
   Trial trial(arguments.surface(0).surface);
   printUnits(trial);
-  const std::vector<Segment> segments =
-    randomEdges(trial.mesh(), arguments.count(1), trial.random());
-  printManySeeds(trial, looseSeeds(segments));
+  printLooseSegments(
+    trial, randomEdges(trial.mesh(), arguments.count(1), trial.random()), arguments.word(2));
 }
 
 /** Vertices on a random walk along edges. @param steps from each to the next */

@@ -286,7 +286,7 @@ TEST(CrowdedSeeds, WhetherTheyAreDenseIsSoonTold)
   const std::vector<Seed> seeds = crowdRound(*mesh, 80000, 2000);
   Partition partition;
   SeedFront front;
-  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, goesOn, partition, front);
+  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, false, goesOn, partition, front);
   const std::size_t before = WorkCount::steps();
   EXPECT_TRUE(labelsAreDense(*mesh, front, false, partition));
   EXPECT_LT(WorkCount::steps() - before, 10 * seeds.size());
@@ -319,7 +319,7 @@ TEST(CrowdedSeeds, EachFacesAsTheTriangleOfItsSeed)
   }
   Partition partition;
   SeedFront front;
-  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, goesOn, partition, front);
+  makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, false, goesOn, partition, front);
   const std::vector<LabelPlace> places = labelPlaces(*mesh, front, {}, goesOn, partition);
   ASSERT_EQ(places.size(), sides.size());
   for (std::size_t label = 0; label < places.size(); ++label)

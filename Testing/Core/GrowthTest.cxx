@@ -225,7 +225,7 @@ TEST(Growth, SeedsOnEdgesOfADisc)
       }
       Partition onePiece;
       SeedFront front;
-      makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, goesOn, onePiece, front);
+      makeSeedFront(*mesh, ClosedTriangles(*mesh, {}), seeds, false, goesOn, onePiece, front);
       // An edge has two faces with four corners.
       EXPECT_EQ(front.starts.size(), 4 * around);
     });

@@ -92,7 +92,8 @@ Fronts frontsOf(
   {
     Piece piece(channel, number);
     const auto goesOn = [&] { return !isCancelled || number == 1; };
-    makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds[number], goesOn, piece, fronts.of[number]);
+    makeSeedFront(
+      mesh, ClosedTriangles(mesh, {}), seeds[number], false, goesOn, piece, fronts.of[number]);
     fronts.calls[number] = piece.calls();
   };
   std::thread other([&] { make(1); });
@@ -194,7 +195,7 @@ TEST(SeedFront, OnPiecesItIsThatOfTheWholeSurface)
   Partition whole;
   SeedFront expected;
   makeSeedFront(
-    *mesh, ClosedTriangles(*mesh, {}), seeds, [] { return true; }, whole, expected);
+    *mesh, ClosedTriangles(*mesh, {}), seeds, false, [] { return true; }, whole, expected);
   const Fronts fronts = frontsOf(*mesh, dividedSeeds(seeds), false);
   // The round labels of one region are in an order of their own.
   std::vector<LabelKey> labels = labelsOf(expected);

@@ -51,7 +51,7 @@ bool areDense(const TriangleMesh& mesh, const std::vector<Seed>& seeds)
 {
   Partition whole;
   SeedFront front;
-  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, goesOn, whole, front);
+  makeSeedFront(mesh, ClosedTriangles(mesh, {}), seeds, false, goesOn, whole, front);
   return labelsAreDense(mesh, front, false, whole);
 }
 

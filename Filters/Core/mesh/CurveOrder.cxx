@@ -23,11 +23,10 @@ std::vector<Index> orderAlongCurve(const std::vector<Vector3>& positions)
   {
     box.add(position);
   }
-  constexpr std::size_t few = 256;
   constexpr double least = 1e-30;
   constexpr double most = 1e30;
   const double diagonal = norm(box.high - box.low);
-  if (positions.size() < few || !(diagonal > least && diagonal < most))
+  if (!(diagonal > least && diagonal < most))
   {
     return order;
   }

@@ -12,8 +12,8 @@ namespace geodesic
 {
 
 /** The numbers of positions in the order of a Morton curve: what lies near one after the other is
- * near in memory then. Few positions stay in their order, and so do those whose box is too small or
- * too large to be divided. Time O(n log n). */
+ * near in memory then. Those whose box is too small or too large to be divided stay in their order.
+ * Time O(n log n). */
 std::vector<Index> orderAlongCurve(const std::vector<Vector3>& positions);
 
 }

@@ -64,7 +64,8 @@ const DistanceField& FrontSolver::solve(std::span<const Seed> seeds, const Solve
   SeedFront& front = this->Front;
   OptionsOfMarches marches(options);
   makeSeedFront(
-    *this->Mesh, closed, seeds, [&] { return marches.goesOn(); }, partition, front);
+    *this->Mesh, closed, seeds, !options.numbersSeeds, [&] { return marches.goesOn(); }, partition,
+    front);
   if (marches.areCancelled(partition))
   {
     this->Closed.reset();

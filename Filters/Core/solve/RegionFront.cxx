@@ -76,10 +76,7 @@ public:
     auto nextOnBorder = onBorder.begin();
     for (Index seed = 0; seed < this->Seeds.size(); ++seed)
     {
-      for (; nextIsolated != isolated.end() && nextIsolated->seed == seed; ++nextIsolated)
-      {
-        this->addRound(*nextIsolated);
-      }
+      nextIsolated = this->addRounds(seed, nextIsolated, isolated.end());
       if (this->Counts[seed].joined > 0.0)
       {
         const Index label = this->addLabel(seed, FrontShape::Straight);
@@ -88,10 +85,7 @@ public:
           this->Front.starts.push_back({ nextJoined->vertex, label, 0.0 });
         }
       }
-      for (; nextOnBorder != onBorder.end() && nextOnBorder->seed == seed; ++nextOnBorder)
-      {
-        this->addRound(*nextOnBorder);
-      }
+      nextOnBorder = this->addRounds(seed, nextOnBorder, onBorder.end());
     }
     return std::move(this->Front);
   }
@@ -200,8 +194,8 @@ private:
     }
   }
 
-  /** The vertices as origins of round fronts; with those of other pieces, in the same order on
-   * each. */
+  /** The vertices as origins of round fronts; with those of other pieces, in the same order on any
+   * number of pieces. */
   std::vector<Origin> originsOf(const Members& members)
   {
     std::vector<Origin> origins;
@@ -220,36 +214,41 @@ private:
         own.insert(own.end(), { static_cast<double>(member.seed), place[0], place[1], place[2] });
       }
     }
-    if (!this->Pieces.isDivided())
-    {
-      return origins;
-    }
     const std::vector<double> all = this->Pieces.gather(own);
     for (std::size_t i = 0; i < all.size(); i += 4)
     {
       origins.push_back(
         { static_cast<Index>(all[i]), { all[i + 1], all[i + 2], all[i + 3] }, NoIndex });
     }
-    // Of those at one place the first is this piece's, if it has one.
+    // Of those at one place this piece's come first.
     std::sort(origins.begin(), origins.end(),
       [](const Origin& a, const Origin& b)
       { return std::tie(a.seed, a.place, a.vertex) < std::tie(b.seed, b.place, b.vertex); });
-    const auto rest = std::unique(origins.begin(), origins.end(),
-      [](const Origin& a, const Origin& b)
-      { return std::tie(a.seed, a.place) == std::tie(b.seed, b.place); });
-    origins.erase(rest, origins.end());
     return origins;
   }
 
-  void addRound(const Origin& origin)
+  /** Adds a round label at each place of a seed; it starts at all vertices there.
+   * @return the first origin of another seed */
+  std::vector<Origin>::const_iterator addRounds(
+    Index seed, std::vector<Origin>::const_iterator origin, std::vector<Origin>::const_iterator end)
   {
-    const Vector3 position{ origin.place[0], origin.place[1], origin.place[2] };
-    const Index label = this->addLabel(origin.seed, FrontShape::Round, position);
-    if (origin.vertex != NoIndex)
+    while (origin != end && origin->seed == seed)
     {
-      this->Front.labels[label].origin = this->Mesh.pointAtVertex(origin.vertex);
-      this->Front.starts.push_back({ origin.vertex, label, 0.0 });
+      const std::array<double, 3> place = origin->place;
+      const Index label = this->addLabel(seed, FrontShape::Round, { place[0], place[1], place[2] });
+      if (origin->vertex != NoIndex)
+      {
+        this->Front.labels[label].origin = this->Mesh.pointAtVertex(origin->vertex);
+      }
+      for (; origin != end && origin->seed == seed && origin->place == place; ++origin)
+      {
+        if (origin->vertex != NoIndex)
+        {
+          this->Front.starts.push_back({ origin->vertex, label, 0.0 });
+        }
+      }
     }
+    return origin;
   }
 
   Index addLabel(Index seed, FrontShape shape, const Vector3& position = {})

@@ -7,14 +7,18 @@
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/ClosedTriangles.h"
+#include "solve/JoinedCurves.h"
 #include "solve/Partition.h"
 #include "solve/RegionFront.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace geodesic
 {
@@ -64,6 +68,13 @@ public:
   {
   }
 
+  /** Takes curves that are added in place of the seeds that they are joined from. */
+  void setJoined(std::vector<JoinedCurve> curves)
+  {
+    this->Joined = std::move(curves);
+    this->NextJoined = this->Joined->begin();
+  }
+
   void add(const Seed& seed, Index number)
   {
     this->Number = number;
@@ -74,7 +85,7 @@ public:
         this->addSeedPoint(seed);
         break;
       case Seed::Kind::Curve:
-        this->addCurve(seed.points);
+        this->Joined ? this->addJoined() : this->addCurve(seed.points);
         break;
       case Seed::Kind::Region:
         // All regions together: see frontOfRegions().
@@ -163,6 +174,27 @@ private:
       least = std::min(least, norm(toPoint));
     }
     return least;
+  }
+
+  /** Adds the joined curve at the seed, if there is one. */
+  void addJoined()
+  {
+    if (this->NextJoined == this->Joined->end() || this->NextJoined->seed != this->Number)
+    {
+      return;
+    }
+    const std::vector<SurfacePoint>& points = this->NextJoined->points;
+    if (this->NextJoined->numberOfSeeds == 1)
+    {
+      this->addCurve(points);
+    }
+    else
+    {
+      this->addPoint(points.front());
+      this->addPoint(points.back());
+      this->addStraightPiece(points, 0, points.size() - 1, true);
+    }
+    ++this->NextJoined;
   }
 
   /** @param points all of the curve's, on one of the pieces; none on the others */
@@ -259,6 +291,8 @@ private:
   SeedFront& Front;
   Index Number = 0;
   double Value = 0.0;
+  std::optional<std::vector<JoinedCurve>> Joined;
+  std::vector<JoinedCurve>::const_iterator NextJoined;
 };
 
 /** Asks the processor to fetch what the front needs of points that come soon: seeds lie anywhere.
@@ -369,12 +403,17 @@ void merge(SeedFront& front, const SeedFront& others)
 }
 
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, const std::function<bool()>& goesOn, Partition& partition,
-  SeedFront& front)
+  std::span<const Seed> seeds, bool joinsCurves, const std::function<bool()>& goesOn,
+  Partition& partition, SeedFront& front)
 {
   front.labels.clear();
   front.starts.clear();
+  const bool hasCurves = isAnyOf(seeds, Seed::Kind::Curve);
   FrontBuilder builder(mesh, closed, front);
+  if (joinsCurves && hasCurves)
+  {
+    builder.setJoined(joinedCurves(mesh, seeds));
+  }
   std::size_t points = 0;
   for (Index s = 0; s < seeds.size(); ++s)
   {
@@ -387,7 +426,7 @@ void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
     }
     points %= PointsOfFrontReport;
   }
-  if (partition.isDivided() && isAnyOf(seeds, Seed::Kind::Curve))
+  if (partition.isDivided() && hasCurves)
   {
     merge(front, curvesOfOthers(seeds, front, partition));
   }

@@ -76,13 +76,14 @@ inline constexpr std::size_t PointsOfFrontReport = 4096;
  * seeds.
  * @pre checkSeeds() has accepted the seeds
  * @param closed triangles that no front crosses; none starts through them either
+ * @param joinsCurves  see SolveOptions::numbersSeeds
  * @param goesOn called for each few thousand points and vertices of seeds; once it has returned
  * false, the front is of no use
  * @param front  gets the labels and starts; what it held is lost, but its memory is used again
  */
 void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
-  std::span<const Seed> seeds, const std::function<bool()>& goesOn, Partition& partition,
-  SeedFront& front);
+  std::span<const Seed> seeds, bool joinsCurves, const std::function<bool()>& goesOn,
+  Partition& partition, SeedFront& front);
 
 }
 

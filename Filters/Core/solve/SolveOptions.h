@@ -87,6 +87,12 @@ struct SolveOptions
    */
   bool onlyTowardsTargets = false;
   /**
+   * Whether DistanceField::nearestSeed matters. If not, curves that go on straight from each other
+   * are solved as one (see joinedCurves()), which is faster where there are many, and the nearest
+   * seed is any of these. Exact and bounded distances don't look at it.
+   */
+  bool numbersSeeds = true;
+  /**
    * Called each time that the march has taken another progressInterval vertices from its queue,
    * with the number of vertices so far; now and then again with the same number where many seeds
    * are placed or nothing new is reached. Before marches of many seeds, between them and after them

@@ -238,7 +238,14 @@ void DistributedPathFinder::onCorridor(const Attempt& attempt)
   {
     if (attempts > AttemptsByBalls)
     {
-      this->scout().followFrom(missing);
+      try
+      {
+        this->scout().followFrom(missing);
+      }
+      catch (const SearchCancelled&)
+      {
+        return;
+      }
     }
     else
     {

@@ -30,7 +30,8 @@ struct Ball
   /** See PatchVertex::depth. */
   float depthOf(const Vector3& position) const
   {
-    return static_cast<float>(1.0 - norm(position - this->centre) / this->radius);
+    const double distance = norm(position - this->centre);
+    return distance > 0.0 ? static_cast<float>(1.0 - distance / this->radius) : 1.0f;
   }
 };
 

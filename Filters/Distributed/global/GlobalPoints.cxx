@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
@@ -39,7 +40,7 @@ struct Projection
   SurfacePoint point;
 };
 
-/** Returns the projections in the order of orderAlongCurve(). */
+/** Returns the projections of many positions in the order of orderAlongCurve(). */
 std::vector<Projection> localProjections(const DistributedSurface& surface,
   std::span<const double> coordinates, const std::string& property, Precision precision,
   const ThreadTeam& team)
@@ -47,7 +48,13 @@ std::vector<Projection> localProjections(const DistributedSurface& surface,
   const TriangleMesh& mesh = surface.mesh();
   const PointSearch& search = surface.piece().closestPoints();
   const std::vector<Vector3> positions = bridge::positionsAt(coordinates, property);
-  const std::vector<Index> order = orderAlongCurve(positions);
+  constexpr std::size_t many = 256;
+  std::vector<Index> order(positions.size());
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  if (positions.size() >= many)
+  {
+    order = orderAlongCurve(positions);
+  }
   const bool hasPoints = mesh.numberOfTriangles() > 0;
   if (hasPoints && team.numberOfRanges(positions.size()) > 1)
   {
