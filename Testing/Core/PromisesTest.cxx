@@ -7,8 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <random>
 #include <string>
 
+using namespace geodesic;
 using namespace geodesic::testing;
 
 TEST(Promises, HoldOnNastyMeshes)
@@ -33,6 +38,36 @@ TEST(Promises, HoldOnNastyMeshes)
   EXPECT_GT(report.refusedSurfaces, 180);
   EXPECT_LT(report.refusedSurfaces, 400);
   EXPECT_LT(report.budgetsReached, 20);
+}
+
+// Of more seeds than the cases above have few values are kept at each vertex, see LabelBounds. What
+// one march from all of them says in place of the others was shorter than straight lines.
+TEST(Promises, HoldForManySeedsOnNastyMeshes)
+{
+  constexpr std::size_t many = 40;
+  PromiseReport report;
+  for (unsigned number = 0; number < 600; ++number)
+  {
+    NastyCase test = nastyCase(number);
+    std::mt19937 random(number);
+    while (test.mesh && test.seeds.size() < many)
+    {
+      std::array<double, 3> weights{};
+      std::generate(
+        weights.begin(), weights.end(), [&] { return static_cast<double>(1 + random() % 1000); });
+      const double sum = weights[0] + weights[1] + weights[2];
+      const auto triangle = static_cast<Index>(random() % test.mesh->numberOfTriangles());
+      test.seeds.push_back(
+        Seed::atPoint({ triangle, { weights[0] / sum, weights[1] / sum, weights[2] / sum } }));
+    }
+    checkPromises(test, report);
+    for (const std::string& broken : report.broken)
+    {
+      ADD_FAILURE() << "case " << number << " (" << test.description() << "): " << broken;
+    }
+    report.broken.clear();
+  }
+  EXPECT_GT(report.solves, 2000);
 }
 
 // What the campaign found beyond these. Windows that are cut into ever more where sheets lie on

@@ -5,12 +5,15 @@
 #include "base/SortUnique.h"
 #include "base/WorkCount.h"
 #include "march/LabelBounds.h"
+#include "march/PlaceGrid.h"
 #include "march/TakenStart.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -266,16 +269,72 @@ void considerOtherPieces(std::span<TakenVertex> taken, Partition& partition)
   }
 }
 
-/** Raises a distance of the first march by what is known of it. */
-double raised(double first, const TakenVertex& taken)
+/** The straight lines to the nearest of all seeds, if these are points. */
+class NearestSeedLines
+{
+public:
+  explicit NearestSeedLines(std::span<const StartPoint> points)
+    : Points(points)
+    , AreKnown(std::all_of(
+        points.begin(), points.end(), [](const StartPoint& point) { return point.isKnown(); }))
+  {
+  }
+
+  /** A distance, or the least in a straight line from any seed if that is more.
+   * @param seed  of the distance */
+  double atLeast(double distance, Index seed, const Vector3& place)
+  {
+    constexpr double rounding = 1.0 + 1e-12;
+    if (!this->AreKnown || seed == NoIndex ||
+      !(this->Points[seed].straightTo(place) > distance * rounding))
+    {
+      return distance;
+    }
+    double least = this->Points[seed].straightTo(place);
+    this->makeGrid(least);
+    this->Grid->visitNear(place, least,
+      [&](Index other)
+      {
+        WorkCount::add(1);
+        least = std::min(least, this->Points[other].straightTo(place));
+      });
+    return std::max(distance, least);
+  }
+
+private:
+  /** @param distance  of the first one that is looked for */
+  void makeGrid(double distance)
+  {
+    if (!this->Grid)
+    {
+      std::vector<Index> numbers(this->Points.size());
+      std::iota(numbers.begin(), numbers.end(), Index{ 0 });
+      this->Grid.emplace(
+        numbers, distance, [&](Index number) { return this->Points[number].position; });
+    }
+  }
+
+  std::span<const StartPoint> Points;
+  bool AreKnown;
+  std::optional<PlaceGrid> Grid;
+};
+
+/** Raises a distance of the first march by what is known of it. @param seed  nearest to the vertex
+ */
+double raised(
+  double first, const TakenVertex& taken, Index seed, const Vector3& place, NearestSeedLines& lines)
 {
   constexpr double rounding = 1.0 + 1e-9;
-  if (taken.straight <= taken.most * rounding)
+  const bool isKnown = taken.straight > -DistanceField::Unreached;
+  if (isKnown && taken.straight <= taken.most * rounding)
   {
     return std::max(first, std::min(taken.straight, taken.most));
   }
-  // The nearest seed is another one. How far that is lies between the two.
-  return std::max(first, 0.5 * (first + taken.most));
+  // Beside vertices without a seed nothing is known. Else the nearest seed is another one than
+  // those of neighbours: how far it is lies between the two. What neighbours have may be too short
+  // as well.
+  const double between = isKnown ? 0.5 * (first + taken.most) : first;
+  return lines.atLeast(std::max(first, between), seed, place);
 }
 
 }
@@ -319,9 +378,12 @@ void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
     considerNeighbours(mesh, points, field, one);
   }
   considerOtherPieces(taken, partition);
+  NearestSeedLines lines(points);
   for (const TakenVertex& one : taken)
   {
-    field.setDistance(one.vertex, raised(bounds.first(one.vertex), one));
+    field.setDistance(one.vertex,
+      raised(bounds.first(one.vertex), one, field.nearestSeed(one.vertex),
+        mesh.position(one.vertex), lines));
     bounds.noteAtEnd(one.vertex);
   }
 }
