@@ -48,7 +48,7 @@ TEST(JoinedCurves, ALooseLineIsOne)
   std::vector<Seed> seeds = edgesOfRow(*mesh, Cells, Cells / 2);
   seeds.push_back(seeds[5]);
   std::swap(seeds.back().points[0], seeds.back().points[1]);
-  const auto joined = joinedCurves(*mesh, seeds);
+  const auto joined = joinedCurves(*mesh, seeds, [] { return true; });
   ASSERT_EQ(joined.size(), 1u);
   EXPECT_EQ(joined[0].seed, 0u);
   EXPECT_EQ(joined[0].numberOfSeeds, Cells);
@@ -76,7 +76,7 @@ TEST(JoinedCurves, WhereTheyBendOrMeetOthersTheyStayApart)
     Seed::alongCurve({ pointAt(30, 1), pointAt(31, 1) }),
     Seed::alongCurve({ pointAt(31, 1), pointAt(32, 1) }), Seed::atPoint(pointAt(32, 1)) };
   seeds[8].value = 0.5;
-  const auto joined = joinedCurves(*mesh, seeds);
+  const auto joined = joinedCurves(*mesh, seeds, [] { return true; });
   ASSERT_EQ(joined.size(), 9u);
   for (std::size_t i = 0; i < joined.size(); ++i)
   {

@@ -5,14 +5,15 @@
 #include "base/SortUnique.h"
 #include "base/WorkCount.h"
 #include "march/LabelBounds.h"
-#include "march/PlaceGrid.h"
+#include "march/StraightLines.h"
 #include "march/TakenStart.h"
 #include "mesh/TriangleMesh.h"
 #include "solve/Partition.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <unordered_set>
@@ -269,72 +270,72 @@ void considerOtherPieces(std::span<TakenVertex> taken, Partition& partition)
   }
 }
 
-/** The straight lines to the nearest of all seeds, if these are points. */
-class NearestSeedLines
-{
-public:
-  explicit NearestSeedLines(std::span<const StartPoint> points)
-    : Points(points)
-    , AreKnown(std::all_of(
-        points.begin(), points.end(), [](const StartPoint& point) { return point.isKnown(); }))
-  {
-  }
-
-  /** A distance, or the least in a straight line from any seed if that is more.
-   * @param seed  of the distance */
-  double atLeast(double distance, Index seed, const Vector3& place)
-  {
-    constexpr double rounding = 1.0 + 1e-12;
-    if (!this->AreKnown || seed == NoIndex ||
-      !(this->Points[seed].straightTo(place) > distance * rounding))
-    {
-      return distance;
-    }
-    double least = this->Points[seed].straightTo(place);
-    this->makeGrid(least);
-    this->Grid->visitNear(place, least,
-      [&](Index other)
-      {
-        WorkCount::add(1);
-        least = std::min(least, this->Points[other].straightTo(place));
-      });
-    return std::max(distance, least);
-  }
-
-private:
-  /** @param distance  of the first one that is looked for */
-  void makeGrid(double distance)
-  {
-    if (!this->Grid)
-    {
-      std::vector<Index> numbers(this->Points.size());
-      std::iota(numbers.begin(), numbers.end(), Index{ 0 });
-      this->Grid.emplace(
-        numbers, distance, [&](Index number) { return this->Points[number].position; });
-    }
-  }
-
-  std::span<const StartPoint> Points;
-  bool AreKnown;
-  std::optional<PlaceGrid> Grid;
-};
-
-/** Raises a distance of the first march by what is known of it. @param seed  nearest to the vertex
- */
-double raised(
-  double first, const TakenVertex& taken, Index seed, const Vector3& place, NearestSeedLines& lines)
+/** Raises a distance of the first march by what is known of it; nothing if that is not enough, and
+ * the distance may be too short. */
+std::optional<double> raised(double first, const TakenVertex& taken)
 {
   constexpr double rounding = 1.0 + 1e-9;
-  const bool isKnown = taken.straight > -DistanceField::Unreached;
-  if (isKnown && taken.straight <= taken.most * rounding)
+  if (taken.straight == -DistanceField::Unreached || taken.straight > taken.most * rounding)
   {
-    return std::max(first, std::min(taken.straight, taken.most));
+    return std::nullopt;
   }
-  // Beside vertices without a seed nothing is known. Else the nearest seed is another one than
-  // those of neighbours: how far it is lies between the two. What neighbours have may be too short
-  // as well.
-  const double between = isKnown ? 0.5 * (first + taken.most) : first;
-  return lines.atLeast(std::max(first, between), seed, place);
+  return std::max(first, std::min(taken.straight, taken.most));
+}
+
+/** The same where that is not enough. Beside vertices without a seed nothing is known. Else the
+ * nearest seed is another one than those of neighbours: how far it is lies between the two. */
+double raisedBetween(double first, const TakenVertex& taken)
+{
+  return taken.straight == -DistanceField::Unreached ? first
+                                                     : std::max(first, 0.5 * (first + taken.most));
+}
+
+/**
+ * Raises distances to the straight line to the nearest of all seeds, if these are points: what
+ * neighbours have may be too short as well.
+ * @param vertices  those whose distances may be too short
+ */
+void raiseToLines(const TriangleMesh& mesh, std::span<const StartPoint> points,
+  std::span<const Index> vertices, DistanceField& field)
+{
+  double leastValue = DistanceField::Unreached;
+  std::vector<Vector3> places;
+  for (const StartPoint& point : points)
+  {
+    if (!point.isKnown())
+    {
+      return;
+    }
+    leastValue = std::min(leastValue, point.value);
+    places.push_back(point.position);
+  }
+  std::vector<Index> shorter;
+  std::vector<Vector3> positions;
+  double longest = 0.0;
+  for (const Index vertex : vertices)
+  {
+    const Index seed = field.nearestSeed(vertex);
+    const Vector3& position = mesh.position(vertex);
+    // Else there is a seed as near as that.
+    if (seed != NoIndex && points[seed].straightTo(position) > field.distance(vertex))
+    {
+      shorter.push_back(vertex);
+      positions.push_back(position);
+      longest = std::max(longest, norm(position - points[seed].position));
+    }
+  }
+  constexpr double rounding = 1.0 + 1e-9;
+  StraightLines(positions).measure(places, rounding * longest,
+    [&](Index first, std::span<const double> squares)
+    {
+      WorkCount::add(squares.size());
+      for (std::size_t i = 0; i < squares.size(); ++i)
+      {
+        const Index vertex = shorter[first + i];
+        field.setDistance(
+          vertex, std::max(field.distance(vertex), leastValue + std::sqrt(squares[i])));
+      }
+    });
 }
 
 }
@@ -378,14 +379,19 @@ void takeFirstMarch(const TriangleMesh& mesh, std::span<const Label> labels,
     considerNeighbours(mesh, points, field, one);
   }
   considerOtherPieces(taken, partition);
-  NearestSeedLines lines(points);
+  std::vector<Index> doubtful;
   for (const TakenVertex& one : taken)
   {
-    field.setDistance(one.vertex,
-      raised(bounds.first(one.vertex), one, field.nearestSeed(one.vertex),
-        mesh.position(one.vertex), lines));
+    const double first = bounds.first(one.vertex);
+    const std::optional<double> distance = raised(first, one);
+    if (!distance)
+    {
+      doubtful.push_back(one.vertex);
+    }
+    field.setDistance(one.vertex, distance ? *distance : raisedBetween(first, one));
     bounds.noteAtEnd(one.vertex);
   }
+  raiseToLines(mesh, points, doubtful, field);
 }
 
 }

@@ -4,10 +4,11 @@
 
 #include "mesh/Carriers.h"
 #include "mesh/TriangleMesh.h"
+#include "solve/SeedFront.h"
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -15,23 +16,44 @@ namespace geodesic
 namespace
 {
 
-/** What tells a place on the surface, whatever triangle it is given in: the vertices that carry it,
- * in ascending order, and their weights. */
-using Place = std::array<std::pair<Index, double>, 3>;
-
-Place placeOf(const TriangleMesh& mesh, const SurfacePoint& point)
+/** Where a curve ends, whatever triangle that is given in: the curve's value, and the vertices that
+ * carry the point, in ascending order, with their weights. */
+struct EndPlace
 {
-  Place place;
-  place.fill({ NoIndex, 0.0 });
+  double value;
+  std::array<std::pair<Index, double>, 3> carriers;
+
+  bool operator==(const EndPlace&) const = default;
+};
+
+struct HashOfPlace
+{
+  std::size_t operator()(const EndPlace& place) const
+  {
+    std::size_t hash = std::hash<double>{}(place.value);
+    for (const auto& [vertex, weight] : place.carriers)
+    {
+      // The golden ratio of 2^64, see Knuth, The Art of Computer Programming 3, section 6.4.
+      hash = (hash ^ vertex ^ std::hash<double>{}(weight)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
+EndPlace placeOf(const TriangleMesh& mesh, double value, const SurfacePoint& point)
+{
+  EndPlace place{ value, {} };
+  place.carriers.fill({ NoIndex, 0.0 });
   const Triangle& corners = mesh.triangle(point.triangle);
   for (std::size_t c = 0; c < 3; ++c)
   {
     if (point.weights[c] > 0.0)
     {
-      place[c] = { corners[c], point.weights[c] };
+      place.carriers[c] = { corners[c], point.weights[c] };
     }
   }
-  std::sort(place.begin(), place.end());
+  std::sort(place.carriers.begin(), place.carriers.end());
   return place;
 }
 
@@ -75,15 +97,6 @@ bool isStraightOn(const TriangleMesh& mesh, const std::vector<SurfacePoint>& poi
   return true;
 }
 
-/** An end of a curve. */
-struct CurveEnd
-{
-  double value;
-  Place place;
-  /** Twice the position in the list of curves, and one more for the last point. */
-  std::size_t number;
-};
-
 class CurveJoiner
 {
 public:
@@ -91,18 +104,41 @@ public:
     : Mesh(mesh)
     , Seeds(seeds)
   {
-    for (Index s = 0; s < seeds.size(); ++s)
-    {
-      if (seeds[s].kind == Seed::Kind::Curve && !seeds[s].points.empty())
-      {
-        this->Curves.push_back(s);
-      }
-    }
-    this->leaveOutDoubled();
-    this->link();
   }
 
-  std::vector<JoinedCurve> joined()
+  /** Finds out which curves continue each other. @return false when cancelled */
+  bool link(const std::function<bool()>& goesOn)
+  {
+    if (!this->numberPlaces(goesOn))
+    {
+      return false;
+    }
+    this->leaveOutDoubled();
+    std::vector<std::array<std::size_t, 2>> endsAt(this->NumberOfPlaces);
+    std::vector<std::size_t> counts(this->NumberOfPlaces);
+    this->Linked.assign(2 * this->Curves.size(), None);
+    for (std::size_t end = 0; end < this->Linked.size(); ++end)
+    {
+      const Index place = this->Curves[end / 2].places[end % 2];
+      const std::size_t count = counts[place]++;
+      if (count < 2)
+      {
+        endsAt[place][count] = end;
+      }
+    }
+    for (Index place = 0; place < this->NumberOfPlaces; ++place)
+    {
+      if (counts[place] == 2)
+      {
+        this->Linked[endsAt[place][0]] = endsAt[place][1];
+        this->Linked[endsAt[place][1]] = endsAt[place][0];
+      }
+    }
+    return goesOn();
+  }
+
+  /** @pre link() has been called */
+  std::vector<JoinedCurve> joined(const std::function<bool()>& goesOn)
   {
     this->IsTaken.assign(this->Curves.size(), false);
     std::vector<JoinedCurve> all;
@@ -112,13 +148,17 @@ public:
       {
         this->addFrom(end, all);
       }
+      if ((end + 1) % PointsOfFrontReport == 0 && !goesOn())
+      {
+        return {};
+      }
     }
     // Closed ones turn.
     for (std::size_t c = 0; c < this->Curves.size(); ++c)
     {
       if (!this->IsTaken[c])
       {
-        all.push_back({ this->Curves[c], 1, this->pointsOf(c) });
+        all.push_back({ this->Curves[c].seed, 1, this->pointsOf(c) });
       }
     }
     std::sort(all.begin(), all.end(),
@@ -129,83 +169,80 @@ public:
 private:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
+  struct Curve
+  {
+    /** The number of the seed. */
+    Index seed;
+    /** Numbers of the places where it begins and ends. */
+    std::array<Index, 2> places;
+  };
+
   const std::vector<SurfacePoint>& pointsOf(std::size_t curve) const
   {
-    return this->Seeds[this->Curves[curve]].points;
+    return this->Seeds[this->Curves[curve].seed].points;
   }
 
-  /** Leaves out segments with the ends and the value of one before. */
-  void leaveOutDoubled()
+  /** @return false when cancelled */
+  bool numberPlaces(const std::function<bool()>& goesOn)
   {
-    using Key = std::tuple<double, Place, Place, Index>;
-    std::vector<Key> segments;
-    for (const Index s : this->Curves)
+    std::unordered_map<EndPlace, Index, HashOfPlace> numbers;
+    for (Index s = 0; s < this->Seeds.size(); ++s)
     {
       const Seed& seed = this->Seeds[s];
-      if (seed.points.size() == 2)
+      if (seed.kind == Seed::Kind::Curve && !seed.points.empty())
       {
-        const Place first = placeOf(this->Mesh, seed.points.front());
-        const Place last = placeOf(this->Mesh, seed.points.back());
-        segments.emplace_back(seed.value, std::min(first, last), std::max(first, last), s);
+        const auto numberOf = [&](const SurfacePoint& point)
+        {
+          return numbers
+            .emplace(placeOf(this->Mesh, seed.value, point), static_cast<Index>(numbers.size()))
+            .first->second;
+        };
+        const Index first = numberOf(seed.points.front());
+        this->Curves.push_back({ s, { first, numberOf(seed.points.back()) } });
+      }
+      if ((s + 1) % PointsOfFrontReport == 0 && !goesOn())
+      {
+        return false;
+      }
+    }
+    this->NumberOfPlaces = static_cast<Index>(numbers.size());
+    return true;
+  }
+
+  /** Leaves out segments between the same places as one before. */
+  void leaveOutDoubled()
+  {
+    // The two places, and the number of the seed.
+    std::vector<std::array<Index, 3>> segments;
+    for (const Curve& curve : this->Curves)
+    {
+      if (this->Seeds[curve.seed].points.size() == 2)
+      {
+        const auto [least, most] = std::minmax(curve.places[0], curve.places[1]);
+        segments.push_back({ least, most, curve.seed });
       }
     }
     std::sort(segments.begin(), segments.end());
-    std::vector<Index> doubled;
+    std::vector<bool> areDoubled(this->Seeds.size(), false);
     for (std::size_t i = 1; i < segments.size(); ++i)
     {
-      const auto& [valueBefore, firstBefore, lastBefore, before] = segments[i - 1];
-      const auto& [value, first, last, seed] = segments[i];
-      if (std::tie(valueBefore, firstBefore, lastBefore) == std::tie(value, first, last))
-      {
-        doubled.push_back(seed);
-      }
+      areDoubled[segments[i][2]] =
+        segments[i][0] == segments[i - 1][0] && segments[i][1] == segments[i - 1][1];
     }
-    std::sort(doubled.begin(), doubled.end());
-    std::erase_if(
-      this->Curves, [&](Index s) { return std::binary_search(doubled.begin(), doubled.end(), s); });
-  }
-
-  void link()
-  {
-    this->Linked.assign(2 * this->Curves.size(), None);
-    std::vector<CurveEnd> ends;
-    for (std::size_t c = 0; c < this->Curves.size(); ++c)
-    {
-      const double value = this->Seeds[this->Curves[c]].value;
-      ends.push_back({ value, placeOf(this->Mesh, this->pointsOf(c).front()), 2 * c });
-      ends.push_back({ value, placeOf(this->Mesh, this->pointsOf(c).back()), 2 * c + 1 });
-    }
-    std::sort(ends.begin(), ends.end(),
-      [](const CurveEnd& a, const CurveEnd& b)
-      { return std::tie(a.value, a.place, a.number) < std::tie(b.value, b.place, b.number); });
-    for (std::size_t first = 0; first < ends.size();)
-    {
-      std::size_t last = first + 1;
-      while (last < ends.size() && ends[last].value == ends[first].value &&
-        ends[last].place == ends[first].place)
-      {
-        ++last;
-      }
-      if (last - first == 2)
-      {
-        this->Linked[ends[first].number] = ends[first + 1].number;
-        this->Linked[ends[first + 1].number] = ends[first].number;
-      }
-      first = last;
-    }
+    std::erase_if(this->Curves, [&](const Curve& curve) { return areDoubled[curve.seed]; });
   }
 
   /** Adds the curve that begins at an end or, if it bends, those that it would be joined from. */
   void addFrom(std::size_t end, std::vector<JoinedCurve>& all)
   {
-    JoinedCurve joined{ this->Curves[end / 2], 0, {} };
+    JoinedCurve joined{ this->Curves[end / 2].seed, 0, {} };
     std::vector<std::size_t> parts;
     for (; end != None; end = this->Linked[end ^ 1])
     {
       const std::size_t curve = end / 2;
       this->IsTaken[curve] = true;
       parts.push_back(curve);
-      joined.seed = std::min(joined.seed, this->Curves[curve]);
+      joined.seed = std::min(joined.seed, this->Curves[curve].seed);
       std::vector<SurfacePoint> points = this->pointsOf(curve);
       if (end % 2 == 1)
       {
@@ -222,24 +259,27 @@ private:
     }
     for (const std::size_t curve : parts)
     {
-      all.push_back({ this->Curves[curve], 1, this->pointsOf(curve) });
+      all.push_back({ this->Curves[curve].seed, 1, this->pointsOf(curve) });
     }
   }
 
   const TriangleMesh& Mesh;
   std::span<const Seed> Seeds;
-  /** The numbers of the seeds. */
-  std::vector<Index> Curves;
-  /** For each end the one that it continues; None if there is none. */
+  std::vector<Curve> Curves;
+  Index NumberOfPlaces = 0;
+  /** For each end, at twice the position of the curve and one more where it is the last point, the
+   * end that it continues; None if there is none. */
   std::vector<std::size_t> Linked;
   std::vector<bool> IsTaken;
 };
 
 }
 
-std::vector<JoinedCurve> joinedCurves(const TriangleMesh& mesh, std::span<const Seed> seeds)
+std::vector<JoinedCurve> joinedCurves(
+  const TriangleMesh& mesh, std::span<const Seed> seeds, const std::function<bool()>& goesOn)
 {
-  return CurveJoiner(mesh, seeds).joined();
+  CurveJoiner joiner(mesh, seeds);
+  return joiner.link(goesOn) ? joiner.joined(goesOn) : std::vector<JoinedCurve>();
 }
 
 }

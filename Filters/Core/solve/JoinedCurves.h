@@ -6,6 +6,7 @@
 #include "solve/Seed.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct JoinedCurve
  * straight on the surface: then one front is as good as those of all. So is a slice through a
  * surface. Segments that are given several times count once. Curves without points are left out.
  * Time O(n log n) for n curves.
+ * @param goesOn called for each few thousand curves; once it has returned false, there are none
  * @return the curves by increasing number of the seed
  */
-std::vector<JoinedCurve> joinedCurves(const TriangleMesh& mesh, std::span<const Seed> seeds);
+std::vector<JoinedCurve> joinedCurves(
+  const TriangleMesh& mesh, std::span<const Seed> seeds, const std::function<bool()>& goesOn);
 
 }
 

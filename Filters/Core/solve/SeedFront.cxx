@@ -412,7 +412,7 @@ void makeSeedFront(const TriangleMesh& mesh, const ClosedTriangles& closed,
   FrontBuilder builder(mesh, closed, front);
   if (joinsCurves && hasCurves)
   {
-    builder.setJoined(joinedCurves(mesh, seeds));
+    builder.setJoined(joinedCurves(mesh, seeds, goesOn));
   }
   std::size_t points = 0;
   for (Index s = 0; s < seeds.size(); ++s)
