@@ -4,14 +4,17 @@
 
 #include "Promises.h"
 #include "NastyCases.h"
+#include "Solving.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace geodesic;
 using namespace geodesic::testing;
@@ -68,6 +71,42 @@ TEST(Promises, HoldForManySeedsOnNastyMeshes)
     report.broken.clear();
   }
   EXPECT_GT(report.solves, 2000);
+}
+
+// The nearest seed was sought in cubes of the size of the first distance, in any number of them.
+TEST(Promises, HoldForManySeedsOnSurfacesOfVeryDifferentSizes)
+{
+  for (const unsigned number : { 58u, 91u, 161u, 410u })
+  {
+    NastyCase test = nastyCase(number);
+    ASSERT_TRUE(test.mesh);
+    const auto corners = static_cast<Index>(test.surface.points.size());
+    Surface both;
+    for (const double size : { 1e-6, 1.0 })
+    {
+      std::transform(test.surface.points.begin(), test.surface.points.end(),
+        std::back_inserter(both.points), [&](const Vector3& point) { return size * point; });
+    }
+    for (const Index first : { Index{ 0 }, corners })
+    {
+      for (const Triangle& t : test.surface.triangles)
+      {
+        both.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+      }
+    }
+    test.surface = both;
+    test.mesh = meshOf(both);
+    std::mt19937 random(number);
+    test.seeds.clear();
+    for (int i = 0; i < 60; ++i)
+    {
+      const auto triangle = static_cast<Index>(random() % test.mesh->numberOfTriangles());
+      test.seeds.push_back(Seed::atPoint({ triangle, { 0.2, 0.3, 0.5 } }));
+    }
+    PromiseReport report;
+    checkPromises(test, report);
+    EXPECT_EQ(report.broken, std::vector<std::string>());
+  }
 }
 
 // What the campaign found beyond these. Windows that are cut into ever more where sheets lie on

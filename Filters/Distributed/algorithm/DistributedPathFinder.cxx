@@ -19,6 +19,7 @@ namespace
 /** So many paths are sought together at first, or as many as there are ends: the corridor has those
  * as well. */
 constexpr std::size_t FirstTogether = 64;
+constexpr std::size_t MostTogetherAtFirst = 1024;
 
 std::vector<SurfacePoint> localPoints(std::span<const GlobalPoint> points)
 {
@@ -37,7 +38,7 @@ DistributedPathFinder::DistributedPathFinder(
   : Request(request)
   , Ends(std::move(ends))
   , Partition(request.ranks, request.mesh)
-  , Together(std::max(FirstTogether, this->Ends.size()))
+  , Together(std::clamp(this->Ends.size(), FirstTogether, MostTogetherAtFirst))
 {
   if (request.ranks.size() == 1)
   {

@@ -86,7 +86,7 @@ struct TracedPath
  * IncompleteRing), they send those in balls there, and the search begins again. The other ranks
  * follow the first rank's orders until it is done. So the first rank holds its piece and O(length
  * of the path) triangles, however the surface was cut into pieces; of several paths at once at most
- * as many as a piece has.
+ * as many points as a piece has, beside those round the starts and ends.
  *
  * Methods that need the surface in one piece work on a WholeSurface instead of a corridor, on the
  * first rank alone.

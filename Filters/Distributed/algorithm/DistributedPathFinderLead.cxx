@@ -140,15 +140,17 @@ DistributedPathFinder::Answers DistributedPathFinder::leadSomePaths(
   try
   {
     std::size_t count = std::min(starts.size(), this->Together);
+    bool haveRoom = true;
     this->shrinkCorridor();
     while (!this->scout().followFrom(starts.first(count),
       count == 1 ? std::numeric_limits<std::size_t>::max() : this->mostPointsOfCorridor()))
     {
       count = (count + 1) / 2;
+      haveRoom = false;
       this->Along.reset();
       this->shrinkCorridor();
     }
-    this->Together = 2 * count;
+    this->Together = haveRoom ? 2 * count : count;
     starts = starts.first(count);
     answers.resize(count);
     isPending.resize(count);
