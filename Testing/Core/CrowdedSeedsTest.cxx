@@ -279,6 +279,47 @@ TEST(CrowdedSeeds, TheyMayBeCancelledBetweenTheMarches)
   EXPECT_TRUE(std::equal(again.begin(), again.end(), whole.begin()));
 }
 
+// Few seeds that are close to one another all count at nearly all vertices: 24 took 150 times as
+// long as one. A few more of them, far from one another, are no crowd.
+TEST(CrowdedSeeds, FewInAPlaceAreCheap)
+{
+  const auto mesh = meshOf(planeGrid(120, 120, 120.0, 120.0));
+  FastMarchingSolver solver(mesh);
+  for (const Index triangles : { 2, 20, 200 })
+  {
+    for (const int count : { 5, 8, 16, 24 })
+    {
+      const std::vector<Seed> seeds = crowdIn(*mesh, triangles, count);
+      std::size_t updates = 0;
+      SolveOptions options;
+      options.onProgress = [&](std::size_t taken)
+      {
+        updates = taken;
+        return true;
+      };
+      const DistanceField& field = solver.solve(seeds, options);
+      EXPECT_LE(updates, 12u * mesh->numberOfVertices()) << count << " in " << triangles;
+      double sum = 0.0;
+      for (Index vertex = 0; vertex < mesh->numberOfVertices(); ++vertex)
+      {
+        double least = DistanceField::Unreached;
+        for (const Seed& seed : seeds)
+        {
+          least = std::min(least, norm(mesh->positionOf(seed.points[0]) - mesh->position(vertex)));
+        }
+        const double difference = std::abs(field.distance(vertex) - least);
+        EXPECT_LE(difference, 0.5 * mesh->meanLongestEdge());
+        sum += difference;
+      }
+      EXPECT_LE(sum, 0.05 * mesh->meanLongestEdge() * mesh->numberOfVertices());
+    }
+  }
+  EXPECT_TRUE(areDense(*mesh, crowdIn(*mesh, 2, 5)));
+  EXPECT_FALSE(areDense(*mesh, crowdIn(*mesh, 2, 4)));
+  EXPECT_FALSE(areDense(*mesh, someVertices(*mesh, 24)));
+  EXPECT_FALSE(areDense(*meshOf(planeGrid(90, 90, 1.0, 1.0)), crowdIn(*mesh, 2, 24)));
+}
+
 // Whether they are dense was told by looking from each at all others.
 TEST(CrowdedSeeds, WhetherTheyAreDenseIsSoonTold)
 {

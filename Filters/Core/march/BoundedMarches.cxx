@@ -28,13 +28,22 @@ namespace geodesic
 namespace
 {
 
-constexpr LabelThinning OfCompeting{ .mostError = 0.05, .allowance = 0.5, .excess = 0.08 };
+constexpr LabelThinning OfCompeting{ .mostError = 0.05,
+  .allowance = 0.5,
+  .lasting = 20.0,
+  .excess = 0.08 };
 /** Beside lines are many labels, each of which is the nearest for less. */
-constexpr LabelThinning OfLines{ .mostError = 0.08, .allowance = 0.4, .excess = 0.05 };
+constexpr LabelThinning OfLines{ .mostError = 0.08,
+  .allowance = 0.5,
+  .lasting = 100.0,
+  .excess = 0.05 };
 
 /** Where costs are spread, half a dear edge is more than a way across much of the surface. The
  * excess is LabelBounds::excess(). */
-constexpr LabelThinning OfSpreadCosts{ .mostError = 0.1, .allowance = 0.0, .excess = 0.0 };
+constexpr LabelThinning OfSpreadCosts{ .mostError = 0.1,
+  .allowance = 0.0,
+  .lasting = 20.0,
+  .excess = 0.0 };
 
 /** A front of all labels together, for a first march. */
 const SeedFront Together{ { { 0, FrontShape::Straight, 0.0, {}, {} } }, {} };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace geodesic
@@ -22,6 +23,12 @@ constexpr std::size_t MostSparseLabels = 24;
 constexpr double VerticesOfSparseLabel = 64.0;
 constexpr double EdgesBetweenSparseLabels = 14.0;
 constexpr std::size_t CloseLabelsOfSparse = 4;
+/** Labels so close to one another count for nearly all vertices: it is about the margin of equal
+ * triangles (see labelMargin()). */
+constexpr double EdgesOfCrowd = 10.0;
+constexpr std::size_t MostInCrowd = 4;
+/** On surfaces of fewer vertices, values of few labels take a tenth of a second at most. */
+constexpr double VerticesOfCrowd = 10000.0;
 constexpr double SpacingsOfSpread = 2.0;
 constexpr double MostInCube = 8.0;
 /** The mean of edges of one size is at most this many times their harmonic mean. */
@@ -102,14 +109,18 @@ std::vector<Index> roundOf(const std::vector<Label>& labels)
   return round;
 }
 
-/** Counts the round labels that start closer to another one than @p distance. Time O(k) for k
- * labels, also where they crowd. */
-std::size_t countClose(const std::vector<Label>& labels, double distance)
+/** Whether many round labels start closer to another one than @p distance. Time O(k) for k labels,
+ * also where they crowd. */
+bool manyAreClose(const std::vector<Label>& labels, double distance)
 {
+  if (!(distance > 0.0))
+  {
+    return false;
+  }
   const std::vector<Index> round = roundOf(labels);
   const auto placeOf = [&](Index number) { return labels[number].position; };
   const PlaceGrid grid(round, distance, placeOf);
-  return static_cast<std::size_t>(std::count_if(round.begin(), round.end(),
+  const auto close = static_cast<std::size_t>(std::count_if(round.begin(), round.end(),
     [&](Index number)
     {
       return grid.anyNear(placeOf(number), distance,
@@ -119,6 +130,36 @@ std::size_t countClose(const std::vector<Label>& labels, double distance)
           return other != number && norm(placeOf(other) - placeOf(number)) < distance;
         });
     }));
+  return close > MostSparseLabels && close * CloseLabelsOfSparse > labels.size();
+}
+
+/**
+ * Whether round labels have, in the mean, more than MostInCrowd of them within a distance, each one
+ * itself included. Time O(k) for k labels: cubes of the grid are so small that all labels in one
+ * are that close, and so more of them than are looked at for nothing end the count.
+ */
+bool labelsCrowd(const std::vector<Label>& labels, double distance)
+{
+  const std::vector<Index> round = roundOf(labels);
+  if (round.size() <= MostInCrowd || !(distance > 0.0))
+  {
+    return false;
+  }
+  const auto placeOf = [&](Index number) { return labels[number].position; };
+  const PlaceGrid grid(round, distance / std::numbers::sqrt3, placeOf);
+  const std::size_t most = MostInCrowd * round.size();
+  std::size_t close = 0;
+  return std::any_of(round.begin(), round.end(),
+    [&](Index number)
+    {
+      return grid.anyNear(placeOf(number), distance,
+        [&](Index other)
+        {
+          WorkCount::add(1);
+          close += norm(placeOf(other) - placeOf(number)) <= distance ? 1 : 0;
+          return close > most;
+        });
+    });
 }
 
 }
@@ -127,22 +168,23 @@ bool labelsAreDense(
   const TriangleMesh& mesh, const SeedFront& front, bool costsAreSpread, Partition& partition)
 {
   const std::size_t count = front.labels.size();
-  if (count <= MostSparseLabels)
+  if (count <= MostInCrowd)
   {
     return false;
   }
   if (costsAreSpread)
   {
-    return true;
+    return count > MostSparseLabels;
   }
   const SurfaceSize size = sizeOf(mesh, partition);
-  if (size.vertices < VerticesOfSparseLabel * static_cast<double>(count))
+  if (count > MostSparseLabels &&
+    (size.vertices < VerticesOfSparseLabel * static_cast<double>(count) ||
+      manyAreClose(front.labels, EdgesBetweenSparseLabels * size.meanEdge)))
   {
     return true;
   }
-  const double distance = EdgesBetweenSparseLabels * size.meanEdge;
-  const std::size_t close = distance > 0.0 ? countClose(front.labels, distance) : 0;
-  return close > MostSparseLabels && close * CloseLabelsOfSparse > count;
+  return size.vertices >= VerticesOfCrowd &&
+    labelsCrowd(front.labels, EdgesOfCrowd * size.meanEdge);
 }
 
 bool labelsHaveRoom(const TriangleMesh& mesh, const SeedFront& front, Partition& partition)

@@ -42,8 +42,6 @@ constexpr double ReachOfSquaredLength = 2.5;
 constexpr double LeastReachOfStraight = 2.0;
 /** How often goesOn() is called. */
 constexpr std::size_t LabelsOfReport = 512;
-/** A label that is needed as far as this, in edges, has an allowance. */
-constexpr double LastingReach = 20.0;
 
 /** A number for the cube of a place, whose diagonal is at most the least spacing there. Places in
  * different cubes hardly ever have the same one. */
@@ -113,15 +111,15 @@ public:
   /**
    * @param numbers   of the labels, in increasing order
    * @param reach     the distance, in edges
-   * @param error     the most by which a label that stays may be farther than one that ends
    * @param farthest  of what lasts, labels whose distance is not less stay without a look at them
    */
   ThinningStep(const std::vector<LabelPlace>& places, const std::vector<Index>& numbers,
-    double reach, double error, double farthest, const std::function<bool()>& goesOn)
+    double reach, const LabelThinning& thinning, double farthest,
+    const std::function<bool()>& goesOn)
     : Places(places)
     , Reach(reach)
-    , MostError(error)
-    , Radius(SearchRadius * std::sqrt(2.0 * error * reach))
+    , MostError(thinning.mostError)
+    , Radius(SearchRadius * std::sqrt(2.0 * thinning.mostError * reach))
     , MostRadius(this->Radius * meanEdge(places, numbers))
     , Grid(numbers, CubeInRadii * this->MostRadius,
         [&](Index number) { return places[number].position; })
@@ -129,7 +127,7 @@ public:
   {
     for (const Index number : numbers)
     {
-      if (reach >= LastingReach && !(reach * places[number].unit() < farthest))
+      if (reach >= thinning.lasting && !(reach * places[number].unit() < farthest))
       {
         this->States[number] = State::Stays;
       }
@@ -343,11 +341,11 @@ std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& 
   }
   endCrowded(places, numbers, reaches);
   // What lasts must not depend on how far the field goes.
-  mostEdges = std::max(mostEdges, LastingReach);
+  mostEdges = std::max(mostEdges, thinning.lasting);
   for (double reach = FirstReach; reach < mostEdges && numbers.size() > 1 && goesOn();
        reach *= ReachStep)
   {
-    const ThinningStep step(places, numbers, reach, thinning.mostError, farthest, goesOn);
+    const ThinningStep step(places, numbers, reach, thinning, farthest, goesOn);
     std::erase_if(numbers,
       [&](Index number)
       {
@@ -360,7 +358,7 @@ std::vector<LabelReach> labelReaches(const TriangleMesh& mesh, const SeedFront& 
   }
   for (Index number = 0; number < reaches.size(); ++number)
   {
-    if (!(reaches[number].value < LastingReach * places[number].unit()))
+    if (!(reaches[number].value < thinning.lasting * places[number].unit()))
     {
       reaches[number].allowance = thinning.allowance * places[number].unit();
     }

@@ -22,6 +22,8 @@ struct LabelThinning
   double mostError;
   /** LabelReach::allowance of labels that last. */
   double allowance;
+  /** How far a label has to be needed to last. */
+  double lasting;
   /** What the bound of a vertex exceeds the least distance by, see LabelBounds. */
   double excess;
 };
@@ -57,9 +59,9 @@ struct LabelReach
  * A straight front between two round ones ends where the round ones are as good: a line of length l
  * is nearer than its ends by at most l² / 8d.
  *
- * What lasts for 20 edges or more stands for the many that end before. The place where it is the
- * nearest may be a strip narrower than an edge at first, at whose sides other labels are nearer at
- * all vertices. So that it comes through there, its distances have an allowance.
+ * What lasts for a number of edges or more stands for the many that end before. The place where it
+ * is the nearest may be a strip narrower than an edge at first, at whose sides other labels are
+ * nearer at all vertices. So that it comes through there, its distances have an allowance.
  *
  * All lengths are in the longest edge round the label. Everything is decided from the input and
  * from one number that does not depend on the order of the march, in the order of the labels.

@@ -27,7 +27,10 @@ namespace
 constexpr double PartOfLine = 1.04;
 constexpr double PartOfReach = 0.5;
 /** Of far parts. Bounds there are as wide as if labels were not thinned. */
-constexpr LabelThinning OfFarParts{ .mostError = 0.1, .allowance = 0.0, .excess = 0.0 };
+constexpr LabelThinning OfFarParts{ .mostError = 0.1,
+  .allowance = 0.0,
+  .lasting = 20.0,
+  .excess = 0.0 };
 
 }
 
