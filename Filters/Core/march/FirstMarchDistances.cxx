@@ -185,11 +185,11 @@ bool isTaken(Index vertex, const LabelBounds& bounds, Taking taking,
   {
     return true;
   }
-  if (taking == Taking::WhereNone)
+  const double first = bounds.first(vertex);
+  if (taking == Taking::WhereNone || !(first < field.distance(vertex)))
   {
     return false;
   }
-  const double first = bounds.first(vertex);
   const bool isOfPoint = !points.empty() && points[field.nearestSeed(vertex)].isKnown();
   const double part = isOfPoint ? (bounds.ofVertex(vertex) - first) / 3.0 : 0.0;
   return first + part < field.distance(vertex);

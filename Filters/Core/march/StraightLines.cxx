@@ -15,7 +15,7 @@ namespace
 {
 
 /** So many vertices, or blocks of them, are in a block. */
-constexpr std::size_t BlockSize = 64;
+constexpr std::size_t BlockSize = 32;
 constexpr std::size_t BlocksOfBlock = 8;
 
 double square(double x)
