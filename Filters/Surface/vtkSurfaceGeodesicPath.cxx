@@ -416,16 +416,21 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
   request.options.onProgress = [&](std::size_t taken) { return reporter.report(taken); };
   geodesic::distributed::PathSearches searches(
     request, internal.Solvers, [&] { return this->IsAborted(run); });
-  const auto areMade = searches.run(unknown.size(),
-    [&](std::size_t number, const geodesic::distributed::PathRequest& own, const auto&)
-    {
-      const std::size_t i = unknown[number];
-      const std::size_t next = (i + 1) % waypoints.size();
-      segments[i].Path =
-        internal.onInput(searches.between(own, points[i], points[next], fromBothEnds));
-      segments[i].IsFinal = fromBothEnds || !gainsByBothEnds ||
-        (segments[i].Path && segments[i].Path->isProvenShortest);
-    });
+  std::vector<geodesic::distributed::PointPair> pairs;
+  for (const std::size_t i : unknown)
+  {
+    pairs.push_back({ points[i], points[(i + 1) % waypoints.size()] });
+  }
+  auto outcomes = searches.betweenAll(pairs, fromBothEnds);
+  std::vector<bool> areMade;
+  for (std::size_t number = 0; number < unknown.size(); ++number)
+  {
+    Segment& segment = segments[unknown[number]];
+    segment.Path = internal.onInput(std::move(outcomes[number].path));
+    segment.IsFinal =
+      fromBothEnds || !gainsByBothEnds || (segment.Path && segment.Path->isProvenShortest);
+    areMade.push_back(outcomes[number].isMade);
+  }
   this->NumberOfSearches = static_cast<vtkIdType>(std::count(areMade.begin(), areMade.end(), true));
   if (!unknown.empty())
   {

@@ -28,6 +28,17 @@ def between(surface, count, **options):
     return surface, dict(WaypointPositions=cases.points_on(surface, count), **options)
 
 
+def along(surface, count, apart=0, **options):
+    """Through many points, from each to the nearest of the others; none nearer to x = 0 than some length."""
+    left = np.reshape(cases.points_on(surface, count), (-1, 3))
+    left = left[np.abs(left[:, 0]) >= apart]
+    chain = [left[0]]
+    for _ in range(len(left) - 1):
+        left = left[np.any(left != chain[-1], axis=1)]
+        chain.append(left[np.argmin(np.linalg.norm(left - chain[-1], axis=1))])
+    return surface, dict(WaypointPositions=np.ravel(chain).tolist(), **options)
+
+
 # What is gathered round a path of so many edges.
 POINTS_OF_EDGE = 40
 ON_TORUS = [1.3, 0.2, 0.3, -1.35, 0.1, 0.1]
@@ -76,6 +87,13 @@ PATHS = {
                                      StartPositions=cases.points_on("torus", 60))),
     "many round a line": ("torus", dict(PathMode="ToNearestSeed", WaypointPositions=ON_TORUS,
                                         StartPositions=cases.points_on("torus", 60), **LINE)),
+    "chain": along("large", 300, Closed=1),
+    "chain traced": along("bunny", 80, Straighten="Off"),
+    "chain along edges": along("bunny", 60, InterpolationOrder=0),
+    "chain of dijkstra": along("bunny", 60, Method="Dijkstra"),
+    "chain with cost": along("torus", 80, CostArray=["POINTS", "Cost"]),
+    "chain beside a wall": along("torus", 80, 0.15, BarrierArray=["CELLS", "CellWall"]),
+    "chain no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5] + [2.3, 0.7, 5, 0.3, 0.2, 5] * 4)),
     "exact": between("bunny", 3, Method="Exact", GatherForExact=1),
     "exact traced": between("bunny", 2, Method="Exact", GatherForExact=1, Straighten="Off"),
     "exact along edges": between("bunny", 2, Method="Exact", GatherForExact=1, InterpolationOrder=0),

@@ -45,7 +45,7 @@ DistributedPathFinder::DistributedPathFinder(
     this->Whole.emplace(request.solver, localPoints(this->Ends), request.options, request.style);
     return;
   }
-  this->InputCutter.emplace(request.surface.divided(), SolveOptions());
+  this->OfInput.emplace(request.ranks, request.surface, request.input);
   if (request.whole)
   {
     if (const auto& corridor = request.whole->corridor())
@@ -206,7 +206,7 @@ void DistributedPathFinder::carryOut(Order order, const RankGroup::Message& cont
   }
   else
   {
-    this->cutInputOnAll(valuesIn<GlobalVertex>(content));
+    this->OfInput->cutOnAll(valuesIn<GlobalVertex>(content));
   }
 }
 
@@ -220,35 +220,6 @@ void DistributedPathFinder::sendOrder(Order order, const RankGroup::Message& con
 std::vector<SurfacePatch> DistributedPathFinder::cutOnAll(std::span<const Ball> balls)
 {
   return patchesOfAll(this->Request.ranks, [&] { return this->Cutter->cut(balls, this->Field); });
-}
-
-std::vector<SurfacePatch> DistributedPathFinder::cutInputOnAll(
-  std::span<const GlobalVertex> vertices)
-{
-  const DistributedSurface& surface = this->Request.surface;
-  std::vector<Index> local;
-  for (const GlobalVertex& vertex : vertices)
-  {
-    if (const Index known = surface.shared().find(vertex); known != NoIndex)
-    {
-      local.push_back(known);
-    }
-  }
-  return patchesOfAll(this->Request.ranks,
-    [&]
-    {
-      SurfacePatch patch = this->InputCutter->cutRound(local, nullptr);
-      for (PatchVertex& vertex : patch.vertices)
-      {
-        const Index number = surface.shared().find(vertex.vertex);
-        const std::optional<Vector3> normal = this->Request.input.normalOf(number);
-        vertex.hasNormal = normal ? 1 : 0;
-        vertex.normal = normal.value_or(Vector3{});
-        vertex.id =
-          surface.piece().numbering().hasUniqueIds() ? this->Request.input.idOf(number) : -1;
-      }
-      return patch;
-    });
 }
 
 void DistributedPathFinder::solve(std::span<const GlobalVertex> targets)

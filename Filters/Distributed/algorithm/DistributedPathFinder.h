@@ -7,6 +7,7 @@
 #include "algorithm/PathScout.h"
 #include "gather/Corridor.h"
 #include "gather/CorridorMesh.h"
+#include "gather/InputCutter.h"
 #include "gather/PatchCutter.h"
 #include "global/GlobalPoints.h"
 #include "path/PathFinder.h"
@@ -187,7 +188,6 @@ private:
   std::vector<SurfacePatch> cutOnAll(std::span<const Ball> balls);
   /** Converts paths on a corridor to such on the input's surface. */
   void takeToInput(std::span<TracedPath*> paths, const CorridorMesh& corridor);
-  std::vector<SurfacePatch> cutInputOnAll(std::span<const GlobalVertex> vertices);
   /**
    * Makes the field reach vertices, or all vertices if there are no targets.
    * @return whether the field was solved again for that
@@ -205,7 +205,7 @@ private:
   std::unique_ptr<DijkstraSolver> EdgeSolver;
   DistributedSolver Partition;
   std::optional<PatchCutter> Cutter;
-  std::optional<PatchCutter> InputCutter;
+  std::optional<InputCutter> OfInput;
   bool HasCost = false;
   /** The vertices that the field reaches, or is known to be unable to reach. */
   std::set<GlobalVertex> Reached;

@@ -23,9 +23,6 @@ namespace
 /** After so many attempts the corridor grows along the whole of what is left of a path. */
 constexpr int AttemptsByBalls = 4;
 
-/** The corridor of several paths has at least room for so many points. */
-constexpr std::size_t RoomOfCorridor = 4096;
-
 /** Returns balls that contain the corners of the triangles with the points. */
 std::vector<Ball> ballsRound(std::span<const GlobalPoint> points)
 {
@@ -276,8 +273,7 @@ void DistributedPathFinder::shrinkCorridor()
 
 std::size_t DistributedPathFinder::mostPointsOfCorridor() const
 {
-  return this->PointsAtEnds +
-    std::max(RoomOfCorridor, static_cast<std::size_t>(this->Request.surface.mostPointsOnARank()));
+  return this->PointsAtEnds + roomOfCorridor(this->Request.surface.mostPointsOnARank());
 }
 
 PathScout DistributedPathFinder::scout()
@@ -338,7 +334,7 @@ void DistributedPathFinder::takeToInput(std::span<TracedPath*> paths, const Corr
   }
   this->sendOrder(Order::CutInput, bytesOf<GlobalVertex>(carriers));
   Corridor alongPaths;
-  alongPaths.add(this->cutInputOnAll(carriers), {});
+  alongPaths.add(this->OfInput->cutOnAll(carriers), {});
   const auto onInput = std::make_shared<const CorridorMesh>(alongPaths, false);
   std::vector<Index> vertices;
   std::transform(carriers.begin(), carriers.end(), std::back_inserter(vertices),

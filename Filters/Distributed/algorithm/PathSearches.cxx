@@ -10,6 +10,7 @@
 #include "solve/SolvedField.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -18,9 +19,8 @@ namespace geodesic::distributed
 namespace
 {
 
-/** By which fraction another path must cost less to be taken: that of two ways round one path does
- * not hang on rounding. */
-constexpr double Rounding = 1e-9;
+/** So many paths on several ranks are sought piece by piece: what that prepares takes time O(n). */
+constexpr std::size_t FewPaths = 4;
 
 /** On several ranks paths from so many starts are found before it is asked whether to go on. */
 constexpr std::size_t StartsTogether = 4096;
@@ -54,10 +54,13 @@ std::vector<bool> PathSearches::run(std::size_t count, const Search& search)
   const std::size_t threads = this->Solvers.numberOfThreads();
   SharedJobs jobs(threads, this->Solvers.stepsToMakeOne(), this->Solvers.mesh().numberOfVertices(),
     this->Request.options.onProgress);
+  // Cost and barriers are those of all searches.
+  std::vector<std::uint8_t> haveMarched(threads);
   return jobs.run(count,
     [&](const SharedJobs::Turn& turn)
     {
       PathRequest own = this->withSolver(this->Solvers.ofThread(turn.thread));
+      own.options.keepsSurface = std::exchange(haveMarched[turn.thread], 0) != 0;
       bool isAborted = false;
       own.options.onProgress = [&](std::size_t steps)
       {
@@ -71,6 +74,7 @@ std::vector<bool> PathSearches::run(std::size_t count, const Search& search)
       try
       {
         search(turn.number, own, [&] { return isAborted; });
+        haveMarched[turn.thread] = isAborted ? 0 : 1;
       }
       catch (...)
       {
@@ -122,7 +126,7 @@ std::optional<TracedPath> PathSearches::between(
   if (fromBothEnds && !path->isProvenShortest)
   {
     auto other = search(to, from);
-    if (other && other->cost < (1.0 - Rounding) * path->cost)
+    if (other && costsLess(other->cost, path->cost))
     {
       other->end = path->end;
       path = std::move(other);
@@ -131,15 +135,63 @@ std::optional<TracedPath> PathSearches::between(
   return path;
 }
 
-std::vector<PathSearches::FromStart> PathSearches::fromStarts(
+std::vector<PathSearches::Outcome> PathSearches::betweenAll(
+  std::span<const PointPair> pairs, bool fromBothEnds)
+{
+  std::vector<Outcome> outcomes(pairs.size());
+  const bool arePiecewise = this->Request.ranks.size() > 1 && pairs.size() >= FewPaths &&
+    !this->Request.gathered && !this->Request.whole;
+  if (arePiecewise)
+  {
+    this->findPiecewise(pairs, fromBothEnds, outcomes);
+  }
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    if (!outcomes[i].isMade)
+    {
+      left.push_back(i);
+    }
+  }
+  const std::vector<bool> areMade = this->run(left.size(),
+    [&](std::size_t number, const PathRequest& request, const IsAborted&)
+    {
+      const auto& [from, to] = pairs[left[number]];
+      outcomes[left[number]].path = this->between(request, from, to, fromBothEnds);
+    });
+  for (std::size_t number = 0; number < left.size(); ++number)
+  {
+    outcomes[left[number]].isMade = areMade[number];
+  }
+  return outcomes;
+}
+
+void PathSearches::findPiecewise(
+  std::span<const PointPair> pairs, bool fromBothEnds, std::span<Outcome> outcomes)
+{
+  PiecewisePaths search(this->Request, fromBothEnds, this->IsAbortedNow);
+  const std::vector<PiecewisePaths::Found> found = search.find(pairs);
+  if (this->IsAbortedNow())
+  {
+    return;
+  }
+  std::vector<std::optional<TracedPath>> paths = search.onInput(found);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    outcomes[i] = { found[i].isKnown, std::move(paths[i]) };
+  }
+  this->LargestCorridor = std::max(this->LargestCorridor, search.largestCorridor());
+}
+
+std::vector<PathSearches::Outcome> PathSearches::fromStarts(
   std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends)
 {
-  std::vector<FromStart> found(starts.size());
+  std::vector<Outcome> found(starts.size());
   const std::vector<std::size_t> order = this->orderOf(starts);
   std::vector<GlobalPoint> ordered;
   std::transform(order.begin(), order.end(), std::back_inserter(ordered),
     [&](std::size_t i) { return starts[i]; });
-  std::vector<FromStart> foundInOrder(starts.size());
+  std::vector<Outcome> foundInOrder(starts.size());
   this->findFromStarts(ordered, ends, foundInOrder);
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -165,7 +217,7 @@ std::vector<std::size_t> PathSearches::orderOf(std::span<const GlobalPoint> star
 }
 
 void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
-  const std::vector<GlobalPoint>& ends, std::vector<FromStart>& found)
+  const std::vector<GlobalPoint>& ends, std::vector<Outcome>& found)
 {
   std::size_t stepsOfMarch = 0;
   PathRequest own = this->withSolver(this->Solvers.first());
@@ -202,7 +254,7 @@ void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
 
 void PathSearches::shareStarts(std::span<const GlobalPoint> starts,
   const std::vector<GlobalPoint>& ends, const DistanceField& field, std::size_t stepsOfMarch,
-  std::vector<FromStart>& found)
+  std::vector<Outcome>& found)
 {
   // A search from one start takes far longer than as many steps of a march.
   constexpr std::size_t stepsOfStart = 256;

@@ -4,6 +4,7 @@
 #define geodesic_distributed_PathSearches_h
 
 #include "algorithm/DistributedPathFinder.h"
+#include "algorithm/PiecewisePaths.h"
 
 #include <cstddef>
 #include <functional>
@@ -59,16 +60,21 @@ public:
   std::optional<TracedPath> between(
     const PathRequest& request, const GlobalPoint& from, const GlobalPoint& to, bool fromBothEnds);
 
-  /** The outcome of a search from a start. */
-  struct FromStart
+  /** The outcome of a search. */
+  struct Outcome
   {
+    /** Whether the search was made, and not aborted. */
     bool isMade = false;
-    /** None if no path leads from the start to an end. */
+    /** None if there is no path. */
     std::optional<TracedPath> path;
   };
 
+  /** Finds a path between the points of each pair, see between(). On several ranks many short ones
+   * take far less than one after the other, see PiecewisePaths. */
+  std::vector<Outcome> betweenAll(std::span<const PointPair> pairs, bool fromBothEnds);
+
   /** Finds paths from starts, each to the nearest of some ends, by one march for all. */
-  std::vector<FromStart> fromStarts(
+  std::vector<Outcome> fromStarts(
     std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends);
 
   /** Counts the corridor of a search's finder for mostPointsOnARank(). */
@@ -80,14 +86,17 @@ private:
   /** The request with another solver. */
   PathRequest withSolver(DistanceSolver& solver) const;
   std::vector<bool> runTogether(std::size_t count, const Search& search);
+  /** On several ranks, finds as many of the paths as parts of the surface are enough for. */
+  void findPiecewise(
+    std::span<const PointPair> pairs, bool fromBothEnds, std::span<Outcome> outcomes);
   /** The numbers of the starts in the order in which their paths are best found. */
   std::vector<std::size_t> orderOf(std::span<const GlobalPoint> starts);
   /** As fromStarts(), in their order. */
   void findFromStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
-    std::vector<FromStart>& found);
+    std::vector<Outcome>& found);
   /** Finds paths on threads as far as the finder's field allows; leaves out the others. */
   void shareStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
-    const DistanceField& field, std::size_t stepsOfMarch, std::vector<FromStart>& found);
+    const DistanceField& field, std::size_t stepsOfMarch, std::vector<Outcome>& found);
 
   PathRequest Request;
   SolverTeam& Solvers;

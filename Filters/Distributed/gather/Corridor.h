@@ -5,7 +5,9 @@
 
 #include "gather/SurfacePatch.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -13,6 +15,14 @@
 
 namespace geodesic::distributed
 {
+
+/** The number of points that a corridor of several paths may have: that of a piece of the surface,
+ * or some thousands. */
+inline std::size_t roomOfCorridor(std::size_t pointsOfPiece)
+{
+  constexpr std::size_t least = 4096;
+  return std::max(least, pointsOfPiece);
+}
 
 /**
  * The part of a surface along a path, joined from patches that ranks cut out of their pieces. Equal

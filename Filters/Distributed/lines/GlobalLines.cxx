@@ -3,6 +3,7 @@
 #include "lines/GlobalLines.h"
 
 #include "algorithm/DistributedPathFinder.h"
+#include "algorithm/PiecewisePaths.h"
 #include "march/FastMarchingSolver.h"
 #include "path/SurfaceCurve.h"
 #include "request/PointSource.h"
@@ -116,7 +117,8 @@ std::vector<bool> whichShareFaces(
   return shareFaces;
 }
 
-GlobalPath globalPathOf(const TracedPath& traced)
+/** The path from its end to its start. */
+GlobalPath reversedPathOf(const TracedPath& traced)
 {
   GlobalPath path;
   for (const PathPoint& point : traced.path)
@@ -127,7 +129,35 @@ GlobalPath globalPathOf(const TracedPath& traced)
       global.corners[c] = traced.corridor->vertex(point.corners[c]).vertex;
     }
   }
+  std::reverse(path.begin(), path.end());
   return path;
+}
+
+/** Finds the paths that join points of lines. Collective. */
+std::vector<PiecewisePaths::Found> jointsOf(RankGroup& ranks, const DistributedSurface& surface,
+  const bridge::PathAttributes& input, const std::vector<PointPair>& pairs)
+{
+  if (pairs.empty())
+  {
+    return {};
+  }
+  FastMarchingSolver solver(surface.sharedPiece()->mesh());
+  PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {}, input };
+  request.options.onProgress = [](std::size_t) { return true; };
+  std::vector<PiecewisePaths::Found> found =
+    PiecewisePaths(request, false, [] { return false; }).find(pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    if (!found[i].isKnown)
+    {
+      DistributedPathFinder finder(request, { pairs[i].from });
+      const auto path =
+        finder.march({ &pairs[i].to, 1 }) ? finder.pathFrom(pairs[i].to) : std::nullopt;
+      found[i].hasPath = path.has_value();
+      found[i].path = path ? reversedPathOf(*path) : GlobalPath{};
+    }
+  }
+  return found;
 }
 
 }
@@ -159,11 +189,22 @@ GlobalLines globalLinesOf(RankGroup& ranks, const DistributedSurface& surface,
 std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& surface,
   const bridge::PathAttributes& input, const GlobalLines& lines, const std::string& property)
 {
-  FastMarchingSolver solver(surface.sharedPiece()->mesh());
-  const PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {},
-    input };
   const std::vector<bool> shareFaces = whichShareFaces(ranks, surface, lines);
+  std::vector<PointPair> apart;
   auto sharesFace = shareFaces.begin();
+  for (const std::vector<GlobalPoint>& line : lines)
+  {
+    for (std::size_t i = 1; i < line.size(); ++i)
+    {
+      if (!*sharesFace++)
+      {
+        apart.push_back({ line[i - 1], line[i] });
+      }
+    }
+  }
+  const std::vector<PiecewisePaths::Found> joints = jointsOf(ranks, surface, input, apart);
+  auto joint = joints.begin();
+  sharesFace = shareFaces.begin();
   std::vector<GlobalPath> paths;
   for (const std::vector<GlobalPoint>& line : lines)
   {
@@ -175,16 +216,14 @@ std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& 
         path.push_back({ line[i].corners, line[i].weights });
         continue;
       }
-      DistributedPathFinder finder(request, { line[i - 1] });
-      const auto joint = finder.march({ &line[i], 1 }) ? finder.pathFrom(line[i]) : std::nullopt;
-      if (!joint)
+      const auto& [isKnown, hasPath, isProven, cost, points] = *joint++;
+      if (!hasPath)
       {
         throwUnjoined(property + "'s line " + std::to_string(paths.size()), i);
       }
-      const GlobalPath back = globalPathOf(*joint);
-      if (!back.empty())
+      if (!points.empty())
       {
-        path.insert(path.end(), back.rbegin() + 1, back.rend());
+        path.insert(path.end(), points.begin() + 1, points.end());
       }
     }
     paths.push_back(ranks.rank() == 0 ? std::move(path) : GlobalPath{});

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: SurfaceGeodesics authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_distributed_PiecewisePaths_h
+#define geodesic_distributed_PiecewisePaths_h
+
+#include "algorithm/DistributedPathFinder.h"
+#include "algorithm/PartialSearch.h"
+#include "gather/CorridorMesh.h"
+#include "gather/PatchCutter.h"
+#include "global/GlobalPath.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace geodesic::distributed
+{
+
+/** Two points that a path is to join. */
+struct PointPair
+{
+  GlobalPoint from;
+  GlobalPoint to;
+};
+
+/**
+ * Finds many paths, each between two points near each other, on a surface whose pieces are on
+ * several ranks. Each rank finds those on its piece by itself, at the same time as the others. The
+ * first rank finds those that cross from one piece to another, many together, on a corridor of
+ * balls round the straight lines between the points. Either is known to be the path on the whole
+ * surface where the part is enough, see PartialSearch; of others nothing is known.
+ *
+ * A field that all ranks solve together takes some ten rounds of messages, for each path.
+ */
+class PiecewisePaths
+{
+public:
+  /** Whether a search must end. Collective. */
+  using IsAborted = std::function<bool()>;
+
+  /**
+   * @param request  of several ranks, without gathered triangles and without a whole surface. It
+   *                 has progress to report
+   * @param fromBothEnds see PathSearches::between()
+   */
+  PiecewisePaths(const PathRequest& request, bool fromBothEnds, IsAborted isAborted);
+
+  struct Found
+  {
+    bool isKnown = false;
+    bool hasPath = false;
+    bool isProvenShortest = false;
+    // On the first rank:
+    double cost = 0.0;
+    GlobalPath path;
+  };
+
+  /** Collective; all ranks must pass the same pairs. */
+  std::vector<Found> find(std::span<const PointPair> pairs);
+  /** The paths on the surface of the input, on the first rank; none where there is none.
+   * Collective.
+   */
+  std::vector<std::optional<TracedPath>> onInput(std::span<const Found> found);
+
+  /** See DistributedPathFinder. */
+  std::size_t largestCorridor() const { return this->LargestCorridor; }
+
+private:
+  /** Finds the paths on this rank's piece. */
+  void findOnPiece(
+    std::span<const PointPair> pairs, std::span<const double> ranksOfPairs, std::span<Found> found);
+  /** Finds the unknown ones on corridors. @param width of these, in units of the usual one */
+  void findAcross(std::span<const PointPair> pairs, double width, std::span<Found> found);
+  /** Finds some on a corridor of the first rank. @return false if it would be too large */
+  bool findOnCorridor(std::span<const PointPair> pairs, std::span<const Index> numbers,
+    double width, std::span<Found> found);
+  /** Lets all ranks know what the first one knows, but for the paths. Collective. */
+  void tellAll(std::span<Found> found);
+  SolveOptions optionsOn(const SolveOptions& part) const;
+  /** Reports that the search of a number begins. @return whether it may */
+  bool begins(Index number);
+
+  PathRequest Request;
+  bool FromBothEnds;
+  IsAborted IsAbortedNow;
+  bool HasCost;
+  PatchCutter Cutter;
+  /** The steps that are reported of the searches before. */
+  std::size_t StepsBefore = 0;
+  std::size_t LargestCorridor = 0;
+};
+
+}
+
+#endif
