@@ -273,6 +273,21 @@ for method in ("Exact", "Bounded", "VirtualSources"):
 for proxy in (shortest, fast, nearest, field, edges):
     simple.Delete(proxy)
 
+# Along edges from many starts: each is the shortest to its waypoint, as Dijkstra's distances from there tell.
+chosen = points[np.unique(testing.cells_of(bunny))[::301]]
+waypoints, chosen = chosen[::40], np.delete(chosen, np.s_[::40], axis=0)
+many = simple.GeodesicPath(Input=bunny, PathMode="ToNearestSeed", WaypointPositions=waypoints.ravel().tolist(),
+                           StartPositions=chosen.ravel().tolist(), InterpolationOrder=0)
+alone = simple.GeodesicDistance(Input=bunny, Method="Dijkstra")
+for number, waypoint in enumerate(waypoints):
+    ends_here = cell_array(many, "NearestSeed") == number
+    assert np.sum(ends_here) >= 8, np.sum(ends_here)
+    alone.SeedPositions = waypoint.tolist()
+    ids = [np.argmin(np.linalg.norm(points - start, axis=1)) for start in chosen[ends_here]]
+    expect_near(cell_array(many, "Length")[ends_here], testing.array_of(alone)[ids], 1e-9 * size)
+for proxy in (many, alone):
+    simple.Delete(proxy)
+
 # A state file brings all of it back.
 before = total(way)
 state = os.path.join(tempfile.mkdtemp(), "path.pvsm")

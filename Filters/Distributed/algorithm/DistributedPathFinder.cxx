@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "algorithm/DistributedPathFinder.h"
 
+#include "algorithm/PiecewisePaths.h"
 #include "algorithm/WholeSurface.h"
 #include "global/GlobalSeeds.h"
 #include "pieces/DistributedSurface.h"
@@ -135,12 +136,20 @@ std::vector<std::optional<TracedPath>> DistributedPathFinder::pathsAlongEdgesFro
   const Answers answers = this->Ends.size() == 1
     ? Answers(starts.size(), { 0 })
     : this->askFirst([&] { return this->leadToNearest(starts); });
+  std::vector<std::optional<TracedPath>> paths(starts.size());
+  std::vector<bool> areKnown(starts.size(), false);
+  if (this->mayGoPiecewise(starts.size()))
+  {
+    this->findPiecewise(starts, answers, paths, areKnown);
+  }
   for (std::size_t i = 0; i < starts.size(); ++i)
   {
-    startsByEnd[answers[i].end].push_back(i);
+    if (!areKnown[i])
+    {
+      startsByEnd[answers[i].end].push_back(i);
+    }
   }
   startsByEnd.erase(NoIndex);
-  std::vector<std::optional<TracedPath>> paths(starts.size());
   for (const auto& [end, numbers] : startsByEnd)
   {
     std::vector<GlobalPoint> startsOfEnd;
@@ -165,6 +174,57 @@ std::vector<std::optional<TracedPath>> DistributedPathFinder::pathsAlongEdgesFro
     this->LargestCorridor = std::max(this->LargestCorridor, finder.LargestCorridor);
   }
   return paths;
+}
+
+bool DistributedPathFinder::mayGoPiecewise(std::size_t starts) const
+{
+  // A field for each end takes some 0.1 s. A search for each start goes over some of the vertices
+  // that are nearest to its end, at 0.1 us each.
+  constexpr double verticesOfField = 1e6;
+  const auto& [ranks, surface, gathered, split, mesh, solver, options, style, input, whole] =
+    this->Request;
+  const double ends = static_cast<double>(this->Ends.size());
+  const double vertices = static_cast<double>(surface.mostPointsOnARank()) * ranks.size();
+  return !gathered && ends * ends * verticesOfField > static_cast<double>(starts) * vertices;
+}
+
+void DistributedPathFinder::findPiecewise(std::span<const GlobalPoint> starts,
+  const Answers& answers, std::span<std::optional<TracedPath>> paths, std::vector<bool>& areKnown)
+{
+  std::vector<PointPair> pairs;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+  {
+    if (answers[i].end != NoIndex)
+    {
+      pairs.push_back({ this->Ends[answers[i].end], starts[i] });
+      numbers.push_back(i);
+    }
+  }
+  bool isCancelled = false;
+  PathRequest own = this->Request;
+  own.options.onProgress = [&](std::size_t steps)
+  {
+    isCancelled |= this->Request.options.onProgress && !this->Request.options.onProgress(steps);
+    return !isCancelled;
+  };
+  PiecewisePaths search(own, false, [&] { return own.ranks.isAny(isCancelled); });
+  std::vector<PiecewisePaths::Found> found = search.find(pairs);
+  for (PiecewisePaths::Found& one : found)
+  {
+    std::reverse(one.path.begin(), one.path.end());
+  }
+  std::vector<std::optional<TracedPath>> onInput = search.onInput(found);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    areKnown[numbers[i]] = found[i].isKnown;
+    if (onInput[i])
+    {
+      onInput[i]->end = answers[numbers[i]].end;
+      paths[numbers[i]] = std::move(onInput[i]);
+    }
+  }
+  this->LargestCorridor = std::max(this->LargestCorridor, search.largestCorridor());
 }
 
 DistributedPathFinder::Answers DistributedPathFinder::askFirst(

@@ -115,6 +115,11 @@ public:
    * most of all if they are near each other. */
   std::vector<std::optional<TracedPath>> pathsFrom(std::span<const GlobalPoint> starts);
 
+  /** See PathFinder::nearestSeed(). @pre there is one rank */
+  Index nearestEndOnOneRank(const GlobalPoint& start) const
+  {
+    return this->Whole->nearestSeed(start.local.front());
+  }
   /** The field that the last march made. @pre there is one rank */
   const DistanceField& fieldOfOneRank() const { return this->Whole->field(); }
   /** The number of points of the largest corridor so far; 0 on all ranks but the first. */
@@ -161,6 +166,11 @@ private:
 
   /** Returns paths along edges to the nearest ends, which the field tells if there are several. */
   std::vector<std::optional<TracedPath>> pathsAlongEdgesFrom(std::span<const GlobalPoint> starts);
+  /** Whether a search for each start, see PiecewisePaths, takes less than a field for each end. */
+  bool mayGoPiecewise(std::size_t starts) const;
+  /** Finds paths along edges whose ends are known, as far as that is possible piece by piece. */
+  void findPiecewise(std::span<const GlobalPoint> starts, const Answers& answers,
+    std::span<std::optional<TracedPath>> paths, std::vector<bool>& areKnown);
 
   // On the first rank.
   Answers leadMarch(std::span<const GlobalPoint> starts);

@@ -7,6 +7,7 @@
 #include "mesh/TriangleMesh.h"
 #include "methods/SolverTeam.h"
 #include "path/PathFinder.h"
+#include "solve/DijkstraSolver.h"
 #include "solve/SolvedField.h"
 
 #include <algorithm>
@@ -231,6 +232,11 @@ void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
   {
     return;
   }
+  if (this->Request.ranks.size() == 1 && own.style.order == PathOrder::Vertices &&
+    own.options.cost.empty() && own.solver.crossesFaces())
+  {
+    this->findAlongEdges(starts, ends, finder, own, found);
+  }
   if (this->Request.ranks.size() == 1 && this->Solvers.numberOfThreads() > 1)
   {
     this->shareStarts(starts, ends, finder.fieldOfOneRank(), stepsOfMarch, found);
@@ -250,6 +256,48 @@ void PathSearches::findFromStarts(std::span<const GlobalPoint> starts,
     }
   }
   this->count(finder);
+}
+
+void PathSearches::findAlongEdges(std::span<const GlobalPoint> starts,
+  const std::vector<GlobalPoint>& ends, const DistributedPathFinder& finder,
+  const PathRequest& request, std::vector<Outcome>& found)
+{
+  // Fewer are found sooner in the field across faces, which each searches for itself.
+  constexpr std::size_t leastStarts = 8;
+  std::vector<std::vector<std::size_t>> startsOfEnds(ends.size());
+  for (std::size_t i = 0; i < starts.size(); ++i)
+  {
+    if (const Index end = finder.nearestEndOnOneRank(starts[i]); end != NoIndex)
+    {
+      startsOfEnds[end].push_back(i);
+    }
+  }
+  DijkstraSolver solver(this->Request.mesh.sharedMesh());
+  PathRequest own = this->withSolver(solver);
+  own.options = request.options;
+  for (Index end = 0; end < ends.size() && !this->IsAbortedNow(); ++end)
+  {
+    const std::vector<std::size_t>& numbers = startsOfEnds[end];
+    if (numbers.size() < leastStarts)
+    {
+      continue;
+    }
+    std::vector<GlobalPoint> startsOfEnd;
+    std::transform(numbers.begin(), numbers.end(), std::back_inserter(startsOfEnd),
+      [&](std::size_t i) { return starts[i]; });
+    DistributedPathFinder alongEdges(own, { ends[end] });
+    // Barriers are those of all ends.
+    own.options.keepsSurface = alongEdges.march(startsOfEnd);
+    for (std::size_t k = 0; k < numbers.size() && own.options.keepsSurface; ++k)
+    {
+      auto path = alongEdges.pathFrom(startsOfEnd[k]);
+      if (path)
+      {
+        path->end = end;
+      }
+      found[numbers[k]] = { !this->IsAbortedNow(), std::move(path) };
+    }
+  }
 }
 
 void PathSearches::shareStarts(std::span<const GlobalPoint> starts,
@@ -284,6 +332,10 @@ void PathSearches::shareStarts(std::span<const GlobalPoint> starts,
       }
       for (std::size_t i = 0; i < chunk.size() && !isAborted; ++i)
       {
+        if (found[first + i].isMade)
+        {
+          continue;
+        }
         try
         {
           found[first + i].path = finder.pathFrom(chunk[i]);

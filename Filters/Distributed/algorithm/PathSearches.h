@@ -94,6 +94,10 @@ private:
   /** As fromStarts(), in their order. */
   void findFromStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
     std::vector<Outcome>& found);
+  /** On one rank, finds paths along edges for which a field along edges is worth while: those of
+   * ends with many starts. @param finder  has marched across faces */
+  void findAlongEdges(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
+    const DistributedPathFinder& finder, const PathRequest& request, std::vector<Outcome>& found);
   /** Finds paths on threads as far as the finder's field allows; leaves out the others. */
   void shareStarts(std::span<const GlobalPoint> starts, const std::vector<GlobalPoint>& ends,
     const DistanceField& field, std::size_t stepsOfMarch, std::vector<Outcome>& found);
