@@ -201,14 +201,10 @@ void DistributedPathFinder::findPiecewise(std::span<const GlobalPoint> starts,
       numbers.push_back(i);
     }
   }
-  bool isCancelled = false;
   PathRequest own = this->Request;
   own.options.onProgress = [&](std::size_t steps)
-  {
-    isCancelled |= this->Request.options.onProgress && !this->Request.options.onProgress(steps);
-    return !isCancelled;
-  };
-  PiecewisePaths search(own, false, [&] { return own.ranks.isAny(isCancelled); });
+  { return !this->Request.options.onProgress || this->Request.options.onProgress(steps); };
+  PiecewisePaths search(own, false);
   std::vector<PiecewisePaths::Found> found = search.find(pairs);
   for (PiecewisePaths::Found& one : found)
   {

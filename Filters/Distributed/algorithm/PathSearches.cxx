@@ -140,9 +140,7 @@ std::vector<PathSearches::Outcome> PathSearches::betweenAll(
   std::span<const PointPair> pairs, bool fromBothEnds)
 {
   std::vector<Outcome> outcomes(pairs.size());
-  const bool arePiecewise = this->Request.ranks.size() > 1 && pairs.size() >= FewPaths &&
-    !this->Request.gathered && !this->Request.whole;
-  if (arePiecewise)
+  if (pairs.size() >= FewPaths && PiecewisePaths::suit(this->Request))
   {
     this->findPiecewise(pairs, fromBothEnds, outcomes);
   }
@@ -170,7 +168,7 @@ std::vector<PathSearches::Outcome> PathSearches::betweenAll(
 void PathSearches::findPiecewise(
   std::span<const PointPair> pairs, bool fromBothEnds, std::span<Outcome> outcomes)
 {
-  PiecewisePaths search(this->Request, fromBothEnds, this->IsAbortedNow);
+  PiecewisePaths search(this->Request, fromBothEnds);
   const std::vector<PiecewisePaths::Found> found = search.find(pairs);
   if (this->IsAbortedNow())
   {

@@ -5,9 +5,11 @@
 #include "gather/Corridor.h"
 #include "gather/InputCutter.h"
 #include "pieces/DistributedSurface.h"
+#include "solve/Detours.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -20,9 +22,12 @@ namespace geodesic::distributed
 namespace
 {
 
-/** So many paths are sought on a corridor at first, and at most. */
-constexpr std::size_t FirstOnCorridor = 64;
-constexpr std::size_t MostOnCorridor = 1024;
+/** A rank searches for so long before all tell whether to go on. */
+constexpr std::chrono::milliseconds Turn{ 50 };
+/** So many paths are sought on a corridor at most, on so many points of all of them and of each. */
+constexpr std::size_t MostOnCorridor = 256;
+constexpr std::size_t MostPointsOfCorridor = 65536;
+constexpr std::size_t MostPointsOfPath = 16384;
 
 /** The radius of balls along the straight line between two points: a part of its length, which the
  * ellipse of the front has (see PathFinder), and some edges. */
@@ -30,8 +35,6 @@ constexpr double PartOfLength = 0.3;
 constexpr double EdgesOfRadius = 4.0;
 /** Corridors are so wide one after the other. */
 constexpr std::array Widths{ 1.0, 3.0 };
-/** A line of more balls is longer than what is near. */
-constexpr double MostBalls = 64.0;
 
 /** What a rank tells of a path. */
 struct FoundHeader
@@ -57,7 +60,7 @@ std::vector<Ball> ballsAlong(const PointPair& pair, double width)
   const double length = norm(way);
   const double edge = std::max(pair.from.longestEdge, pair.to.longestEdge);
   const double radius = width * (PartOfLength * length + EdgesOfRadius * edge);
-  const double count = std::min(std::ceil(length / radius), MostBalls);
+  const double count = length > 0.0 ? std::ceil(length / radius) : 0.0;
   std::vector<Ball> balls;
   for (double i = 0.0; i <= count; i += 1.0)
   {
@@ -138,10 +141,65 @@ std::vector<Index> unknownOf(std::span<const PiecewisePaths::Found> found)
 
 }
 
-PiecewisePaths::PiecewisePaths(const PathRequest& request, bool fromBothEnds, IsAborted isAborted)
+/** Searches on this rank's piece. */
+class PiecewisePaths::PieceSearch
+{
+public:
+  explicit PieceSearch(PiecewisePaths& paths)
+    : Mesh(paths.Request.mesh)
+    , FromBothEnds(paths.FromBothEnds)
+    , Incomplete(Mesh.mesh().numberOfVertices())
+    , Search(Mesh.sharedMesh(), this->options(paths), paths.Request.style, paths.Request.solver)
+  {
+  }
+
+  void find(const PointPair& pair, Found& found)
+  {
+    take(
+      this->Search.between(pair.from.local[0], pair.to.local[0], this->FromBothEnds),
+      [this](Index vertex) { return this->Mesh.shared().globalOf(vertex); }, found);
+  }
+
+private:
+  SolveOptions options(PiecewisePaths& paths)
+  {
+    for (const Index vertex : this->Mesh.shared().vertices())
+    {
+      this->Incomplete[vertex] = 1;
+    }
+    SolveOptions options = paths.optionsOn(paths.Request.options);
+    options.incomplete = this->Incomplete;
+    return options;
+  }
+
+  const DividedMesh& Mesh;
+  bool FromBothEnds;
+  std::vector<std::uint8_t> Incomplete;
+  PartialSearch Search;
+};
+
+bool PiecewisePaths::suit(const PathRequest& request)
+{
+  if (request.ranks.size() == 1 || request.gathered || request.whole)
+  {
+    return false;
+  }
+  const TriangleMesh& mesh = request.mesh.mesh();
+  const std::span<const double> cost = request.options.cost;
+  bool jumps = false;
+  for (Index vertex = 0; vertex < cost.size() && !jumps; ++vertex)
+  {
+    const std::span<const RingEntry> ring = mesh.ring(vertex);
+    jumps = std::any_of(ring.begin(), ring.end(),
+      [&](const RingEntry& entry)
+      { return Detours::mayBypass(cost[vertex] / cost[entry.neighbour()]); });
+  }
+  return !request.ranks.isAny(jumps);
+}
+
+PiecewisePaths::PiecewisePaths(const PathRequest& request, bool fromBothEnds)
   : Request(request)
   , FromBothEnds(fromBothEnds)
-  , IsAbortedNow(std::move(isAborted))
   , HasCost(request.ranks.isAny(!request.options.cost.empty()))
   , Cutter(request.mesh, request.options)
 {
@@ -158,7 +216,7 @@ std::vector<PiecewisePaths::Found> PiecewisePaths::find(std::span<const PointPai
     ranksOfPairs.push_back(areHere ? ranks.rank() : ranks.size());
   }
   ranks.takeLeast(ranksOfPairs);
-  ranks.together([&] { this->findOnPiece(pairs, ranksOfPairs, found); });
+  this->findOnPieces(pairs, ranksOfPairs, found);
   for (const RankGroup::Message& message : ranks.toFirst(packed(found)))
   {
     unpack(message, found);
@@ -171,50 +229,63 @@ std::vector<PiecewisePaths::Found> PiecewisePaths::find(std::span<const PointPai
   return found;
 }
 
-SolveOptions PiecewisePaths::optionsOn(const SolveOptions& part) const
+SolveOptions PiecewisePaths::optionsOn(const SolveOptions& part)
 {
   SolveOptions options = part;
-  options.onProgress = [this](std::size_t steps)
-  { return this->Request.options.onProgress(this->StepsBefore + steps); };
+  options.onProgress = [this](std::size_t steps) { return this->report(steps); };
   options.maximumDistance = this->Request.options.maximumDistance;
   return options;
 }
 
-bool PiecewisePaths::begins(Index number)
+bool PiecewisePaths::report(std::size_t steps)
 {
-  this->StepsBefore = std::size_t{ number } * this->Request.mesh.mesh().numberOfVertices();
-  return this->Request.options.onProgress(this->StepsBefore);
+  // A reporter does not tell each time that it has been cancelled.
+  this->IsCancelled =
+    this->IsCancelled || !this->Request.options.onProgress(this->StepsBefore + steps);
+  return !this->IsCancelled;
 }
 
-void PiecewisePaths::findOnPiece(
+bool PiecewisePaths::allGoOn(double searches)
+{
+  this->StepsBefore =
+    static_cast<std::size_t>(searches * this->Request.mesh.mesh().numberOfVertices());
+  return !this->Request.ranks.isAny(!this->report(0));
+}
+
+void PiecewisePaths::findOnPieces(
   std::span<const PointPair> pairs, std::span<const double> ranksOfPairs, std::span<Found> found)
 {
-  const double own = this->Request.ranks.rank();
-  if (std::find(ranksOfPairs.begin(), ranksOfPairs.end(), own) == ranksOfPairs.end())
+  RankGroup& ranks = this->Request.ranks;
+  std::vector<Index> own;
+  double left = 0.0;
+  for (Index number = 0; number < pairs.size(); ++number)
   {
-    return;
-  }
-  const DividedMesh& mesh = this->Request.mesh;
-  std::vector<std::uint8_t> incomplete(mesh.mesh().numberOfVertices());
-  for (const Index vertex : mesh.shared().vertices())
-  {
-    incomplete[vertex] = 1;
-  }
-  SolveOptions options = this->optionsOn(this->Request.options);
-  options.incomplete = incomplete;
-  PartialSearch search(mesh.sharedMesh(), options, this->Request.style, this->Request.solver);
-  const auto globalOf = [&](Index vertex) { return mesh.shared().globalOf(vertex); };
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    if (ranksOfPairs[i] == own)
+    left += ranksOfPairs[number] < ranks.size() ? 1.0 : 0.0;
+    if (ranksOfPairs[number] == ranks.rank())
     {
-      if (!this->begins(static_cast<Index>(i)))
-      {
-        return;
-      }
-      take(search.between(pairs[i].from.local[0], pairs[i].to.local[0], this->FromBothEnds),
-        globalOf, found[i]);
+      own.push_back(number);
     }
+  }
+  std::optional<PieceSearch> search;
+  std::size_t done = 0;
+  double doneByAll = 0.0;
+  while (doneByAll < left && this->allGoOn(doneByAll))
+  {
+    ranks.together(
+      [&]
+      {
+        const auto end = std::chrono::steady_clock::now() + Turn;
+        while (done < own.size() && !this->IsCancelled && std::chrono::steady_clock::now() < end)
+        {
+          if (!search)
+          {
+            search.emplace(*this);
+          }
+          const Index number = own[done++];
+          search->find(pairs[number], found[number]);
+        }
+      });
+    doneByAll = ranks.sum(static_cast<double>(done));
   }
 }
 
@@ -222,24 +293,66 @@ void PiecewisePaths::findAcross(
   std::span<const PointPair> pairs, double width, std::span<Found> found)
 {
   const std::vector<Index> unknown = unknownOf(found);
-  std::size_t together = FirstOnCorridor;
-  for (std::size_t i = 0; i < unknown.size() && !this->IsAbortedNow();)
+  const double known = static_cast<double>(found.size() - unknown.size());
+  const auto most = static_cast<double>(
+    std::min(MostPointsOfCorridor, roomOfCorridor(this->Request.surface.mostPointsOnARank())));
+  for (std::size_t i = 0; i < unknown.size(); i += MostOnCorridor)
   {
-    const std::size_t count = std::min(together, unknown.size() - i);
-    if (this->findOnCorridor(pairs, std::span(unknown).subspan(i, count), width, found))
+    const auto numbers =
+      std::span(unknown).subspan(i, std::min(MostOnCorridor, unknown.size() - i));
+    if (!this->allGoOn(known + static_cast<double>(i)))
     {
-      i += count;
-      together = std::min(2 * together, MostOnCorridor);
+      return;
     }
-    else
+    const std::vector<double> points = this->pointsOfBalls(pairs, numbers, width);
+    std::vector<Index> together;
+    double sum = 0.0;
+    for (std::size_t k = 0; k <= numbers.size(); ++k)
     {
-      together = (count + 1) / 2;
+      if (k < numbers.size() && points[k] > std::min(static_cast<double>(MostPointsOfPath), most))
+      {
+        continue;
+      }
+      if (!together.empty() && (k == numbers.size() || sum + points[k] > most))
+      {
+        if (!this->allGoOn(known + static_cast<double>(i + k)))
+        {
+          return;
+        }
+        this->findOnCorridor(pairs, together, width, found);
+        together.clear();
+        sum = 0.0;
+      }
+      if (k < numbers.size())
+      {
+        together.push_back(numbers[k]);
+        sum += points[k];
+      }
     }
   }
   this->tellAll(found);
 }
 
-bool PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
+std::vector<double> PiecewisePaths::pointsOfBalls(
+  std::span<const PointPair> pairs, std::span<const Index> numbers, double width)
+{
+  std::vector<double> own;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(own),
+    [&](Index number)
+    {
+      return static_cast<double>(
+        this->Cutter.count(ballsAlong(pairs[number], width), MostPointsOfPath));
+    });
+  const std::vector<double> all = this->Request.ranks.gather(own);
+  std::vector<double> sums(numbers.size(), 0.0);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    sums[i % sums.size()] += all[i];
+  }
+  return sums;
+}
+
+void PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
   std::span<const Index> numbers, double width, std::span<Found> found)
 {
   std::vector<Ball> balls;
@@ -251,22 +364,12 @@ bool PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
   RankGroup& ranks = this->Request.ranks;
   const std::vector<SurfacePatch> patches =
     patchesOfAll(ranks, [&] { return this->Cutter.cut(balls, nullptr); });
-  Corridor corridor;
-  if (ranks.rank() == 0)
-  {
-    corridor.add(patches, balls);
-  }
-  const bool isTooLarge =
-    corridor.vertices().size() > roomOfCorridor(this->Request.surface.mostPointsOnARank());
-  if (ranks.isAny(isTooLarge))
-  {
-    // Even a single path may be longer than what is near.
-    return numbers.size() == 1;
-  }
   if (ranks.rank() > 0)
   {
-    return true;
+    return;
   }
+  Corridor corridor;
+  corridor.add(patches, balls);
   this->LargestCorridor = std::max(this->LargestCorridor, corridor.vertices().size());
   const auto part = std::make_shared<const CorridorMesh>(corridor, this->HasCost);
   const SolveOptions options = this->optionsOn(part->options());
@@ -274,7 +377,7 @@ bool PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
   const auto globalOf = [&](Index vertex) { return part->vertex(vertex).vertex; };
   for (const Index number : numbers)
   {
-    if (!this->begins(number))
+    if (!this->report(0))
     {
       break;
     }
@@ -282,7 +385,6 @@ bool PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
     const std::vector<SurfacePoint> points = part->pointsOf(ends);
     take(search.between(points[0], points[1], this->FromBothEnds), globalOf, found[number]);
   }
-  return true;
 }
 
 void PiecewisePaths::tellAll(std::span<Found> found)

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,15 +37,17 @@ struct PointPair
 class PiecewisePaths
 {
 public:
-  /** Whether a search must end. Collective. */
-  using IsAborted = std::function<bool()>;
-
   /**
-   * @param request  of several ranks, without gathered triangles and without a whole surface. It
-   *                 has progress to report
+   * Whether paths can be found so: on several ranks, without gathered triangles and without a whole
+   * surface, and with costs that hardly differ from a vertex to the next. Where they jump, a field
+   * depends on costs far beside it (see Detours). Collective.
+   */
+  static bool suit(const PathRequest& request);
+  /**
+   * @param request  that suits. It has progress to report
    * @param fromBothEnds see PathSearches::between()
    */
-  PiecewisePaths(const PathRequest& request, bool fromBothEnds, IsAborted isAborted);
+  PiecewisePaths(const PathRequest& request, bool fromBothEnds);
 
   struct Found
   {
@@ -69,27 +70,35 @@ public:
   std::size_t largestCorridor() const { return this->LargestCorridor; }
 
 private:
-  /** Finds the paths on this rank's piece. */
-  void findOnPiece(
+  class PieceSearch;
+
+  /** Finds paths on the pieces. @param ranksOfPairs  the rank that is to search for each */
+  void findOnPieces(
     std::span<const PointPair> pairs, std::span<const double> ranksOfPairs, std::span<Found> found);
   /** Finds the unknown ones on corridors. @param width of these, in units of the usual one */
   void findAcross(std::span<const PointPair> pairs, double width, std::span<Found> found);
-  /** Finds some on a corridor of the first rank. @return false if it would be too large */
-  bool findOnCorridor(std::span<const PointPair> pairs, std::span<const Index> numbers,
+  /** For each pair how many points of all ranks its balls hold. Collective. */
+  std::vector<double> pointsOfBalls(
+    std::span<const PointPair> pairs, std::span<const Index> numbers, double width);
+  /** Finds some on a corridor of the first rank. Collective. */
+  void findOnCorridor(std::span<const PointPair> pairs, std::span<const Index> numbers,
     double width, std::span<Found> found);
   /** Lets all ranks know what the first one knows, but for the paths. Collective. */
   void tellAll(std::span<Found> found);
-  SolveOptions optionsOn(const SolveOptions& part) const;
-  /** Reports that the search of a number begins. @return whether it may */
-  bool begins(Index number);
+  SolveOptions optionsOn(const SolveOptions& part);
+  /** Reports progress. @param steps since those of the searches before @return whether to go on */
+  bool report(std::size_t steps);
+  /** The same by all ranks, which go on together. Collective.
+   * @param searches  how many of those of all ranks have been made */
+  bool allGoOn(double searches);
 
   PathRequest Request;
   bool FromBothEnds;
-  IsAborted IsAbortedNow;
   bool HasCost;
   PatchCutter Cutter;
   /** The steps that are reported of the searches before. */
   std::size_t StepsBefore = 0;
+  bool IsCancelled = false;
   std::size_t LargestCorridor = 0;
 };
 

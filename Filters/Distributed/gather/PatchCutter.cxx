@@ -88,28 +88,50 @@ SurfacePatch PatchCutter::cutRound(
   return patch;
 }
 
+template <class Visit>
+void PatchCutter::visitIn(const Ball& exact, const Visit& visit) const
+{
+  const TriangleMesh& mesh = this->Mesh.mesh();
+  const Ball ball = widened(exact);
+  for (std::size_t block = 0; block < this->Boxes.size(); ++block)
+  {
+    if (ball.contains(this->Boxes[block].nearestTo(ball.centre)))
+    {
+      const auto first = static_cast<Index>(block * BlockSize);
+      const Index last = std::min(first + BlockSize, mesh.numberOfVertices());
+      for (Index v = first; v < last; ++v)
+      {
+        if (ball.contains(mesh.position(v)) && !visit(v))
+        {
+          return;
+        }
+      }
+    }
+  }
+}
+
+std::size_t PatchCutter::count(std::span<const Ball> balls, std::size_t most) const
+{
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < balls.size() && found <= most; ++i)
+  {
+    this->visitIn(balls[i], [&](Index) { return ++found <= most; });
+  }
+  return found;
+}
+
 std::vector<PatchCutter::Inner> PatchCutter::verticesIn(std::span<const Ball> balls) const
 {
   const TriangleMesh& mesh = this->Mesh.mesh();
   std::vector<Inner> vertices;
-  for (const Ball& exact : balls)
+  for (const Ball& ball : balls)
   {
-    const Ball ball = widened(exact);
-    for (std::size_t block = 0; block < this->Boxes.size(); ++block)
-    {
-      if (ball.contains(this->Boxes[block].nearestTo(ball.centre)))
+    this->visitIn(ball,
+      [&](Index vertex)
       {
-        const auto first = static_cast<Index>(block * BlockSize);
-        const Index last = std::min(first + BlockSize, mesh.numberOfVertices());
-        for (Index v = first; v < last; ++v)
-        {
-          if (ball.contains(mesh.position(v)))
-          {
-            vertices.push_back({ v, exact.depthOf(mesh.position(v)) });
-          }
-        }
-      }
-    }
+        vertices.push_back({ vertex, ball.depthOf(mesh.position(vertex)) });
+        return true;
+      });
   }
   std::sort(vertices.begin(), vertices.end(),
     [](const Inner& a, const Inner& b)

@@ -9,6 +9,7 @@
 #include "solve/DistanceField.h"
 #include "solve/SolveOptions.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
    * @param field gives the distances; null if there are none yet
    */
   SurfacePatch cut(std::span<const Ball> balls, const DistanceField* field) const;
+  /** How many vertices are in the balls, some in several. It ends with more than @p most. */
+  std::size_t count(std::span<const Ball> balls, std::size_t most) const;
   /** Cuts out the triangles at some vertices; see cut(). */
   SurfacePatch cutRound(std::span<const Index> vertices, const DistanceField* field) const;
   std::vector<Index> trianglesRound(std::span<const Index> vertices) const;
@@ -43,6 +46,9 @@ private:
     float depth;
   };
 
+  /** Calls @p visit with the vertices in a ball, until it returns false. */
+  template <class Visit>
+  void visitIn(const Ball& ball, const Visit& visit) const;
   /** In ascending order of the vertices, each once. */
   std::vector<Inner> verticesIn(std::span<const Ball> balls) const;
   PatchVertex patchVertex(Index vertex, const DistanceField* field) const;

@@ -144,8 +144,7 @@ std::vector<PiecewisePaths::Found> jointsOf(RankGroup& ranks, const DistributedS
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
   PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {}, input };
   request.options.onProgress = [](std::size_t) { return true; };
-  std::vector<PiecewisePaths::Found> found =
-    PiecewisePaths(request, false, [] { return false; }).find(pairs);
+  std::vector<PiecewisePaths::Found> found = PiecewisePaths(request, false).find(pairs);
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     if (!found[i].isKnown)
