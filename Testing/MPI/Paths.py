@@ -93,7 +93,7 @@ PATHS = {
     "chain of dijkstra": along("bunny", 60, Method="Dijkstra"),
     "chain with cost": along("torus", 80, CostArray=["POINTS", "Cost"]),
     "chain beside a wall": along("torus", 80, 0.15, BarrierArray=["CELLS", "CellWall"]),
-    "chain no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5] + [2.3, 0.7, 5, 0.3, 0.2, 5] * 4)),
+    "chain no route": ("parts", dict(WaypointPositions=[0.3, 0.2, 0, 6.3, 5.2, 0, 0.3, 0.2, 5] + [2.3, 0.7, 5, 0.3, 0.2, 5] * 9)),
     "exact": between("bunny", 3, Method="Exact", GatherForExact=1),
     "exact traced": between("bunny", 2, Method="Exact", GatherForExact=1, Straighten="Off"),
     "exact along edges": between("bunny", 2, Method="Exact", GatherForExact=1, InterpolationOrder=0),

@@ -20,8 +20,9 @@ namespace geodesic::distributed
 namespace
 {
 
-/** So many paths on several ranks are sought piece by piece: what that prepares takes time O(n). */
-constexpr std::size_t FewPaths = 4;
+/** From so many paths on, several ranks seek them piece by piece. Fewer are those of one rank also
+ * where two ways are equally long. */
+constexpr std::size_t LeastPaths = 16;
 
 /** On several ranks paths from so many starts are found before it is asked whether to go on. */
 constexpr std::size_t StartsTogether = 4096;
@@ -140,7 +141,7 @@ std::vector<PathSearches::Outcome> PathSearches::betweenAll(
   std::span<const PointPair> pairs, bool fromBothEnds)
 {
   std::vector<Outcome> outcomes(pairs.size());
-  if (pairs.size() >= FewPaths && PiecewisePaths::suit(this->Request))
+  if (pairs.size() >= LeastPaths && PiecewisePaths::suit(this->Request))
   {
     this->findPiecewise(pairs, fromBothEnds, outcomes);
   }

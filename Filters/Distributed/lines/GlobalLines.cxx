@@ -16,6 +16,10 @@ namespace geodesic::distributed
 namespace
 {
 
+/** From so many joints on, ranks seek them piece by piece. Fewer are those of one rank also where
+ * two ways are equally long. */
+constexpr std::size_t LeastJoints = 64;
+
 /** Returns the lines of a source, x y z of each point in turn. */
 std::vector<std::vector<double>> coordinatesOfLines(vtkDataObject* source)
 {
@@ -144,7 +148,11 @@ std::vector<PiecewisePaths::Found> jointsOf(RankGroup& ranks, const DistributedS
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
   PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {}, input };
   request.options.onProgress = [](std::size_t) { return true; };
-  std::vector<PiecewisePaths::Found> found = PiecewisePaths(request, false).find(pairs);
+  std::vector<PiecewisePaths::Found> found(pairs.size());
+  if (pairs.size() >= LeastJoints)
+  {
+    found = PiecewisePaths(request, false).find(pairs);
+  }
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     if (!found[i].isKnown)
