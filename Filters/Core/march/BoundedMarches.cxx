@@ -34,8 +34,8 @@ constexpr LabelThinning OfCompeting{ .mostError = 0.05,
   .excess = 0.08 };
 /** Beside lines are many labels, each of which is the nearest for less. */
 constexpr LabelThinning OfLines{ .mostError = 0.08,
-  .allowance = 0.5,
-  .lasting = 100.0,
+  .allowance = 0.45,
+  .lasting = 60.0,
   .excess = 0.05 };
 
 /** Where costs are spread, half a dear edge is more than a way across much of the surface. The
