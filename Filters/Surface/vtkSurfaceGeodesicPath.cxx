@@ -422,33 +422,31 @@ std::vector<vtkSurfaceGeodesicPath::Segment> vtkSurfaceGeodesicPath::TraceThroug
     pairs.push_back({ points[i], points[(i + 1) % waypoints.size()] });
   }
   auto outcomes = searches.betweenAll(pairs, fromBothEnds);
-  std::vector<bool> areMade;
+  std::vector<bool> areMade(count, true);
   for (std::size_t number = 0; number < unknown.size(); ++number)
   {
     Segment& segment = segments[unknown[number]];
     segment.Path = internal.onInput(std::move(outcomes[number].path));
     segment.IsFinal =
       fromBothEnds || !gainsByBothEnds || (segment.Path && segment.Path->isProvenShortest);
-    areMade.push_back(outcomes[number].isMade);
+    areMade[unknown[number]] = outcomes[number].isMade;
   }
-  this->NumberOfSearches = static_cast<vtkIdType>(std::count(areMade.begin(), areMade.end(), true));
+  const auto left = std::count(areMade.begin(), areMade.end(), false);
+  this->NumberOfSearches = static_cast<vtkIdType>(unknown.size()) - left;
   if (!unknown.empty())
   {
     this->MostPointsOnARank = std::max(this->MostPointsOnARank, searches.mostPointsOnARank());
   }
-  if (this->NumberOfSearches < static_cast<vtkIdType>(unknown.size()))
+  if (left > 0)
   {
     // An aborted search tells nothing about whether there is a path, so no later run may find it.
-    std::size_t number = 0;
     std::vector<Segment> made;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const bool isUnknown = number < unknown.size() && unknown[number] == i;
-      if (!isUnknown || areMade[number])
+      if (areMade[i])
       {
         made.push_back(std::move(segments[i]));
       }
-      number += isUnknown ? 1 : 0;
     }
     return made;
   }

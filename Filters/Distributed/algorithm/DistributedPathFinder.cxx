@@ -205,8 +205,8 @@ void DistributedPathFinder::findPiecewise(std::span<const GlobalPoint> starts,
   own.options.onProgress = [&](std::size_t steps)
   { return !this->Request.options.onProgress || this->Request.options.onProgress(steps); };
   PiecewisePaths search(own, false);
-  std::vector<PiecewisePaths::Found> found = search.find(pairs);
-  for (PiecewisePaths::Found& one : found)
+  std::vector<FoundPath> found = search.find(pairs);
+  for (FoundPath& one : found)
   {
     std::reverse(one.path.begin(), one.path.end());
   }

@@ -170,7 +170,7 @@ void PathSearches::findPiecewise(
   std::span<const PointPair> pairs, bool fromBothEnds, std::span<Outcome> outcomes)
 {
   PiecewisePaths search(this->Request, fromBothEnds);
-  const std::vector<PiecewisePaths::Found> found = search.find(pairs);
+  const std::vector<FoundPath> found = search.find(pairs);
   if (this->IsAbortedNow())
   {
     return;

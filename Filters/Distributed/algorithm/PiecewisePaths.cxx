@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -35,24 +34,6 @@ constexpr double PartOfLength = 0.3;
 constexpr double EdgesOfRadius = 4.0;
 /** Corridors are so wide one after the other. */
 constexpr std::array Widths{ 1.0, 3.0 };
-
-/** What a rank tells of a path. */
-struct FoundHeader
-{
-  Index number;
-  std::uint32_t hasPath;
-  std::uint32_t isProvenShortest;
-  std::uint32_t numberOfPoints;
-  double cost;
-};
-
-/** What all ranks know of it. */
-struct Known
-{
-  std::uint8_t isKnown;
-  std::uint8_t hasPath;
-  std::uint8_t isProvenShortest;
-};
 
 std::vector<Ball> ballsAlong(const PointPair& pair, double width)
 {
@@ -84,8 +65,7 @@ GlobalPath globalPathOf(const SurfacePath& path, const GlobalOf& globalOf)
 }
 
 template <class GlobalOf>
-void take(
-  const PartialSearch::Outcome& outcome, const GlobalOf& globalOf, PiecewisePaths::Found& found)
+void take(const PartialSearch::Outcome& outcome, const GlobalOf& globalOf, FoundPath& found)
 {
   if (outcome.isKnown)
   {
@@ -94,39 +74,7 @@ void take(
   }
 }
 
-RankGroup::Message packed(std::span<const PiecewisePaths::Found> found)
-{
-  RankGroup::Message message;
-  for (Index number = 0; number < found.size(); ++number)
-  {
-    if (const auto& [isKnown, hasPath, isProven, cost, path] = found[number]; isKnown)
-    {
-      append(message,
-        FoundHeader{ number, hasPath ? 1u : 0u, isProven ? 1u : 0u,
-          static_cast<std::uint32_t>(path.size()), cost });
-      const RankGroup::Message points = bytesOf<GlobalPathPoint>(path);
-      message.insert(message.end(), points.begin(), points.end());
-    }
-  }
-  return message;
-}
-
-void unpack(const RankGroup::Message& message, std::span<PiecewisePaths::Found> found)
-{
-  for (const char* at = message.data(); at < message.data() + message.size();)
-  {
-    FoundHeader header;
-    std::memcpy(&header, at, sizeof(header));
-    at += sizeof(header);
-    GlobalPath path(header.numberOfPoints);
-    std::memcpy(path.data(), at, path.size() * sizeof(GlobalPathPoint));
-    at += path.size() * sizeof(GlobalPathPoint);
-    found[header.number] = { true, header.hasPath != 0, header.isProvenShortest != 0, header.cost,
-      std::move(path) };
-  }
-}
-
-std::vector<Index> unknownOf(std::span<const PiecewisePaths::Found> found)
+std::vector<Index> unknownOf(std::span<const FoundPath> found)
 {
   std::vector<Index> numbers;
   for (Index number = 0; number < found.size(); ++number)
@@ -153,7 +101,7 @@ public:
   {
   }
 
-  void find(const PointPair& pair, Found& found)
+  void find(const PointPair& pair, FoundPath& found)
   {
     take(
       this->Search.between(pair.from.local[0], pair.to.local[0], this->FromBothEnds),
@@ -205,10 +153,10 @@ PiecewisePaths::PiecewisePaths(const PathRequest& request, bool fromBothEnds)
 {
 }
 
-std::vector<PiecewisePaths::Found> PiecewisePaths::find(std::span<const PointPair> pairs)
+std::vector<FoundPath> PiecewisePaths::find(std::span<const PointPair> pairs)
 {
   RankGroup& ranks = this->Request.ranks;
-  std::vector<Found> found(pairs.size());
+  std::vector<FoundPath> found(pairs.size());
   std::vector<double> ranksOfPairs;
   for (const auto& [from, to] : pairs)
   {
@@ -217,11 +165,7 @@ std::vector<PiecewisePaths::Found> PiecewisePaths::find(std::span<const PointPai
   }
   ranks.takeLeast(ranksOfPairs);
   this->findOnPieces(pairs, ranksOfPairs, found);
-  for (const RankGroup::Message& message : ranks.toFirst(packed(found)))
-  {
-    unpack(message, found);
-  }
-  this->tellAll(found);
+  gatherOnFirst(ranks, found);
   for (const double width : Widths)
   {
     this->findAcross(pairs, width, found);
@@ -252,8 +196,8 @@ bool PiecewisePaths::allGoOn(double searches)
   return !this->Request.ranks.isAny(!this->report(0));
 }
 
-void PiecewisePaths::findOnPieces(
-  std::span<const PointPair> pairs, std::span<const double> ranksOfPairs, std::span<Found> found)
+void PiecewisePaths::findOnPieces(std::span<const PointPair> pairs,
+  std::span<const double> ranksOfPairs, std::span<FoundPath> found)
 {
   RankGroup& ranks = this->Request.ranks;
   std::vector<Index> own;
@@ -290,7 +234,7 @@ void PiecewisePaths::findOnPieces(
 }
 
 void PiecewisePaths::findAcross(
-  std::span<const PointPair> pairs, double width, std::span<Found> found)
+  std::span<const PointPair> pairs, double width, std::span<FoundPath> found)
 {
   const std::vector<Index> unknown = unknownOf(found);
   const double known = static_cast<double>(found.size() - unknown.size());
@@ -330,7 +274,7 @@ void PiecewisePaths::findAcross(
       }
     }
   }
-  this->tellAll(found);
+  tellAll(this->Request.ranks, found);
 }
 
 std::vector<double> PiecewisePaths::pointsOfBalls(
@@ -353,7 +297,7 @@ std::vector<double> PiecewisePaths::pointsOfBalls(
 }
 
 void PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
-  std::span<const Index> numbers, double width, std::span<Found> found)
+  std::span<const Index> numbers, double width, std::span<FoundPath> found)
 {
   std::vector<Ball> balls;
   for (const Index number : numbers)
@@ -387,29 +331,11 @@ void PiecewisePaths::findOnCorridor(std::span<const PointPair> pairs,
   }
 }
 
-void PiecewisePaths::tellAll(std::span<Found> found)
-{
-  RankGroup& ranks = this->Request.ranks;
-  std::vector<Known> known(found.size());
-  std::transform(found.begin(), found.end(), known.begin(),
-    [](const Found& one)
-    {
-      const auto flag = [](bool isSet) { return static_cast<std::uint8_t>(isSet ? 1 : 0); };
-      return Known{ flag(one.isKnown), flag(one.hasPath), flag(one.isProvenShortest) };
-    });
-  known = valuesIn<Known>(ranks.fromFirst(bytesOf<Known>(known)));
-  for (std::size_t i = 0; i < found.size() && ranks.rank() > 0; ++i)
-  {
-    found[i] = { known[i].isKnown != 0, known[i].hasPath != 0, known[i].isProvenShortest != 0, 0.0,
-      {} };
-  }
-}
-
-std::vector<std::optional<TracedPath>> PiecewisePaths::onInput(std::span<const Found> found)
+std::vector<std::optional<TracedPath>> PiecewisePaths::onInput(std::span<const FoundPath> found)
 {
   std::vector<GlobalVertex> carriers;
   std::unordered_map<GlobalVertex, Index, HashOfVertex> numbers;
-  for (const Found& one : found)
+  for (const FoundPath& one : found)
   {
     for (const GlobalPathPoint& point : one.path)
     {

@@ -4,10 +4,10 @@
 #define geodesic_distributed_PiecewisePaths_h
 
 #include "algorithm/DistributedPathFinder.h"
+#include "algorithm/FoundPath.h"
 #include "algorithm/PartialSearch.h"
 #include "gather/CorridorMesh.h"
 #include "gather/PatchCutter.h"
-#include "global/GlobalPath.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,22 +49,12 @@ public:
    */
   PiecewisePaths(const PathRequest& request, bool fromBothEnds);
 
-  struct Found
-  {
-    bool isKnown = false;
-    bool hasPath = false;
-    bool isProvenShortest = false;
-    // On the first rank:
-    double cost = 0.0;
-    GlobalPath path;
-  };
-
   /** Collective; all ranks must pass the same pairs. */
-  std::vector<Found> find(std::span<const PointPair> pairs);
+  std::vector<FoundPath> find(std::span<const PointPair> pairs);
   /** The paths on the surface of the input, on the first rank; none where there is none.
    * Collective.
    */
-  std::vector<std::optional<TracedPath>> onInput(std::span<const Found> found);
+  std::vector<std::optional<TracedPath>> onInput(std::span<const FoundPath> found);
 
   /** See DistributedPathFinder. */
   std::size_t largestCorridor() const { return this->LargestCorridor; }
@@ -73,18 +63,16 @@ private:
   class PieceSearch;
 
   /** Finds paths on the pieces. @param ranksOfPairs  the rank that is to search for each */
-  void findOnPieces(
-    std::span<const PointPair> pairs, std::span<const double> ranksOfPairs, std::span<Found> found);
+  void findOnPieces(std::span<const PointPair> pairs, std::span<const double> ranksOfPairs,
+    std::span<FoundPath> found);
   /** Finds the unknown ones on corridors. @param width of these, in units of the usual one */
-  void findAcross(std::span<const PointPair> pairs, double width, std::span<Found> found);
+  void findAcross(std::span<const PointPair> pairs, double width, std::span<FoundPath> found);
   /** For each pair how many points of all ranks its balls hold. Collective. */
   std::vector<double> pointsOfBalls(
     std::span<const PointPair> pairs, std::span<const Index> numbers, double width);
   /** Finds some on a corridor of the first rank. Collective. */
   void findOnCorridor(std::span<const PointPair> pairs, std::span<const Index> numbers,
-    double width, std::span<Found> found);
-  /** Lets all ranks know what the first one knows, but for the paths. Collective. */
-  void tellAll(std::span<Found> found);
+    double width, std::span<FoundPath> found);
   SolveOptions optionsOn(const SolveOptions& part);
   /** Reports progress. @param steps since those of the searches before @return whether to go on */
   bool report(std::size_t steps);

@@ -138,7 +138,7 @@ GlobalPath reversedPathOf(const TracedPath& traced)
 }
 
 /** Finds the paths that join points of lines. Collective. */
-std::vector<PiecewisePaths::Found> jointsOf(RankGroup& ranks, const DistributedSurface& surface,
+std::vector<FoundPath> jointsOf(RankGroup& ranks, const DistributedSurface& surface,
   const bridge::PathAttributes& input, const std::vector<PointPair>& pairs)
 {
   if (pairs.empty())
@@ -148,7 +148,7 @@ std::vector<PiecewisePaths::Found> jointsOf(RankGroup& ranks, const DistributedS
   FastMarchingSolver solver(surface.sharedPiece()->mesh());
   PathRequest request{ ranks, surface, nullptr, nullptr, surface.divided(), solver, {}, {}, input };
   request.options.onProgress = [](std::size_t) { return true; };
-  std::vector<PiecewisePaths::Found> found(pairs.size());
+  std::vector<FoundPath> found(pairs.size());
   if (pairs.size() >= LeastJoints)
   {
     found = PiecewisePaths(request, false).find(pairs);
@@ -209,7 +209,7 @@ std::vector<GlobalPath> joinedLines(RankGroup& ranks, const DistributedSurface& 
       }
     }
   }
-  const std::vector<PiecewisePaths::Found> joints = jointsOf(ranks, surface, input, apart);
+  const std::vector<FoundPath> joints = jointsOf(ranks, surface, input, apart);
   auto joint = joints.begin();
   sharesFace = shareFaces.begin();
   std::vector<GlobalPath> paths;
